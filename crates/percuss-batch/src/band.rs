@@ -3,21 +3,19 @@
 //! Lanes cannot search for pivots each on its own. In a step of a transient the blocks are dominated by masses, so there is no need;
 //! where a pivot fails all the same, the run's residual tells and it is left to the solver that searches.
 
+use percuss::internals::linalg::block::{Block, apply, less_applied, mul, sub_mul};
+use percuss::internals::linalg::gauss_jordan;
 use percuss::internals::scalar::Number;
-use percuss::math::vec2::dot4;
-
-/// A block of the band.
-pub type LaneBlock<S> = [[S; 4]; 4];
 
 /// A block-tridiagonal matrix, or its factors.
 #[derive(Clone, Debug)]
 pub struct Band<S> {
     /// Diagonal blocks, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation the inverses of the pivots.
-    pub diag: Vec<LaneBlock<S>>,
+    pub diag: Vec<Block<S>>,
     /// Block in row i, column i + 1, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `pivot^-1 upper` \[1, m, 1/m\].
-    pub upper: Vec<LaneBlock<S>>,
+    pub upper: Vec<Block<S>>,
     /// Block in row i + 1, column i, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `lower pivot^-1` \[1, m, 1/m\].
-    pub lower: Vec<LaneBlock<S>>,
+    pub lower: Vec<Block<S>>,
 }
 
 impl<S: Number> Band<S> {
@@ -49,13 +47,14 @@ impl<S: Number> Band<S> {
     pub fn factor(&mut self) {
         let n = self.diag.len();
         for i in 0..n {
-            let inverse = inverse(&self.diag[i]);
+            let mut inverse = self.diag[i];
+            gauss_jordan::invert(inverse.as_flattened_mut(), 4);
             self.diag[i] = inverse;
             if i + 1 < n {
-                let gain = product(&self.lower[i], &inverse);
-                subtract_product(&mut self.diag[i + 1], &gain, &self.upper[i]);
+                let gain = mul(&self.lower[i], &inverse);
+                sub_mul(&mut self.diag[i + 1], &gain, &self.upper[i]);
                 self.lower[i] = gain;
-                self.upper[i] = product(&inverse, &self.upper[i]);
+                self.upper[i] = mul(&inverse, &self.upper[i]);
             }
         }
     }
@@ -93,83 +92,4 @@ impl<S: Number> Band<S> {
             }
         }
     }
-}
-
-/// Inverse by Gauss-Jordan elimination, pivots on the diagonal.
-#[inline(always)]
-fn inverse<S: Number>(a: &LaneBlock<S>) -> LaneBlock<S> {
-    let mut m = *a;
-    for k in 0..4 {
-        let [pivot] = S::ordinary_recips([m[k][k]]);
-        m[k][k] = pivot.constant(1.0);
-        for j in 0..4 {
-            m[k][j] = m[k][j] * pivot;
-        }
-        for i in 0..4 {
-            if i != k {
-                let factor = m[i][k];
-                m[i][k] = factor.constant(0.0);
-                for j in 0..4 {
-                    m[i][j] = m[i][j].sub_product(factor, m[k][j]);
-                }
-            }
-        }
-    }
-    m
-}
-
-#[inline(always)]
-fn product<S: Number>(a: &LaneBlock<S>, b: &LaneBlock<S>) -> LaneBlock<S> {
-    let mut c = *a;
-    for i in 0..4 {
-        for j in 0..4 {
-            c[i][j] = (a[i][0] * b[0][j])
-                .add_product(a[i][1], b[1][j])
-                .add_product(a[i][2], b[2][j])
-                .add_product(a[i][3], b[3][j]);
-        }
-    }
-    c
-}
-
-#[inline(always)]
-fn subtract_product<S: Number>(c: &mut LaneBlock<S>, a: &LaneBlock<S>, b: &LaneBlock<S>) {
-    for i in 0..4 {
-        for j in 0..4 {
-            for k in 0..4 {
-                c[i][j] = c[i][j].sub_product(a[i][k], b[k][j]);
-            }
-        }
-    }
-}
-
-/// `x + a y`.
-#[inline(always)]
-pub fn add_applied<S: Number>(mut x: [S; 4], a: &LaneBlock<S>, y: &[S; 4]) -> [S; 4] {
-    for k in 0..4 {
-        for i in 0..4 {
-            x[i] = x[i].add_product(a[i][k], y[k]);
-        }
-    }
-    x
-}
-
-/// `x - a y`.
-#[inline(always)]
-fn less_applied<S: Number>(mut x: [S; 4], a: &LaneBlock<S>, y: &[S; 4]) -> [S; 4] {
-    for k in 0..4 {
-        for i in 0..4 {
-            x[i] = x[i].sub_product(a[i][k], y[k]);
-        }
-    }
-    x
-}
-
-#[inline(always)]
-fn apply<S: Number>(a: &LaneBlock<S>, x: &[S; 4]) -> [S; 4] {
-    let mut y = *x;
-    for i in 0..4 {
-        y[i] = dot4(&a[i], x);
-    }
-    y
 }

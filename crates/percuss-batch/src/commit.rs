@@ -31,7 +31,7 @@ impl<S: Number> Task for Accept<'_, S> {
     #[inline(always)]
     fn run(self) {
         let Self { engine, ledger, log, go } = self;
-        ledger.enter(engine);
+        let so_far = ledger.enter(engine);
         engine.commit();
         if let Some(go) = go {
             log.keep(go);
@@ -40,7 +40,7 @@ impl<S: Number> Task for Accept<'_, S> {
         if let Some(go) = go {
             log.put_back(go);
         }
-        ledger.close(engine);
+        ledger.close(engine, so_far);
     }
 }
 

@@ -4,28 +4,37 @@
 //! of a step, which do no work, and a value that vanishes at its end. Lanes cannot search for pivots; the complement is that of a
 //! tangent that masses dominate, and needs none.
 
-mod numbers;
-
 use super::engine::Engine;
-use super::ledger::LaneLedger;
+use percuss::internals::ledger::Ledger;
+use percuss::internals::linalg::gauss_jordan;
+use percuss::internals::model::frozen::{Constraint, ConstraintKind};
 use percuss::internals::scalar::{Number, array};
+use percuss::internals::step::constraint::{ConstraintStep, NodalForm, point_nodes};
 use percuss::internals::step::convergence::ROUND_OFF;
-use percuss::math::vec2::cross;
-
-pub use numbers::{Constrained, ConstraintNumbers};
+use percuss::internals::step::forcing::Forcing;
 
 /// Corrections by which derivatives follow the values where angles are kept: the tangent lacks what the forces of such a joint change
 /// by when they turn, of the order of the strain of an element, so that each of them leaves a small share of what it finds.
 pub const FOLLOWING: usize = 12;
 
-/// Gradient of a constraint on the nodes of its points: two nodes of the first, two of the second, shape (4, 4) \[1, m, 1/m\].
-type NodalForm<S> = [[S; 4]; 4];
+/// What about a constraint an ensemble does not know, if anything.
+pub fn unknown(c: &Constraint) -> Option<&'static str> {
+    match &c.kind {
+        _ if c.until < f64::INFINITY => Some("supports for a time"),
+        _ if c.joint.is_some() => Some("joints of a given strength"),
+        _ if !c.drive.is_empty() => Some("supports that move"),
+        ConstraintKind::Turned { .. } => Some("supports that turn"),
+        _ => None,
+    }
+}
 
 /// The constraints of the runs in mid-flight.
 #[derive(Clone, Debug)]
 pub struct Constraints<S: Number> {
     /// One by one, shape (constraints).
     each: Vec<ConstraintState<S>>,
+    /// No motion: supports that move are unknown.
+    still: Forcing,
     /// Inverse of the Schur complement, row by row, shape (constraints * constraints) \[N/m, N, N m\].
     inverse: Vec<S>,
     /// Lanes in whose part impulses act: multipliers of such a part are no guess for what follows, and no round-off is taken back in it.
@@ -54,7 +63,7 @@ struct ConstraintState<S> {
 
 impl<S: Number> Constraints<S> {
     /// Of runs at rest in the reference configuration.
-    pub fn new(numbers: &[ConstraintNumbers<S>], nodes: usize, zero: S) -> Self {
+    pub fn new(numbers: &[Constraint<S>], nodes: usize, zero: S) -> Self {
         let none = [[zero; 4]; 4];
         let state = ConstraintState {
             accepted: zero,
@@ -67,7 +76,8 @@ impl<S: Number> Constraints<S> {
             column: vec![[zero; 4]; nodes],
         };
         let n = numbers.len();
-        Self { each: vec![state; n], inverse: vec![zero; n * n], impulsive: zero.less(zero) }
+        let (each, inverse) = (vec![state; n], vec![zero; n * n]);
+        Self { each, still: Forcing::default(), inverse, impulsive: zero.less(zero) }
     }
 
     /// Takes over a lane of other runs.
@@ -130,24 +140,18 @@ impl<S: Number> Engine<S> {
             return;
         }
         let share = self.taken_back();
-        for (c, state) in self.numbers.constraints.iter().zip(&mut self.constraints.each) {
-            state.multiplier = state.accepted;
-            state.taken_back = share * c.value(&self.displacement);
+        for k in 0..self.numbers.constraints.len() {
+            let value = self.constraint_step().start_value(&self.numbers.constraints[k]);
+            let state = &mut self.constraints.each[k];
+            (state.multiplier, state.taken_back) = (state.accepted, share * value);
         }
     }
 
-    /// Gradient of a constraint after `share` of the increment as it stands.
+    /// The step at hand as constraints see it.
     #[inline(always)]
-    fn gradient(&self, c: &ConstraintNumbers<S>, share: f64) -> NodalForm<S> {
-        let zero = self.h.constant(0.0);
-        let forms = c.forms(&self.displacement, &self.increment, zero.constant(share));
-        let mut gradient = [[zero; 4]; 4];
-        for (k, point) in c.points.iter().enumerate() {
-            let ([n0, n1, n2, n3], [f1, f2]) = (c.functions(point), forms[k]);
-            gradient[2 * k] = [*n0 * f1, *n0 * f2, *n1 * f1, *n1 * f2];
-            gradient[2 * k + 1] = [*n2 * f1, *n2 * f2, *n3 * f1, *n3 * f2];
-        }
-        gradient
+    fn constraint_step(&self) -> ConstraintStep<'_, S> {
+        let (start, increment) = (&self.displacement, &self.increment);
+        ConstraintStep { start, increment, forcing: &self.constraints.still, share: 0.5 }
     }
 
     /// Forces of the constraints at the increment as it stands, and by how much it misses them.
@@ -164,9 +168,10 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     fn see_constraint(&mut self, k: usize) {
         let c = &self.numbers.constraints[k];
-        let gradient = self.gradient(c, 0.5);
-        // Its change over the step: products differ by their middle.
-        let change = applied(c, &gradient, &self.increment);
+        let (gradient, change) = {
+            let step = self.constraint_step();
+            (step.nodal_form(c, 0.5), step.change(c))
+        };
         let state = &mut self.constraints.each[k];
         (state.gradient, state.miss) = (gradient, change + state.taken_back);
     }
@@ -194,12 +199,13 @@ impl<S: Number> Engine<S> {
         let n = self.numbers.constraints.len();
         for k in 0..n {
             let c = &self.numbers.constraints[k];
-            let mut row = self.gradient(c, 1.0);
+            let step = self.constraint_step();
+            let mut row = step.nodal_form(c, 1.0);
             let mut column = vec![[self.h.constant(0.0); 4]; self.increment.len()];
-            add_to(&mut column, c, &self.gradient(c, 0.5), self.h.constant(1.0));
+            step.add_gradient(c, self.h.constant(1.0), &mut column);
             for dofs in &self.numbers.prescribed {
                 dofs.project(&mut column[dofs.node]);
-                let own = nodes(c).zip(&mut row).filter(|(node, _)| *node == dofs.node);
+                let own = point_nodes(c).zip(&mut row).filter(|(node, _)| *node == dofs.node);
                 own.for_each(|(_, value)| dofs.project(value));
             }
             self.factors.solve(&mut column);
@@ -213,7 +219,7 @@ impl<S: Number> Engine<S> {
                 self.constraints.inverse[i * n + j] = applied(c, &each[i].row, &each[j].column);
             }
         }
-        invert(&mut self.constraints.inverse, n);
+        gauss_jordan::invert(&mut self.constraints.inverse, n);
     }
 
     /// Solves for the corrections with the factors in use and the constraints, which close what they miss or, if not `closing`, stay as
@@ -249,11 +255,12 @@ impl<S: Number> Engine<S> {
     #[inline(always)]
     pub fn add_constraint_change(&self, node: usize, change: &mut [S; 4]) {
         for (c, state) in self.numbers.constraints.iter().zip(&self.constraints.each) {
-            if !nodes(c).any(|n| n == node) {
+            if !point_nodes(c).any(|n| n == node) {
                 continue;
             }
-            let (now, before) = (self.gradient(c, 0.5), state.multiplier - state.correction);
-            for (k, _) in nodes(c).enumerate().filter(|(_, n)| *n == node) {
+            let now = self.constraint_step().nodal_form(c, 0.5);
+            let before = state.multiplier - state.correction;
+            for (k, _) in point_nodes(c).enumerate().filter(|(_, n)| *n == node) {
                 for i in 0..4 {
                     let force = now[k][i] * state.multiplier;
                     change[i] += force.sub_product(state.gradient[k][i], before);
@@ -261,42 +268,24 @@ impl<S: Number> Engine<S> {
             }
         }
     }
-}
 
-impl<S: Number> LaneLedger<S> {
     /// Enters the impulses of supports between nodes over the step.
     #[inline(always)]
-    pub fn enter_constraints(&mut self, engine: &Engine<S>) {
-        let h = engine.h;
-        let (u, d) = (&engine.displacement, &engine.increment);
-        for (c, state) in engine.numbers.constraints.iter().zip(&engine.constraints.each) {
-            let Constrained::Held { gradient } = c.kept else { continue };
-            let (point, along) = (&c.points[0], -state.multiplier * h);
-            let impulse: [S; 2] = array(|i| c.direction[i] * along);
-            let functions = c.functions(point);
-            let [start, change] =
-                [u, d].map(|nodal| super::engine::interpolate(functions, point.node, nodal));
-            let from = if gradient { point.tangent } else { point.position };
-            let arm: [S; 2] = array(|i| from[i] + start[i] + change[i] * 0.5);
-            self.angular_impulse += cross(arm, impulse);
-            if !gradient {
-                self.impulse = array(|i| self.impulse[i] + impulse[i]);
+    pub fn enter_constraints(&self, ledger: &mut Ledger<S>) {
+        for (c, state) in self.numbers.constraints.iter().zip(&self.constraints.each) {
+            if c.support.is_some() {
+                let r = self.constraint_step().reaction(c, state.multiplier);
+                ledger.react(self.h, r.at, r.force, r.moment);
             }
         }
     }
 }
 
-/// Nodes of a constraint's points, two a point.
-#[inline(always)]
-fn nodes<S>(c: &ConstraintNumbers<S>) -> impl Iterator<Item = usize> {
-    c.points.iter().flat_map(|p| [p.node, p.node + 1])
-}
-
 /// A gradient applied to nodal values.
 #[inline(always)]
-fn applied<S: Number>(c: &ConstraintNumbers<S>, gradient: &NodalForm<S>, nodal: &[[S; 4]]) -> S {
+fn applied<S: Number>(c: &Constraint<S>, gradient: &NodalForm<S>, nodal: &[[S; 4]]) -> S {
     let mut sum = gradient[0][0].constant(0.0);
-    for (node, on) in nodes(c).zip(gradient) {
+    for (node, on) in point_nodes(c).zip(gradient) {
         for i in 0..4 {
             sum = sum.add_product(on[i], nodal[node][i]);
         }
@@ -306,13 +295,8 @@ fn applied<S: Number>(c: &ConstraintNumbers<S>, gradient: &NodalForm<S>, nodal: 
 
 /// Adds `factor` times a gradient to nodal values.
 #[inline(always)]
-fn add_to<S: Number>(
-    nodal: &mut [[S; 4]],
-    c: &ConstraintNumbers<S>,
-    gradient: &NodalForm<S>,
-    factor: S,
-) {
-    for (node, on) in nodes(c).zip(gradient) {
+fn add_to<S: Number>(nodal: &mut [[S; 4]], c: &Constraint<S>, gradient: &NodalForm<S>, factor: S) {
+    for (node, on) in point_nodes(c).zip(gradient) {
         for i in 0..4 {
             nodal[node][i] = nodal[node][i].add_product(on[i], factor);
         }
@@ -323,24 +307,5 @@ fn add_to<S: Number>(
 fn choose_all<S: Number>(mine: &mut [[S; 4]], other: &[[S; 4]], which: S::Mask) {
     for (mine, other) in mine.iter_mut().zip(other) {
         *mine = array(|i| S::choose(which, other[i], mine[i]));
-    }
-}
-
-/// Inverse of a matrix of `n` rows by Gauss-Jordan elimination, pivots on the diagonal.
-#[inline(always)]
-fn invert<S: Number>(m: &mut [S], n: usize) {
-    for k in 0..n {
-        let pivot = m[k * n + k].recip();
-        m[k * n + k] = pivot.constant(1.0);
-        for j in 0..n {
-            m[k * n + j] = m[k * n + j] * pivot;
-        }
-        for i in (0..n).filter(|i| *i != k) {
-            let factor = m[i * n + k];
-            m[i * n + k] = factor.constant(0.0);
-            for j in 0..n {
-                m[i * n + j] = m[i * n + j].sub_product(factor, m[k * n + j]);
-            }
-        }
     }
 }

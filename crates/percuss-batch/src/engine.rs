@@ -3,16 +3,18 @@
 mod beams;
 mod guide;
 
-use super::band::{Band, LaneBlock};
+use super::band::Band;
 use super::constraints::Constraints;
 use super::fibres::FibreStates;
 use super::ground_springs::GroundSpringState;
 use super::impact::{Press, Strike};
-use super::numbers::{Numbers, PrescribedNumbers};
+use super::numbers::Numbers;
 use percuss::internals::element::energy_momentum::End;
-use percuss::internals::scalar::{Number, Real, Task};
+use percuss::internals::linalg::block::Block;
+use percuss::internals::scalar::{Number, Task};
+use percuss::internals::step::projection::project_held;
 use percuss::math::hermite::GAUSS;
-use percuss::math::vec2::{dot, dot4};
+use percuss::math::vec2::dot;
 
 pub use guide::GuideState;
 
@@ -44,7 +46,7 @@ pub struct Engine<S: Number> {
     pub settled: S::Mask,
     /// Rows of their nodes in the tangent that is in use, before anything was held: blocks of the node before, their own, and the next
     /// one's, shape (nodes held, 3, 4, 4) \[N/m, N, N m\].
-    pub reaction_rows: Vec<[LaneBlock<S>; 3]>,
+    pub reaction_rows: Vec<[Block<S>; 3]>,
     /// Mean factors of the loads over the step at hand, shape (loads) \[-\].
     pub load_factors: Vec<S>,
     /// What loads apply to the nodes, shape (beam nodes, 4) \[N, N m\].
@@ -193,7 +195,8 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Force of a guided projectile at the increment as it stands, and its own balance; with its impulse it is what it pushes with.
+    /// Force of a guided projectile at the increment as it stands, and its own balance (the paper's eqs. 3 and 13); with its impulse it is
+    /// what it pushes the beam with (F of eq. 4, Lambda of eq. 12).
     #[inline(always)]
     pub fn push(&mut self, k: usize, rate: S) -> S {
         let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
@@ -206,14 +209,6 @@ impl<S: Number> Engine<S> {
         push
     }
 
-    /// Takes held components out of nodal forces.
-    #[inline(always)]
-    pub fn project(holds: &[PrescribedNumbers<S>], nodal: &mut [[S; 4]]) {
-        for dofs in holds {
-            dofs.project(&mut nodal[dofs.node]);
-        }
-    }
-
     /// Holds what is held in the tangent, and factors it.
     #[inline(always)]
     pub fn factor(&mut self) {
@@ -222,30 +217,9 @@ impl<S: Number> Engine<S> {
 
     #[inline(always)]
     fn hold_and_factor(&mut self) {
-        let last = self.tangent.diag.len() - 1;
+        let (band, last) = (&mut self.tangent, self.residual.len() - 1);
         for dofs in &self.numbers.prescribed {
-            let (n, band) = (dofs.node, &mut self.tangent);
-            // Held directions weigh as much as the others, or round-off in them would move.
-            let own = &band.diag[n];
-            let weight = own[0][0] + own[1][1] + own[2][2] + own[3][3];
-            dofs.project_rows(&mut band.diag[n]);
-            dofs.project_columns(&mut band.diag[n]);
-            for normal in &dofs.normals {
-                for i in 0..4 {
-                    for j in 0..4 {
-                        let entry = &mut band.diag[n][i][j];
-                        *entry = entry.add_product(weight * normal[i], normal[j]);
-                    }
-                }
-            }
-            if n < last {
-                dofs.project_rows(&mut band.upper[n]);
-                dofs.project_columns(&mut band.lower[n]);
-            }
-            if n > 0 {
-                dofs.project_columns(&mut band.upper[n - 1]);
-                dofs.project_rows(&mut band.lower[n - 1]);
-            }
+            dofs.hold_in([&mut band.diag, &mut band.upper, &mut band.lower], |i| i < last);
         }
         self.tangent.factor();
     }
@@ -271,7 +245,7 @@ impl<S: Number> Engine<S> {
                 *target = target.sub_product(push, *c);
             }
         }
-        Self::project(&self.numbers.prescribed, &mut self.correction);
+        project_held(&self.numbers.prescribed, &mut self.correction);
         self.solve_constrained(true);
         for k in 0..self.guides.len() {
             let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
@@ -313,13 +287,6 @@ impl<S: Number> Task for Correct<'_, S> {
     fn run(self) {
         self.0.solve_for_correction();
     }
-}
-
-/// Interpolates nodal values with shape functions.
-#[inline(always)]
-pub fn interpolate<S: Real>(n: &[S; 4], node: usize, nodal: &[[S; 4]]) -> [S; 2] {
-    let (a, b) = (&nodal[node], &nodal[node + 1]);
-    [dot4(n, &[a[0], a[2], b[0], b[2]]), dot4(n, &[a[1], a[3], b[1], b[3]])]
 }
 
 fn set_end<S: Number>(mine: &mut End<S>, lane: usize, from: &End<S>, from_lane: usize) {

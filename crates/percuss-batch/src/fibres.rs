@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use super::numbers::{Numbers, SpanNumbers};
 use percuss::internals::element::beam::{ElementTable, ElementValues};
-use percuss::internals::element::fibre::FibreState;
+use percuss::internals::element::fibre::{FibreFlow, FibreState};
 use percuss::internals::element::yielding::{
     ElementFibres, FibreEnergies, GaussStrains, gauss_strains,
 };
@@ -104,7 +104,7 @@ impl<S: Number> Engine<S> {
     fn advance_all_fibres(&mut self) {
         let (zero, rate) = (self.h.constant(0.0), self.h.recip());
         let all = &mut self.fibres;
-        (all.taken, all.failing, all.flowed) = ([zero; 2], zero.less(zero), zero.less(zero));
+        let mut flow = FibreFlow::beside([zero; 2]);
         let mut element = 0;
         for span in &self.numbers.spans {
             let Some(fibres) = &span.fibres else {
@@ -122,21 +122,24 @@ impl<S: Number> Engine<S> {
                     let weight = table.rows[j].weight;
                     for (fibre, state) in points.iter().zip(&mut states) {
                         let law = &fibres.laws[fibre.law];
-                        let e0 = from[j][0] + fibre.height * from[j][1];
-                        let e1 = to[j][0] + fibre.height * to[j][1];
-                        let before = state.accumulated;
-                        let lost = law.advance(state, [e0, e1], times);
-                        let volume = fibre.area * weight;
-                        for i in 0..2 {
-                            all.taken[i] += volume * lost[i];
-                        }
-                        all.failing = all.failing | law.fails(e1);
-                        all.flowed = all.flowed | before.less(state.accumulated);
+                        flow.advance((law, fibre), state, (weight, [from[j], to[j]]), times);
                     }
                 }
                 element += 1;
             }
         }
+        (all.taken, all.failing, all.flowed) = (flow.taken, flow.failing, flow.flowed);
+    }
+
+    /// Fibres of the element of number `k` in a span.
+    #[inline(always)]
+    pub fn element_fibres<'a>(
+        &'a self,
+        fibres: &'a SpanFibres<S>,
+        k: usize,
+    ) -> ElementFibres<'a, S> {
+        let states = &self.fibres.states[fibres.range(k)];
+        ElementFibres { laws: &fibres.laws, fibres: fibres.of(k), states }
     }
 
     /// What the fibres of an element store.
@@ -147,10 +150,8 @@ impl<S: Number> Engine<S> {
         k: usize,
         element: usize,
     ) -> FibreEnergies<S> {
-        let states = &self.fibres.states[fibres.range(k)];
-        let of = ElementFibres { laws: &fibres.laws, fibres: fibres.of(k), states };
         let (table, strains) = (span.table(k), &self.fibres.strains[element]);
-        self.h.apart(Energies { of: &of, table, strains })
+        self.h.apart(Energies { of: &self.element_fibres(fibres, k), table, strains })
     }
 }
 

@@ -2,33 +2,23 @@
 //!
 //! The same forces as those of single runs ([`step::connectors`](percuss::internals::step::connectors)): the difference quotient of the potential.
 
-use super::engine::{Engine, interpolate};
-use super::law::difference_quotient;
-use super::ledger::LaneLedger;
-use super::numbers::GuideLaw;
-use percuss::internals::model::frozen::{Connector, ConnectorLaw, Coordinate};
-use percuss::internals::scalar::{Number, array};
-use percuss::math::vec2::{cross, dot};
+use super::engine::Engine;
+use percuss::internals::ledger::Ledger;
+use percuss::internals::model::frozen::{Connector, ConnectorLaw, Coordinate, MaterialPoint};
+use percuss::internals::scalar::Number;
+use percuss::math::vec2::{dot, scale};
 
 /// A spring and damper from a point of a beam to the ground.
 #[derive(Clone, Debug)]
 pub struct GroundSpringNumbers<S> {
-    /// Node `a` of the element it acts on.
-    pub node: usize,
-    /// Whether it presses only from its free length on.
-    pub one_sided: bool,
-    /// Shape functions of its point, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
-    pub shape: [S; 4],
-    /// Reference position of its point, shape (2) \[m\].
-    pub position: [S; 2],
+    /// The point it acts on.
+    pub point: MaterialPoint<S>,
     /// Line it acts along, unit vector, shape (2) \[1\].
     pub direction: [S; 2],
-    /// Stiffness \[N/m\].
-    pub stiffness: S,
+    /// Its force over the displacement along the line.
+    pub law: ConnectorLaw<S>,
     /// Force per rate \[N s/m\].
     pub damping: S,
-    /// Displacement without force \[m\].
-    pub free: S,
 }
 
 /// A spring in the step at hand.
@@ -55,20 +45,7 @@ impl GroundSpringNumbers<f64> {
         if !drive.is_empty() {
             return Err("supports that move");
         }
-        let (one_sided, stiffness, free) = match c.law {
-            ConnectorLaw::Linear { stiffness, rest } => (false, stiffness, rest),
-            ConnectorLaw::OneSided { stiffness, gap } => (true, stiffness, gap),
-        };
-        Ok(Self {
-            node: point.node,
-            one_sided,
-            shape: point.shape,
-            position: point.position,
-            direction: *direction,
-            stiffness,
-            damping: c.damping,
-            free,
-        })
+        Ok(Self { point: point.clone(), direction: *direction, law: c.law, damping: c.damping })
     }
 }
 
@@ -76,14 +53,10 @@ impl<S: Copy> GroundSpringNumbers<S> {
     /// The same with every number replaced, in a fixed order.
     pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> GroundSpringNumbers<T> {
         GroundSpringNumbers {
-            node: self.node,
-            one_sided: self.one_sided,
-            shape: self.shape.map(&mut *f),
-            position: self.position.map(&mut *f),
+            point: self.point.map(f),
             direction: self.direction.map(&mut *f),
-            stiffness: f(self.stiffness),
+            law: self.law.map(f),
             damping: f(self.damping),
-            free: f(self.free),
         }
     }
 }
@@ -92,26 +65,7 @@ impl<S: Number> GroundSpringNumbers<S> {
     /// Displacement of its point along its line.
     #[inline(always)]
     fn along(&self, nodal: &[[S; 4]]) -> S {
-        dot(self.direction, interpolate(&self.shape, self.node, nodal))
-    }
-
-    /// Potential at a displacement \[J\].
-    #[inline(always)]
-    fn energy(&self, q: S) -> S {
-        let zero = q.constant(0.0);
-        let p = q - self.free;
-        let p = if self.one_sided { p.max(zero) } else { p };
-        self.stiffness * p * p * 0.5
-    }
-
-    /// Force of the spring over a step from `q0` by `change`, and its slope by the end of the step.
-    #[inline(always)]
-    fn force(&self, q0: S, change: S) -> [S; 2] {
-        let p0 = q0 - self.free;
-        if self.one_sided {
-            return difference_quotient(GuideLaw::Linear, self.stiffness, p0, p0 + change);
-        }
-        [self.stiffness * (p0 + change * 0.5), self.stiffness * 0.5]
+        dot(self.direction, self.point.value(nodal))
     }
 }
 
@@ -128,7 +82,7 @@ impl<S: Number> Engine<S> {
     fn see_spring(&self, k: usize) -> GroundSpringState<S> {
         let spring = &self.numbers.springs[k];
         let change = spring.along(&self.increment);
-        let [elastic, slope] = spring.force(spring.along(&self.displacement), change);
+        let [elastic, slope] = spring.law.quotient(spring.along(&self.displacement), change);
         let lag = spring.damping / self.h;
         let (force, slope) = (elastic + lag * change, slope + lag);
         GroundSpringState { force, slope, change, factored: self.springs[k].factored }
@@ -141,13 +95,11 @@ impl<S: Number> Engine<S> {
             let state = self.see_spring(k);
             self.springs[k] = state;
             let spring = &self.numbers.springs[k];
-            let row = row(&spring.shape, &spring.direction);
-            for (i, c) in row.iter().enumerate() {
-                let target = &mut self.residual[spring.node + i / 4][i % 4];
-                *target = target.add_product(state.force, *c);
-            }
+            let point = &spring.point;
+            point.spread(scale(state.force, spring.direction), &mut self.residual);
             if TANGENT {
-                self.tangent.add_square(spring.node, &row, state.slope);
+                let row = row(&point.shape, &spring.direction);
+                self.tangent.add_square(point.node, &row, state.slope);
             }
         }
     }
@@ -166,7 +118,7 @@ impl<S: Number> Engine<S> {
     pub fn springs_foreseen(&self, small: S) -> S::Mask {
         let mut all = !small.less(small);
         for (k, before) in self.springs.iter().enumerate() {
-            if self.numbers.springs[k].one_sided {
+            if self.numbers.springs[k].law.is_one_sided() {
                 let now = self.see_spring(k);
                 let foreseen = before.force + before.factored * (now.change - before.change);
                 all = all & ((now.force - foreseen) * self.h).abs().at_most(small);
@@ -180,24 +132,19 @@ impl<S: Number> Engine<S> {
     pub fn spring_energy(&self) -> S {
         let zero = self.h.constant(0.0);
         let each = self.numbers.springs.iter();
-        each.fold(zero, |sum, s| sum + s.energy(s.along(&self.displacement)))
+        each.fold(zero, |sum, s| sum + s.law.energy(s.along(&self.displacement)))
     }
-}
 
-impl<S: Number> LaneLedger<S> {
     /// Enters the impulses of the ground and the losses of the dampers over the step.
     #[inline(always)]
-    pub fn enter_springs(&mut self, engine: &Engine<S>) {
-        let h = engine.h;
-        let (u, d) = (&engine.displacement, &engine.increment);
-        for (k, spring) in engine.numbers.springs.iter().enumerate() {
-            let state = engine.see_spring(k);
-            self.loss_damping += spring.damping / h * state.change * state.change;
-            let impulse: [S; 2] = array(|i| -(spring.direction[i] * state.force * h));
-            let [start, step] = [u, d].map(|nodal| interpolate(&spring.shape, spring.node, nodal));
-            let x: [S; 2] = array(|i| spring.position[i] + start[i] + step[i] * 0.5);
-            self.impulse = array(|i| self.impulse[i] + impulse[i]);
-            self.angular_impulse += cross(x, impulse);
+    pub fn enter_springs(&self, ledger: &mut Ledger<S>) {
+        let (u, d) = (&self.displacement, &self.increment);
+        for (k, spring) in self.numbers.springs.iter().enumerate() {
+            let state = self.see_spring(k);
+            ledger.loss_damping += spring.damping / self.h * state.change * state.change;
+            let [x, _] = spring.point.middle(u, d);
+            let force = scale(-state.force, spring.direction);
+            ledger.react(self.h, x, force, self.h.constant(0.0));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::engine::Engine;
 use percuss::internals::scalar::{Mask, Number};
+use percuss::internals::step::projection::project_held;
 
 /// What the rigid contact of a run with derivatives does in the step at hand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -104,7 +105,7 @@ impl<S: Number> Engine<S> {
         for (i, c) in guide.row().iter().enumerate() {
             self.correction[guide.node + i / 4][i % 4] = *c;
         }
-        Self::project(&self.numbers.prescribed, &mut self.correction);
+        project_held(&self.numbers.prescribed, &mut self.correction);
         self.solve_constrained(false);
         for (j, (guide, state)) in self.numbers.guides.iter().zip(&mut self.guides).enumerate() {
             let own = if j == k { zero.constant(-1.0) } else { zero };

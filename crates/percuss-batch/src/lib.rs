@@ -28,7 +28,6 @@ mod newton;
 mod numbers;
 mod pace;
 mod paced;
-mod prescribed;
 mod reactions;
 mod rigid_log;
 mod run;

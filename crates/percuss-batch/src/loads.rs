@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use super::engine::Engine;
-use super::ledger::LaneLedger;
 use super::numbers::LoadNumbers;
 use percuss::Model;
+use percuss::internals::ledger::{Ledger, StepWork};
 use percuss::internals::model::frozen::LoadAction;
 use percuss::internals::scalar::{Number, array};
-use percuss::math::vec2::{cross, dot, dot4};
+use percuss::math::vec2::{dot, scale, sub};
 
 /// A load for a factor of one, or what about it is not dead.
 pub fn dead_load(model: &Model, action: &LoadAction) -> Result<LoadNumbers<f64>, &'static str> {
@@ -77,30 +77,26 @@ impl<S: Number> Engine<S> {
     }
 }
 
-impl<S: Number> LaneLedger<S> {
-    /// Enters their work and impulses over the step.
+impl<S: Number> Engine<S> {
+    /// Enters what the loads did over the step.
     #[inline(always)]
-    pub fn enter_loads(&mut self, engine: &Engine<S>) {
-        let h = engine.h;
-        for n in 0..engine.applied.len() {
-            let (force, d) = (&engine.applied[n], &engine.increment[n]);
-            let (x, g) = engine.middle(n);
-            self.work_loads += dot4(force, d);
-            self.impulse_loads = array(|i| self.impulse_loads[i] + h * force[i]);
-            let moment = cross(g, [force[2], force[3]]);
-            self.angular_impulse_loads += h * (cross(x, [force[0], force[1]]) + moment);
+    pub fn enter_loads(&self, ledger: &mut Ledger<S>) {
+        if self.numbers.loads.is_empty() {
+            return;
         }
-        for (guide, state) in engine.numbers.guides.iter().zip(&engine.guides) {
-            let along = dot(guide.direction, state.applied);
+        let (h, zero) = (self.h, self.h.constant(0.0));
+        let mut sum = StepWork::none(h);
+        for (n, force) in self.applied.iter().enumerate() {
+            sum.add_nodal(force, self.middle(n), &self.increment[n], h);
+        }
+        for (guide, state) in self.numbers.guides.iter().zip(&self.guides) {
             let way = state.way + state.increment * 0.5;
-            let own: [S; 2] = array(|i| guide.position[i] + guide.direction[i] * way);
-            let held: [S; 2] = array(|i| guide.direction[i] * along - state.applied[i]);
-            self.work_loads += along * state.increment;
-            self.impulse_loads = array(|i| self.impulse_loads[i] + h * state.applied[i]);
-            self.angular_impulse_loads += h * cross(own, state.applied);
+            let x: [S; 2] = array(|i| guide.position[i] + guide.direction[i] * way);
+            sum.add_force(state.applied, x, scale(state.increment, guide.direction), h);
             // What is not along its line of flight the guide takes.
-            self.impulse = array(|i| self.impulse[i] + h * held[i]);
-            self.angular_impulse += h * cross(own, held);
+            let along = dot(guide.direction, state.applied);
+            ledger.react(h, x, sub(scale(along, guide.direction), state.applied), zero);
         }
+        ledger.load(&sum);
     }
 }

@@ -3,9 +3,10 @@
 mod increments;
 
 use self::increments::largest;
-use super::constraints::{Constrained, FOLLOWING};
+use super::constraints::FOLLOWING;
 use super::engine::Engine;
 use super::ledger::LaneLedger;
+use percuss::internals::model::frozen::ConstraintKind;
 use percuss::internals::scalar::{Mask, Number, Task};
 use percuss::internals::step::convergence::{ConvergenceMonitor, WORK_TOLERANCE};
 use percuss::internals::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE, MOST_ITERATIONS};
@@ -109,13 +110,13 @@ impl<S: Number> Engine<S> {
 
     #[inline(always)]
     fn iterate(&mut self, ledger: &LaneLedger<S>, search: &mut LaneNewton<S>) {
-        let before = search.begin(ledger.energy_scale, self.h);
+        let before = search.begin(ledger.sums.energy_scale, self.h);
         self.settled = self.h.less(self.h);
         self.predict(before, search.ahead, search.trusted);
         let reach = largest(&self.displacement, self.numbers.size);
         let momentum = {
-            let play = (self.numbers.total_mass * ledger.energy_scale * 2.0).sqrt();
-            play.max(ledger.linear_scale)
+            let play = (self.numbers.total_mass * ledger.sums.energy_scale * 2.0).sqrt();
+            play.max(ledger.sums.linear_scale)
         };
         let (mut assemble, mut seen) = (search.renew.any(), false);
         let mut corrections = 0;
@@ -221,7 +222,8 @@ impl<S: Number> Engine<S> {
         self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
         let all = !self.settled;
         self.factor_constraints(all);
-        let turns = self.numbers.constraints.iter().any(|c| c.kept == Constrained::Angle);
+        let turns =
+            self.numbers.constraints.iter().any(|c| matches!(c.kind, ConstraintKind::Angle { .. }));
         for _ in 0..if turns { FOLLOWING } else { 1 } {
             self.correct_and_strike();
             for (d, c) in self.increment.iter_mut().zip(&self.correction) {

@@ -1,10 +1,10 @@
 //! The numbers of a run, apart from its shape: what differs between the lanes of an ensemble.
 
-use super::constraints::ConstraintNumbers;
 use super::ground_springs::GroundSpringNumbers;
 use percuss::StrainMeasure;
 use percuss::internals::element::beam::ElementTable;
-use percuss::internals::model::frozen::SpanFibres;
+use percuss::internals::ledger::RoundOff;
+use percuss::internals::model::frozen::{Constraint, MaterialPoint, PrescribedDofs, SpanFibres};
 
 /// All numbers of a run of a given [`BatchShape`](super::shape::BatchShape).
 #[derive(Clone, Debug)]
@@ -16,9 +16,9 @@ pub struct Numbers<S> {
     /// Reference position and tangent of the beams' nodes, shape (beam nodes, 4) \[m, 1\].
     pub nodes: Vec<[S; 4]>,
     /// Components held at nodes, shape (nodes held).
-    pub prescribed: Vec<PrescribedNumbers<S>>,
+    pub prescribed: Vec<PrescribedDofs<S>>,
     /// Joints, and supports between nodes, shape (constraints).
-    pub constraints: Vec<ConstraintNumbers<S>>,
+    pub constraints: Vec<Constraint<S>>,
     /// Elastic supports and stops, one a direction, shape (springs to the ground).
     pub springs: Vec<GroundSpringNumbers<S>>,
     /// Guided projectiles, shape (guided projectiles).
@@ -26,17 +26,13 @@ pub struct Numbers<S> {
     /// Dead loads, shape (loads).
     pub loads: Vec<LoadNumbers<S>>,
     /// Recorded points, shape (recorded points).
-    pub points: Vec<PointNumbers<S>>,
-    /// Energy, linear and angular momentum that are round-off, shape (3) \[J, kg m/s, kg m^2/s\].
-    pub round_off: [S; 3],
-    /// The same below which no residual counts, shape (3) \[J, kg m/s, kg m^2/s\].
-    pub negligible: [S; 3],
+    pub points: Vec<MaterialPoint<S>>,
+    /// What is nothing beside the structure.
+    pub round_off: RoundOff<S>,
     /// Mass of all there is \[kg\].
     pub total_mass: S,
     /// Size of the structure \[m\].
     pub size: S,
-    /// What positions are as large as \[m\].
-    pub positions: S,
 }
 
 /// A part of a beam.
@@ -57,17 +53,6 @@ pub struct SpanNumbers<S> {
     pub tables: Vec<ElementTable<S>>,
     /// Its fibres, if it has any.
     pub fibres: Option<SpanFibres<S>>,
-}
-
-/// Held directions of a node, orthonormal.
-#[derive(Clone, Debug)]
-pub struct PrescribedNumbers<S> {
-    /// Node.
-    pub node: usize,
-    /// Components held, where the directions are those of components, shape (4).
-    pub components: Option<[bool; 4]>,
-    /// Directions in (u1, u2, u1', u2'), of unit length, shape (directions, 4) \[-\].
-    pub normals: Vec<[S; 4]>,
 }
 
 /// How a guided projectile touches.
@@ -117,15 +102,6 @@ pub struct LoadNumbers<S> {
     pub on_guides: Vec<[S; 2]>,
 }
 
-/// A recorded point.
-#[derive(Clone, Debug)]
-pub struct PointNumbers<S> {
-    /// Node `a` of its element.
-    pub node: usize,
-    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
-    pub shape: [S; 4],
-}
-
 impl<S: Copy> Numbers<S> {
     /// The same with every number replaced, in a fixed order.
     pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> Numbers<T> {
@@ -138,14 +114,10 @@ impl<S: Copy> Numbers<S> {
             springs: self.springs.iter().map(|s| s.map(f)).collect(),
             guides: self.guides.iter().map(|g| g.map(f)).collect(),
             loads: self.loads.iter().map(|l| l.map(f)).collect(),
-            points: (self.points.iter())
-                .map(|p| PointNumbers { node: p.node, shape: p.shape.map(&mut *f) })
-                .collect(),
-            round_off: self.round_off.map(&mut *f),
-            negligible: self.negligible.map(&mut *f),
+            points: self.points.iter().map(|p| p.map(f)).collect(),
+            round_off: self.round_off.map(f),
             total_mass: f(self.total_mass),
             size: f(self.size),
-            positions: f(self.positions),
         }
     }
 
@@ -176,13 +148,6 @@ impl<S: Copy> SpanNumbers<S> {
     #[inline(always)]
     pub fn table(&self, k: usize) -> &ElementTable<S> {
         &self.tables[if self.tables.len() == 1 { 0 } else { k }]
-    }
-}
-
-impl<S: Copy> PrescribedNumbers<S> {
-    fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> PrescribedNumbers<T> {
-        let normals = self.normals.iter().map(|n| n.map(&mut *f)).collect();
-        PrescribedNumbers { node: self.node, components: self.components, normals }
     }
 }
 

@@ -161,7 +161,7 @@ impl<S: Number> Paced<S> {
     #[inline(always)]
     fn nothing(&self, lane: &Lane, number: usize) -> Negligible {
         let numbers = &self.engine.numbers;
-        let (energy, mass) = (self.ledger.energy_scale, numbers.total_mass);
+        let (energy, mass) = (self.ledger.sums.energy_scale, numbers.total_mass);
         let speed = (2.0 * energy.lane(number) / mass.lane(number)).sqrt();
         let rate = lane.creep.max(NO_APPROACH * speed);
         let gap = (1e-12 * lane.pace.size()).max(rate * numbers.step.lane(number));

@@ -1,7 +1,7 @@
 //! Reactions where an iteration ends without another evaluation: they follow its last correction by the tangent it was found with.
 
-use super::band::{LaneBlock, add_applied};
 use super::engine::Engine;
+use percuss::internals::linalg::block::{Block, add_applied};
 use percuss::internals::scalar::Number;
 
 impl<S: Number> Engine<S> {
@@ -55,7 +55,7 @@ impl<S: Number> Engine<S> {
 }
 
 #[inline(always)]
-fn take_block<S: Number>(mine: &mut LaneBlock<S>, other: &LaneBlock<S>, which: S::Mask) {
+fn take_block<S: Number>(mine: &mut Block<S>, other: &Block<S>, which: S::Mask) {
     for (mine, other) in mine.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
         *mine = S::choose(which, *other, *mine);
     }

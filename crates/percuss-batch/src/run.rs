@@ -11,7 +11,7 @@ use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
 use percuss::Model;
 use percuss::internals::scalar::{Lanes, Mask, Number, in_lanes};
-use percuss::internals::settings::{SAME_INSTANT, Settings};
+use percuss::internals::settings::Settings;
 use percuss::{RunSummary, Termination};
 
 /// Simulates those of the runs that ensembles know, and of which no more is asked than they tell; `None` for the others.
@@ -150,12 +150,8 @@ impl<S: Number> Ensemble<S> {
             let Some((run, steps)) = self.lanes[lane] else { continue };
             let settings = runs[run].settings;
             if steps + 1 == settings.step_count() {
-                let left = settings.end - steps as f64 * settings.step;
-                let whole = (left - settings.step).abs() <= SAME_INSTANT * settings.step;
-                if left < settings.step && !whole {
-                    let left = self.engine.h.constant(left);
-                    self.engine.h.set_lane(lane, left, lane);
-                }
+                let left = self.engine.h.constant(settings.size_behind(steps));
+                self.engine.h.set_lane(lane, left, lane);
             }
             let (start, h) = (steps as f64 * settings.step, self.engine.h.lane(lane));
             for (factor, load) in self.engine.load_factors.iter_mut().zip(&runs[run].model.loads) {
@@ -173,10 +169,7 @@ impl<S: Number> Ensemble<S> {
     fn close_step(&mut self, runs: &[LaneRun], keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
         let lanes = &self.lanes;
         self.log.time = self.log.time.constants(|lane| {
-            lanes[lane].map_or(0.0, |(run, steps)| {
-                let settings = runs[run].settings;
-                ((steps + 1) as f64 * settings.step).min(settings.end)
-            })
+            lanes[lane].map_or(0.0, |(run, steps)| runs[run].settings.instant(steps + 1))
         });
         for lane in 0..S::LANES {
             let Some((run, steps)) = &mut self.lanes[lane] else { continue };

@@ -1,12 +1,10 @@
 //! Which runs an ensemble can step, and which of them side by side.
 
-use super::constraints::{Constrained, ConstraintNumbers};
+use super::constraints::unknown;
 
 use super::ground_springs::GroundSpringNumbers;
 use super::loads::dead_load;
-use super::numbers::{
-    GuideLaw, GuideNumbers, Numbers, PointNumbers, PrescribedNumbers, SpanNumbers,
-};
+use super::numbers::{GuideLaw, GuideNumbers, Numbers, SpanNumbers};
 use percuss::internals::element::beam::ElementTable;
 use percuss::internals::ledger::RoundOff;
 use percuss::internals::model::frozen::{BodyKind, FibreShape, ProjectileData, SpanFibres};
@@ -26,8 +24,8 @@ pub struct BatchShape {
     fibres: Vec<Option<FibreShape>>,
     /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
     prescribed: Vec<(usize, usize, Option<[bool; 4]>)>,
-    /// What each constraint keeps, and the nodes of its points, shape (constraints, points) \[index of a node\].
-    constraints: Vec<(Constrained, Vec<usize>)>,
+    /// Whether each constraint is of slopes, and the nodes of its points, shape (constraints, points) \[index of a node\].
+    constraints: Vec<(bool, Vec<usize>)>,
     /// Node of each spring to the ground, and whether it presses on one side only, shape (springs to the ground)
     /// \[index of a node\].
     springs: Vec<(usize, bool)>,
@@ -57,8 +55,10 @@ impl BatchShape {
             prescribed: (numbers.prescribed.iter())
                 .map(|h| (h.node, h.normals.len(), h.components))
                 .collect(),
-            constraints: numbers.constraints.iter().map(ConstraintNumbers::shape).collect(),
-            springs: numbers.springs.iter().map(|s| (s.node, s.one_sided)).collect(),
+            constraints: (numbers.constraints.iter())
+                .map(|c| (c.kind.is_of_slopes(), c.points().iter().map(|p| p.node).collect()))
+                .collect(),
+            springs: numbers.springs.iter().map(|s| (s.point.node, s.law.is_one_sided())).collect(),
             guides: numbers.guides.iter().map(|g| (g.node, g.law)).collect(),
             loads: numbers.loads.iter().map(|l| l.nodes.clone()).collect(),
             points: numbers.points.iter().map(|p| p.node).collect(),
@@ -90,15 +90,15 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             return Err(what);
         }
     }
-    let constraints = model.constraints.iter().map(ConstraintNumbers::of);
-    let constraints = constraints.collect::<Result<Vec<_>, _>>()?;
+    if let Some(what) = model.constraints.iter().find_map(unknown) {
+        return Err(what);
+    }
     let springs = model.connectors.iter().map(GroundSpringNumbers::of);
     let springs = springs.collect::<Result<Vec<_>, _>>()?;
     let guides = model.projectiles.iter().enumerate().map(|(i, p)| guide(model, settings, i, p));
     let guides = guides.collect::<Result<Vec<_>, _>>()?;
     let loads = model.loads.iter().map(|load| dead_load(model, &load.kind));
     let loads = loads.collect::<Result<Vec<_>, _>>()?;
-    let round_off = RoundOff::new(model, settings.step);
     let beams = &model.nodes[..model.beam_node_count()];
     Ok(Numbers {
         step: settings.step,
@@ -117,26 +117,15 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         nodes: (beams.iter())
             .map(|n| [n.position[0], n.position[1], n.tangent[0], n.tangent[1]])
             .collect(),
-        prescribed: (model.prescribed.iter())
-            .filter(|h| h.node < beams.len())
-            .map(|h| PrescribedNumbers {
-                node: h.node,
-                components: components(&h.normals),
-                normals: h.normals.clone(),
-            })
-            .collect(),
-        constraints,
+        prescribed: (model.prescribed.iter()).filter(|h| h.node < beams.len()).cloned().collect(),
+        constraints: model.constraints.clone(),
         springs,
         guides,
         loads,
-        points: (model.points.iter())
-            .map(|p| PointNumbers { node: p.node, shape: p.shape })
-            .collect(),
-        round_off: [round_off.energy, round_off.momentum, round_off.momentum * round_off.size],
+        points: model.points.clone(),
+        round_off: RoundOff::new(model, settings.step),
         total_mass: model.total_mass,
-        negligible: round_off.negligible,
         size: model.extent(),
-        positions: round_off.size,
     })
 }
 
@@ -190,14 +179,4 @@ fn guide(
         speed: dot(projectile.direction, body.velocity),
         stiffness,
     })
-}
-
-/// The components that directions are, if all are components.
-fn components(normals: &[[f64; 4]]) -> Option<[bool; 4]> {
-    let mut held = [false; 4];
-    for normal in normals {
-        let k = normal.iter().position(|x| x.abs() == 1.0)?;
-        held[k] = true;
-    }
-    Some(held)
 }

@@ -94,7 +94,7 @@ impl<S: Number> Stand<S> {
             *now = S::choose(go, *now, *kept);
         }
         engine.fibres.put_back(&self.fibres, go);
-        for (now, kept) in ledger.each().into_iter().zip({ self.ledger }.each()) {
+        for (now, kept) in ledger.numbers().zip({ self.ledger }.numbers()) {
             *now = S::choose(go, *now, *kept);
         }
     }

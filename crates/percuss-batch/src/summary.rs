@@ -72,14 +72,14 @@ impl Fixed {
 impl<S: Number> Telling<'_, S> {
     /// The summary; section forces and reactions are unset.
     pub fn summary(&self, termination: Termination, reading: &Reading<S>) -> RunSummary {
-        let (ledger, model, read) = (self.ledger, self.model, reading.read);
+        let (model, read) = (self.model, reading.read);
+        let LaneLedger { sums, now, audit } = self.ledger;
         let error = |value: f64| if reading.derivative { f64::NAN } else { value };
         let relative = |value: S, scale: S| {
             let (value, scale) = (value.lane(self.lane), scale.lane(self.lane));
             error(if value == 0.0 { 0.0 } else { value / scale })
         };
-        let [energy_scale, linear_scale, angular_scale] =
-            ledger.audit_scales(&self.engine.numbers.negligible);
+        let [energy_scale, linear_scale, angular_scale] = sums.audit_scales();
         RunSummary {
             termination,
             time: read(self.log.time),
@@ -92,28 +92,28 @@ impl<S: Number> Telling<'_, S> {
             factorizations: self.search.factorizations.lane(self.lane) as usize,
             rows: self.rows,
             energy: EnergySummary {
-                initial: read(ledger.start.energy),
-                final_: read(ledger.now.energy),
-                work_loads: read(ledger.work_loads),
+                initial: read(sums.energy_initial),
+                final_: read(now.total()),
+                work_loads: read(sums.work_loads),
                 work_supports: 0.0,
-                loss_impacts: read(ledger.loss_impacts),
-                loss_damping: read(ledger.loss_damping),
-                plastic: read(ledger.loss_plastic),
-                hardening: read(ledger.now.hardening),
+                loss_impacts: read(sums.loss_impacts),
+                loss_damping: read(sums.loss_damping),
+                plastic: read(sums.loss_plastic),
+                hardening: read(now.hardening),
                 failure: 0.0,
                 scale: read(energy_scale),
-                residual_max: relative(ledger.energy_residual, energy_scale),
+                residual_max: relative(audit.energy, energy_scale),
             },
             momentum: MomentumSummary {
                 linear_scale: read(linear_scale),
-                linear_residual_max: relative(ledger.linear_residual, linear_scale),
+                linear_residual_max: relative(audit.linear, linear_scale),
                 angular_scale: read(angular_scale),
-                angular_residual_max: relative(ledger.angular_residual, angular_scale),
+                angular_residual_max: relative(audit.angular, angular_scale),
             },
             audit: AuditSummary {
                 curvature_drift_max: error(0.0),
                 membrane_drift_max: error(0.0),
-                angular_rate_drift_max: relative(ledger.angular_rate_drift, energy_scale),
+                angular_rate_drift_max: relative(audit.angular_rate_drift, energy_scale),
             },
             projectiles: self.projectiles(read),
             contacts: (model.contacts.iter().enumerate())

@@ -1,75 +1,88 @@
-//! Energies and momenta, and the ledger of what entered and left.
+//! Energies and momenta, and the ledger of what entered and left: of one run, of runs side by side, or with derivatives.
+
+mod audit;
+mod measures;
+mod step_work;
 
 use serde::{Deserialize, Serialize};
 
+use crate::math::vec2::{add, cross, scale};
 use crate::model::Model;
+use crate::scalar::{Number, array};
+
+pub use audit::Audit;
+pub use measures::Measures;
+pub use step_work::StepWork;
 
 /// What entered and left since the start of the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Ledger {
+pub struct Ledger<S = f64> {
     /// Total energy at the start \[J\].
-    pub energy_initial: f64,
+    pub energy_initial: S,
     /// Work of the loads, gravity included \[J\].
-    pub work_loads: f64,
+    pub work_loads: S,
     /// Work of the supports \[J\].
-    pub work_supports: f64,
+    pub work_supports: S,
     /// Energy lost in impacts \[J\].
-    pub loss_impacts: f64,
+    pub loss_impacts: S,
     /// Energy taken by damping \[J\].
-    pub loss_damping: f64,
+    pub loss_damping: S,
     /// Energy dissipated by plastic flow \[J\].
-    pub loss_plastic: f64,
+    pub loss_plastic: S,
     /// Energy that was stored in fibres, springs and hinges that failed \[J\].
-    pub loss_failure: f64,
+    pub loss_failure: S,
     /// Linear momentum at the start, shape (2) \[kg m/s\].
-    pub linear_initial: [f64; 2],
+    pub linear_initial: [S; 2],
     /// Angular momentum about the origin at the start \[kg m^2/s\].
-    pub angular_initial: f64,
+    pub angular_initial: S,
     /// Impulse of the loads, shape (2) \[N s\].
-    pub impulse_loads: [f64; 2],
+    pub impulse_loads: [S; 2],
     /// Impulse of the supports, shape (2) \[N s\].
-    pub impulse_supports: [f64; 2],
+    pub impulse_supports: [S; 2],
     /// Angular impulse of the loads about the origin \[N m s\].
-    pub angular_impulse_loads: f64,
+    pub angular_impulse_loads: S,
     /// Angular impulse of the supports and of the projectiles' guides about the origin \[N m s\].
-    pub angular_impulse_supports: f64,
+    pub angular_impulse_supports: S,
     /// Impulse of damping forces against the ground, shape (2) \[N s\].
-    pub impulse_damping: [f64; 2],
+    pub impulse_damping: [S; 2],
     /// Their angular impulse about the origin \[N m s\].
-    pub angular_impulse_damping: f64,
+    pub angular_impulse_damping: S,
     /// Energy scale: the largest energy so far \[J\].
-    pub energy_scale: f64,
+    pub energy_scale: S,
     /// Scale of linear momentum: the largest so far \[kg m/s\].
-    pub linear_scale: f64,
+    pub linear_scale: S,
     /// Scale of angular momentum: the largest so far \[kg m^2/s\].
-    pub angular_scale: f64,
+    pub angular_scale: S,
     /// Magnitudes of the works, the impulses and the angular impulses of loads and supports, step by step, shape (3) \[J, N s, N m s\]: what
     /// passed through, however little of it stays.
-    pub passed: [f64; 3],
+    pub passed: [S; 3],
     /// What the sums above have lost by rounding, shape (15) \[J, N s, N m s\].
-    rest: [f64; FLOWS],
+    rest: Flows<S>,
     /// Energy, momentum and angular momentum that are none, shape (3) \[J, kg m/s, kg m^2/s\].
-    negligible: [f64; 3],
+    negligible: [S; 3],
 }
 
 /// Number of sums that flows are entered in.
 const FLOWS: usize = 15;
+
+/// Sums that flows are entered in, shape (15) \[J, N s, N m s\].
+pub type Flows<S> = [S; FLOWS];
 
 /// Strains that are none.
 const NEGLIGIBLE_STRAIN: f64 = 1e-12;
 
 /// What is nothing: energy and momentum of strains and displacements by the last five bits.
 #[derive(Clone, Copy, Debug)]
-pub struct RoundOff {
+pub struct RoundOff<S = f64> {
     /// Energy \[J\].
-    pub energy: f64,
+    pub energy: S,
     /// Linear momentum \[kg m/s\].
-    pub momentum: f64,
+    pub momentum: S,
     /// What positions are as large as \[m\].
-    pub size: f64,
+    pub size: S,
     /// Energy, momentum and angular momentum that no residual is held against, shape (3) \[J, kg m/s, kg m^2/s\]: what a strain of 1e-12
     /// stores, and a velocity of as much energy carries.
-    pub negligible: [f64; 3],
+    pub negligible: [S; 3],
 }
 
 impl RoundOff {
@@ -94,86 +107,65 @@ impl RoundOff {
     }
 }
 
-/// Energies and momenta of a state.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-pub struct Measures {
-    /// Kinetic energy of the beams \[J\].
-    pub kinetic_beams: f64,
-    /// Kinetic energy of the projectiles \[J\].
-    pub kinetic_projectiles: f64,
-    /// Axial strain energy \[J\].
-    pub strain_axial: f64,
-    /// Bending strain energy \[J\].
-    pub strain_bending: f64,
-    /// Energy that hardening has stored \[J\].
-    pub hardening: f64,
-    /// Energy of the contact springs \[J\].
-    pub contact: f64,
-    /// Energy of springs, elastic supports and stops \[J\].
-    pub springs: f64,
-    /// Linear momentum, shape (2) \[kg m/s\].
-    pub linear: [f64; 2],
-    /// Angular momentum about the origin \[kg m^2/s\].
-    pub angular: f64,
-    /// Largest distance of a stored bending strain from that of the configuration \[1/m\].
-    pub curvature_drift: f64,
-    /// Largest distance of a stored membrane strain from that of the configuration \[1\].
-    pub membrane_drift: f64,
-    /// Kinetic energy with the angular rates that follow from the slopes' velocities, less that with the sections' own rates, which is
-    /// conserved \[J\].
-    pub angular_rate_drift: f64,
-    /// Sum of the magnitudes of the bodies' linear momenta and of the elements', these by components \[kg m/s\], a scale: where things move against each
-    /// other, momenta vanish together that do not vanish alone.
-    pub linear_size: f64,
-    /// Sum of the distances from the origin times momenta, and of couples, all by their components' magnitudes \[kg m^2/s\], a scale:
-    /// what moves straight towards the origin has no angular momentum, and yet its parts have.
-    pub angular_size: f64,
-}
-
-impl Measures {
-    /// Total energy \[J\].
-    pub fn total(&self) -> f64 {
-        self.kinetic_beams
-            + self.kinetic_projectiles
-            + self.strain_axial
-            + self.strain_bending
-            + self.hardening
-            + self.contact
-            + self.springs
+impl<S: Copy> RoundOff<S> {
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> RoundOff<T> {
+        RoundOff {
+            energy: f(self.energy),
+            momentum: f(self.momentum),
+            size: f(self.size),
+            negligible: self.negligible.map(f),
+        }
     }
 }
 
-impl Ledger {
+#[doc(hidden)]
+impl<S: Number> Ledger<S> {
     /// Opens the ledger on an initial state, the scales no smaller than those of round-off.
-    pub(crate) fn open(measures: &Measures, round_off: &RoundOff) -> Self {
+    #[inline(always)]
+    pub fn open(measures: &Measures<S>, round_off: &RoundOff<S>) -> Self {
+        let zero = round_off.energy.constant(0.0);
         let mut ledger = Self {
             energy_initial: measures.total(),
+            work_loads: zero,
+            work_supports: zero,
+            loss_impacts: zero,
+            loss_damping: zero,
+            loss_plastic: zero,
+            loss_failure: zero,
             linear_initial: measures.linear,
             angular_initial: measures.angular,
+            impulse_loads: [zero; 2],
+            impulse_supports: [zero; 2],
+            angular_impulse_loads: zero,
+            angular_impulse_supports: zero,
+            impulse_damping: [zero; 2],
+            angular_impulse_damping: zero,
             energy_scale: round_off.energy,
             linear_scale: round_off.momentum,
             angular_scale: round_off.momentum * round_off.size,
+            passed: [zero; 3],
+            rest: [zero; FLOWS],
             negligible: round_off.negligible,
-            ..Self::default()
         };
         ledger.rescale(measures);
         ledger
     }
 
     /// Takes a new state into the scales.
-    pub(crate) fn rescale(&mut self, m: &Measures) {
-        let energy = [
+    #[inline(always)]
+    pub fn rescale(&mut self, m: &Measures<S>) {
+        let impulse = |[j1, j2]: [S; 2]| j1.hypot(j2);
+        for energy in [
             m.total(),
             self.work_loads,
             self.work_supports,
             self.loss_impacts,
             self.loss_damping,
             self.loss_plastic,
-        ]
-        .into_iter()
-        .fold(0.0, |most: f64, e| most.max(e.abs()));
-        self.energy_scale = self.energy_scale.max(energy);
-        let impulse = |j: [f64; 2]| j[0].hypot(j[1]);
+        ] {
+            self.energy_scale = self.energy_scale.max(energy.abs());
+        }
         self.linear_scale = self
             .linear_scale
             .max(m.linear_size)
@@ -186,7 +178,8 @@ impl Ledger {
             .max(self.angular_impulse_supports.abs());
     }
 
-    fn flows(&mut self) -> [&mut f64; FLOWS] {
+    #[inline(always)]
+    fn flows(&mut self) -> [&mut S; FLOWS] {
         let [l1, l2] = &mut self.impulse_loads;
         let [s1, s2] = &mut self.impulse_supports;
         let [d1, d2] = &mut self.impulse_damping;
@@ -202,41 +195,99 @@ impl Ledger {
         [work_l, work_s, impacts, damping, l1, l2, s1, s2, d1, d2, la, sa, da, plastic, failure]
     }
 
+    /// All its numbers.
+    pub fn numbers(&mut self) -> impl Iterator<Item = &mut S> {
+        let works = [
+            &mut self.energy_initial,
+            &mut self.work_loads,
+            &mut self.work_supports,
+            &mut self.loss_impacts,
+            &mut self.loss_damping,
+            &mut self.loss_plastic,
+            &mut self.loss_failure,
+        ];
+        let angular = [
+            &mut self.angular_initial,
+            &mut self.angular_impulse_loads,
+            &mut self.angular_impulse_supports,
+            &mut self.angular_impulse_damping,
+        ];
+        let scales = [&mut self.energy_scale, &mut self.linear_scale, &mut self.angular_scale];
+        let linear = self.linear_initial.iter_mut().chain(&mut self.impulse_loads);
+        let linear = linear.chain(&mut self.impulse_supports).chain(&mut self.impulse_damping);
+        let others = self.passed.iter_mut().chain(&mut self.rest).chain(&mut self.negligible);
+        works.into_iter().chain(angular).chain(scales).chain(linear).chain(others)
+    }
+
     /// Takes the sums so far aside: what is entered next counts from nothing.
-    pub(crate) fn set_aside(&mut self) -> [f64; FLOWS] {
-        self.flows().map(std::mem::take)
+    #[inline(always)]
+    pub fn set_aside(&mut self) -> Flows<S> {
+        let zero = self.energy_scale.constant(0.0);
+        let mut so_far = [zero; FLOWS];
+        for (flow, so_far) in self.flows().into_iter().zip(&mut so_far) {
+            *so_far = std::mem::replace(flow, zero);
+        }
+        so_far
     }
 
     /// Adds what has been entered since to sums set aside, without loss by rounding (Kahan 1965, Neumaier 1974): over millions of
     /// steps it would be that of the sums, each time.
-    pub(crate) fn put_on(&mut self, so_far: [f64; FLOWS]) {
+    #[inline(always)]
+    pub fn put_on(&mut self, so_far: Flows<S>) {
         let mut rest = self.rest;
-        let entered = self.flows().map(|f| *f);
-        for (((sum, rest), before), entered) in
-            self.flows().into_iter().zip(&mut rest).zip(so_far).zip(entered)
-        {
-            let entered = entered + *rest;
+        let mut passed = so_far;
+        for (i, sum) in self.flows().into_iter().enumerate() {
+            let before = so_far[i];
+            passed[i] = sum.abs();
+            let entered = *sum + rest[i];
             *sum = before + entered;
-            let larger = before.abs() >= entered.abs();
-            let [a, b] = if larger { [before, entered] } else { [entered, before] };
-            *rest = (a - *sum) + b;
+            let larger = entered.abs().at_most(before.abs());
+            let (a, b) = (S::choose(larger, before, entered), S::choose(larger, entered, before));
+            rest[i] = (a - *sum) + b;
         }
         self.rest = rest;
-        let [work_l, work_s, _, _, l1, l2, s1, s2, _, _, la, sa, ..] = entered.map(f64::abs);
-        let passed = [work_l + work_s, l1 + l2 + s1 + s2, la + sa];
-        (0..3).for_each(|i| self.passed[i] += passed[i]);
+        let [work_l, work_s, _, _, l1, l2, s1, s2, _, _, la, sa, ..] = passed;
+        self.passed[0] += work_l + work_s;
+        self.passed[1] += l1 + l2 + s1 + s2;
+        self.passed[2] += la + sa;
     }
 
+    /// Enters a force and a couple of a support, a guide or the ground at `x` over a step of size `h`.
+    #[inline(always)]
+    pub fn react(&mut self, h: S, x: [S; 2], force: [S; 2], moment: S) {
+        self.impulse_supports = add(self.impulse_supports, scale(h, force));
+        self.angular_impulse_supports += h * (cross(x, force) + moment);
+    }
+
+    /// Enters what loads did.
+    #[inline(always)]
+    pub fn load(&mut self, done: &StepWork<S>) {
+        self.work_loads += done.work;
+        self.impulse_loads = add(self.impulse_loads, done.impulse);
+        self.angular_impulse_loads += done.angular_impulse;
+    }
+
+    /// Enters what damping forces against the ground did: their work is a loss.
+    #[inline(always)]
+    pub fn damp(&mut self, done: &StepWork<S>) {
+        self.loss_damping = self.loss_damping - done.work;
+        self.impulse_damping = add(self.impulse_damping, done.impulse);
+        self.angular_impulse_damping += done.angular_impulse;
+    }
+}
+
+impl<S: Number> Ledger<S> {
     /// What residuals are relative to: energy \[J\], linear \[kg m/s\] and angular momentum \[kg m^2/s\].
     ///
     /// The largest so far, or what passed through if that is more; no less than what is negligible.
-    pub fn audit_scales(&self) -> [f64; 3] {
+    pub fn audit_scales(&self) -> [S; 3] {
         let scales = [self.energy_scale, self.linear_scale, self.angular_scale];
-        std::array::from_fn(|i| scales[i].max(self.passed[i]).max(self.negligible[i]))
+        array(|i| scales[i].max(self.passed[i]).max(self.negligible[i]))
     }
 
     /// What is missing from the balance of energy \[J\].
-    pub fn energy_residual(&self, m: &Measures) -> f64 {
+    #[inline(always)]
+    pub fn energy_residual(&self, m: &Measures<S>) -> S {
         let [loads, supports, impacts, damping, .., plastic, failure] = self.rest;
         let rest = loads + supports - impacts - damping - plastic - failure;
         let entered = self.energy_initial + self.work_loads + self.work_supports;
@@ -245,21 +296,24 @@ impl Ledger {
     }
 
     /// What is missing from the balance of linear momentum \[kg m/s\].
-    pub fn linear_residual(&self, m: &Measures) -> [f64; 2] {
-        let rest = |i: usize| self.rest[4 + i] + self.rest[6 + i] + self.rest[8 + i];
-        std::array::from_fn(|i| {
+    #[inline(always)]
+    pub fn linear_residual(&self, m: &Measures<S>) -> [S; 2] {
+        array(|i| {
+            let rest = self.rest[4 + i] + self.rest[6 + i] + self.rest[8 + i];
             let impulse =
                 self.impulse_loads[i] + self.impulse_supports[i] + self.impulse_damping[i];
-            m.linear[i] - self.linear_initial[i] - impulse - rest(i)
+            m.linear[i] - self.linear_initial[i] - impulse - rest
         })
     }
 
     /// What is missing from the balance of angular momentum \[kg m^2/s\].
-    pub fn angular_residual(&self, m: &Measures) -> f64 {
+    #[inline(always)]
+    pub fn angular_residual(&self, m: &Measures<S>) -> S {
         let impulse = self.angular_impulse_loads
             + self.angular_impulse_supports
             + self.angular_impulse_damping;
-        m.angular - self.angular_initial - impulse - self.rest[10..13].iter().sum::<f64>()
+        let rest = self.rest[10] + self.rest[11] + self.rest[12];
+        m.angular - self.angular_initial - impulse - rest
     }
 }
 

@@ -5,7 +5,7 @@ use crate::element::motion::ElementMeasures;
 use crate::element::rotary::spin_of_slope;
 use crate::element::strain::strains;
 use crate::ledger::Measures;
-use crate::math::vec2::{add, cross, dot, scale};
+use crate::math::vec2::{add, dot, scale};
 use crate::model::frozen::{BodyKind, Span};
 use crate::model::{Model, TouchLaw};
 use crate::state::{PairState, State};
@@ -98,24 +98,6 @@ impl Measures {
         (sums, hardening)
     }
 
-    fn add_beams(&mut self, sums: &ElementMeasures<f64>) {
-        self.kinetic_beams += 0.5 * (sums.translation + sums.rotation);
-        self.angular_rate_drift += 0.5 * sums.rate_drift;
-        self.strain_axial += 0.5 * sums.axial;
-        self.strain_bending += 0.5 * sums.bending;
-        self.linear = add(self.linear, sums.linear);
-        self.angular += sums.angular;
-        self.linear_size += sums.linear_size;
-        self.angular_size += sums.angular_size;
-    }
-
-    fn add_momentum(&mut self, x: [f64; 2], linear: [f64; 2], turning: f64) {
-        self.linear = add(self.linear, linear);
-        self.angular += cross(x, linear) + turning;
-        self.linear_size += linear[0].hypot(linear[1]);
-        self.angular_size += size(x) * size(linear) + turning.abs();
-    }
-
     fn add_masses(&mut self, model: &Model, state: &State) {
         for (mass, spin) in model.masses.iter().zip(&state.mass_spin) {
             let p = &mass.point;
@@ -165,9 +147,4 @@ impl Measures {
             }
         }
     }
-}
-
-/// Sum of the components' magnitudes.
-fn size(v: [f64; 2]) -> f64 {
-    v[0].abs() + v[1].abs()
 }

@@ -107,6 +107,19 @@ impl Settings {
         let ratio = self.end / self.step;
         (ratio - SAME_INSTANT * ratio.max(1.0)).ceil().max(1.0) as usize
     }
+
+    /// Instant at which a number of steps are done \[s\].
+    #[doc(hidden)]
+    pub fn instant(&self, steps: usize) -> f64 {
+        (steps as f64 * self.step).min(self.end)
+    }
+
+    /// Size of the step that follows a number of steps \[s\]: the one given, or what is left up to the end.
+    #[doc(hidden)]
+    pub fn size_behind(&self, steps: usize) -> f64 {
+        let size = self.step.min(self.end - steps as f64 * self.step);
+        if (size - self.step).abs() <= SAME_INSTANT * self.step { self.step } else { size }
+    }
 }
 
 impl Settings {

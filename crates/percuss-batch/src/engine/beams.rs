@@ -1,10 +1,11 @@
 //! Residual and tangent of the beams, element after element.
 
 use super::Engine;
+use crate::band::Band;
 use percuss::StrainMeasure;
 use percuss::internals::element::beam::ElementValues;
-use percuss::internals::element::elastic::ElasticStep;
-use percuss::internals::element::yielding::{ElementFibres, ElementStep, ElementTurn};
+use percuss::internals::element::invariant::InvariantStep;
+use percuss::internals::linalg::chain::add_element;
 use percuss::internals::scalar::{Number, array};
 
 impl<S: Number> Engine<S> {
@@ -59,22 +60,24 @@ impl<S: Number> Engine<S> {
             let u = &self.displacement;
             let old = ElementValues::new(&u[a], &u[a + 1]);
             let (starts, spin) = (&self.start[element], &self.spin[element]);
-            let sums = if FIBRES {
-                let Some(fibres) = &span.fibres else { return };
-                let (start, increment, h) = (&old, &step, self.h);
-                let states = &self.fibres.states[fibres.range(k)];
-                let of = ElementFibres { laws: &fibres.laws, fibres: fibres.of(k), states };
-                let turn = ElementTurn { starts, spin, rate, damping };
-                ElementStep { table, measure, start, increment, h, lag }
-                    .sums::<TANGENT>(&of, &turn)
-                    .0
-            } else {
-                let (start, increment) = (old, step);
-                let lag = DAMPED.then_some(lag);
-                ElasticStep { table, measure, starts, spin, start, increment, rate, lag, damping }
-                    .sums::<TANGENT>()
-                    .0
+            let fibres = match &span.fibres {
+                Some(fibres) if FIBRES => Some(self.element_fibres(fibres, k)),
+                _ => None,
             };
+            let (h, lag) = (self.h, DAMPED.then_some(lag));
+            let step = InvariantStep {
+                table,
+                measure,
+                starts,
+                spin,
+                start: old,
+                increment: step,
+                h,
+                rate,
+                lag,
+                damping,
+            };
+            let (sums, _) = step.sums::<TANGENT>(fibres.as_ref());
             let [mut on_a, mut on_b] = sums.nodal_force();
             table.add_inertia(&start, &end, &mut on_a, &mut on_b);
             for i in 0..4 {
@@ -82,15 +85,9 @@ impl<S: Number> Engine<S> {
             }
             self.residual[a + 1] = on_b;
             if TANGENT {
-                let [aa, ab, ba, bb] = sums.nodal_tangent(&table.mass, inertia_slope);
-                for i in 0..4 {
-                    for j in 0..4 {
-                        self.tangent.diag[a][i][j] += aa[i][j];
-                    }
-                }
-                self.tangent.upper[a] = ab;
-                self.tangent.lower[a] = ba;
-                self.tangent.diag[a + 1] = bb;
+                let Band { diag, upper, lower } = &mut self.tangent;
+                let blocks = sums.nodal_tangent(&table.mass, inertia_slope);
+                add_element([diag, upper, lower], a, &blocks);
             }
             start = end;
         }

@@ -1,8 +1,8 @@
 //! Guided projectiles of the runs in mid-flight.
 
-use super::interpolate;
 use crate::ground_springs::row;
 use crate::numbers::GuideNumbers;
+use percuss::internals::model::frozen::combine;
 use percuss::internals::scalar::Number;
 use percuss::math::vec2::dot;
 
@@ -51,7 +51,7 @@ impl<S: Number> GuideNumbers<S> {
     /// Nodal values interpolated to the struck point.
     #[inline(always)]
     pub fn value(&self, nodal: &[[S; 4]]) -> [S; 2] {
-        interpolate(&self.shape, self.node, nodal)
+        combine(nodal, self.node, &self.shape)
     }
 }
 

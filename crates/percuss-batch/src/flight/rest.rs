@@ -48,7 +48,7 @@ impl Flight<'_> {
     /// Approach that is none, by round-off or since gravity gives as much in a step, and the gap that goes with it \[m/s, m\].
     pub(super) fn negligible(&self) -> [f64; 2] {
         let mass = self.engine.numbers.total_mass.value;
-        let speed = (2.0 * self.ledger.energy_scale.value / mass).sqrt();
+        let speed = (2.0 * self.ledger.sums.energy_scale.value / mass).sqrt();
         let creep = CREEP * self.model.gravity() * self.settings.step;
         let rate = creep.max(NO_APPROACH * speed);
         [rate, (1e-12 * self.model.extent()).max(rate * self.settings.step)]

@@ -4,6 +4,7 @@ use super::LaneNewton;
 use crate::engine::Engine;
 use crate::ledger::LaneLedger;
 use percuss::internals::scalar::Number;
+use percuss::internals::step::projection::project_held;
 
 /// What an increment leaves unbalanced.
 pub(super) struct Unbalanced<S> {
@@ -28,7 +29,7 @@ impl<S: Number> Engine<S> {
                 self.increment[n][i] = self.h * v + S::choose(told, change, zero);
             }
         }
-        Self::project(&self.numbers.prescribed, &mut self.increment);
+        project_held(&self.numbers.prescribed, &mut self.increment);
         self.predict_multipliers();
         for guide in &mut self.guides {
             let v = guide.velocity;
@@ -96,10 +97,10 @@ impl<S: Number> Engine<S> {
             force += guide.force + guide.impulse;
         }
         if first {
-            let scale = ledger.energy_scale;
+            let scale = ledger.sums.energy_scale;
             search.convergence.play(zero.if_less(scale, scale, work));
         }
-        let places = zero.if_less(force, self.numbers.positions, zero);
+        let places = zero.if_less(force, self.numbers.round_off.size, zero);
         search.convergence.corrected(size, reach, step, work, places);
         search.iterations += S::choose(seeking, zero.constant(1.0), zero);
         if self.fibres.is_empty() {

@@ -2,6 +2,7 @@
 
 use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
 use crate::model::{ContactForce, Potential, PotentialFunction, SmoothLaw};
+use crate::scalar::Number;
 
 /// Force over a step and its derivative with respect to the penetration at its end.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,37 +15,104 @@ pub struct StepForce {
     pub slope: f64,
 }
 
-impl Potential {
-    /// Potential at penetration `p` \[J\].
-    pub fn energy(&self, p: f64) -> f64 {
-        let p = p.max(0.0);
+/// A force that is a function of the penetration, given where that is not negative, and zero where nothing penetrates.
+pub trait ForceCurve<S: Number> {
+    /// Force at a penetration \[N\].
+    fn at(&self, p: S) -> S;
+    /// Its slope at a penetration above zero \[N/m\].
+    fn slope(&self, p: S) -> S;
+    /// `(V(q1) - V(q0)) / (q1 - q0)` with its potential V, without subtracting potentials \[N\]; one of the two is above zero.
+    fn mean(&self, q0: S, q1: S) -> S;
+
+    /// Force over a step from penetration `p0` to `p1`, and its slope by `p1`: in place of `F = R1 p` of the paper's eq. (3) the difference
+    /// quotient `(V(p1) - V(p0)) / (p1 - p0)` of the potential, which vanishes where nothing penetrates (theory, section 4).
+    #[inline(always)]
+    fn quotient(&self, p0: S, p1: S) -> [S; 2] {
+        let zero = p1.constant(0.0);
+        let (q0, q1) = (p0.max(zero), p1.max(zero));
+        let (sum, step) = (q0 + q1, p1 - p0);
+        let touches = !sum.at_most(zero);
+        // Of the way over the step, the share inside.
+        let opens = p0.less(zero) | p1.less(zero);
+        let force = || {
+            let share = S::either(opens, || (q1 - q0) / step, || p1.constant(1.0));
+            self.mean(q0, q1) * share
+        };
+        let force = S::either(touches, force, || zero);
+        let close = step.abs().at_most(sum * CLOSE);
+        let slope = || {
+            let near = || self.slope(sum * 0.5) * 0.5;
+            S::either(close, near, || (self.at(q1) - force) / step)
+        };
+        [force, S::either(touches, slope, || zero)]
+    }
+}
+
+/// A force in proportion to a power of the penetration.
+#[derive(Clone, Copy, Debug)]
+pub enum PowerLaw<S> {
+    /// `k p`, of a stiffness \[N/m\].
+    Linear(S),
+    /// `K p^(3/2)` (Hertz) \[N/m^1.5\].
+    Hertz(S),
+}
+
+impl<S: Number> PowerLaw<S> {
+    /// Potential at a penetration that is not negative \[J\].
+    #[inline(always)]
+    pub fn energy(self, p: S) -> S {
         match self {
-            Self::Linear { stiffness } => 0.5 * stiffness * p * p,
-            Self::Hertz { stiffness } => 0.4 * stiffness * p * p * p.sqrt(),
-            Self::Table { .. } => p * self.mean_force(0.0, p),
-            Self::Function(own) => (own.energy)(p) - own.rest,
+            Self::Linear(stiffness) => stiffness * 0.5 * p * p,
+            Self::Hertz(stiffness) => stiffness * 0.4 * p * p * p.sqrt(),
+        }
+    }
+}
+
+impl<S: Number> ForceCurve<S> for PowerLaw<S> {
+    #[inline(always)]
+    fn at(&self, p: S) -> S {
+        match *self {
+            Self::Linear(stiffness) => stiffness * p,
+            Self::Hertz(stiffness) => stiffness * p * p.sqrt(),
         }
     }
 
-    /// Force at penetration `p` \[N\].
-    pub fn force(&self, p: f64) -> f64 {
-        let p = p.max(0.0);
+    #[inline(always)]
+    fn slope(&self, p: S) -> S {
+        match *self {
+            Self::Linear(stiffness) => stiffness,
+            Self::Hertz(stiffness) => stiffness * 1.5 * p.sqrt(),
+        }
+    }
+
+    #[inline(always)]
+    fn mean(&self, q0: S, q1: S) -> S {
+        match *self {
+            Self::Linear(stiffness) => stiffness * 0.5 * (q0 + q1),
+            Self::Hertz(stiffness) => {
+                // (a^5 - b^5) / (a^2 - b^2), divided out.
+                let (a, b) = (q1.sqrt(), q0.sqrt());
+                let (a2, ab, b2) = (a * a, a * b, b * b);
+                stiffness * 0.4 * (a2 * a2 + ab * (a2 + ab + b2) + b2 * b2) / (a + b)
+            }
+        }
+    }
+}
+
+impl ForceCurve<f64> for Potential {
+    fn at(&self, p: f64) -> f64 {
         match self {
-            Self::Linear { stiffness } => stiffness * p,
-            Self::Hertz { stiffness } => stiffness * p * p.sqrt(),
+            Self::Linear { stiffness } => PowerLaw::Linear(*stiffness).at(p),
+            Self::Hertz { stiffness } => PowerLaw::Hertz(*stiffness).at(p),
             Self::Table { penetration, force } => line(penetration, force, p),
             Self::Function(own) => (own.force)(p),
         }
     }
 
-    /// Stiffness at penetration `p` \[N/m\]; zero outside.
-    pub fn stiffness(&self, p: f64) -> f64 {
-        if p <= 0.0 {
-            return 0.0;
-        }
+    fn slope(&self, p: f64) -> f64 {
         match self {
-            Self::Linear { stiffness } => *stiffness,
-            Self::Hertz { stiffness } => 1.5 * stiffness * p.sqrt(),
+            Self::Linear { stiffness } => PowerLaw::Linear(*stiffness).slope(p),
+            Self::Hertz { stiffness } => PowerLaw::Hertz(*stiffness).slope(p),
             Self::Table { penetration, force } => {
                 let k = interval(penetration, p);
                 (force[k + 1] - force[k]) / (penetration[k + 1] - penetration[k])
@@ -56,19 +124,10 @@ impl Potential {
         }
     }
 
-    /// `(V(q1) - V(q0)) / (q1 - q0)` for penetrations that are not negative, without subtracting potentials \[N\].
-    fn mean_force(&self, q0: f64, q1: f64) -> f64 {
+    fn mean(&self, q0: f64, q1: f64) -> f64 {
         match self {
-            Self::Linear { stiffness } => 0.5 * stiffness * (q0 + q1),
-            Self::Hertz { stiffness } => {
-                let (a, b) = (q1.sqrt(), q0.sqrt());
-                if a + b == 0.0 {
-                    return 0.0;
-                }
-                // (a^5 - b^5) / (a^2 - b^2), divided out.
-                let (a2, ab, b2) = (a * a, a * b, b * b);
-                0.4 * stiffness * (a2 * a2 + ab * (a2 + ab + b2) + b2 * b2) / (a + b)
-            }
+            Self::Linear { stiffness } => PowerLaw::Linear(*stiffness).mean(q0, q1),
+            Self::Hertz { stiffness } => PowerLaw::Hertz(*stiffness).mean(q0, q1),
             Self::Table { penetration, force } => {
                 let (low, high) = (q0.min(q1), q0.max(q1));
                 if high == low {
@@ -87,24 +146,33 @@ impl Potential {
             Self::Function(own) => own.mean_force(q0, q1),
         }
     }
+}
+
+impl Potential {
+    /// Potential at penetration `p` \[J\].
+    pub fn energy(&self, p: f64) -> f64 {
+        let p = p.max(0.0);
+        match self {
+            Self::Linear { stiffness } => PowerLaw::Linear(*stiffness).energy(p),
+            Self::Hertz { stiffness } => PowerLaw::Hertz(*stiffness).energy(p),
+            Self::Table { .. } => p * self.mean(0.0, p),
+            Self::Function(own) => (own.energy)(p) - own.rest,
+        }
+    }
+
+    /// Force at penetration `p` \[N\].
+    pub fn force(&self, p: f64) -> f64 {
+        self.at(p.max(0.0))
+    }
+
+    /// Stiffness at penetration `p` \[N/m\]; zero outside.
+    pub fn stiffness(&self, p: f64) -> f64 {
+        if p <= 0.0 { 0.0 } else { self.slope(p) }
+    }
 
     /// Force over a step from penetration `p0` to `p1`: the difference quotient of the potential.
     pub fn quotient(&self, p0: f64, p1: f64) -> StepForce {
-        let (q0, q1) = (p0.max(0.0), p1.max(0.0));
-        if q0 == 0.0 && q1 == 0.0 {
-            return StepForce::default();
-        }
-        let mean = self.mean_force(q0, q1);
-        let step = p1 - p0;
-        // Of the way over the step, the share inside.
-        let share = if p0 >= 0.0 && p1 >= 0.0 { 1.0 } else { (q1 - q0) / step };
-        let force = mean * share;
-        let close = step.abs() <= CLOSE * (q0 + q1);
-        let slope = if close {
-            0.5 * self.stiffness(0.5 * (q0 + q1))
-        } else {
-            (self.force(q1) - force) / step
-        };
+        let [force, slope] = ForceCurve::quotient(self, p0, p1);
         StepForce { force, dissipated: 0.0, slope }
     }
 

@@ -6,6 +6,7 @@
 //!
 //! `s = sigma0 + De int Et (1 - t) dt`, `ds/de1 = int Et t dt`, `sigma1 = sigma0 + De int Et dt`.
 
+mod flow;
 mod law;
 mod mapped;
 mod path;
@@ -14,6 +15,7 @@ mod plastic;
 mod tests;
 mod viscous;
 
+pub use flow::FibreFlow;
 use crate::scalar::{Mask, Number};
 
 pub use law::{

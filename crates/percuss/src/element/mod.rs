@@ -9,12 +9,12 @@ pub mod beam;
 #[allow(missing_docs)]
 pub mod collocation;
 #[allow(missing_docs)]
-pub mod elastic;
-#[allow(missing_docs)]
 pub mod energy_momentum;
 pub mod fibre;
 #[allow(missing_docs)]
 pub mod gauss;
+#[allow(missing_docs)]
+pub mod invariant;
 #[allow(missing_docs)]
 pub mod mapped;
 #[allow(missing_docs)]

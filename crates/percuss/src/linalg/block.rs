@@ -1,7 +1,11 @@
 //! 4 x 4 blocks on the stack.
 
+use super::gauss_jordan;
+use crate::math::vec2::dot4;
+use crate::scalar::Real;
+
 /// A 4 x 4 matrix, row by row.
-pub type Block = [[f64; 4]; 4];
+pub type Block<S = f64> = [[S; 4]; 4];
 
 /// The zero block.
 pub const ZERO: Block = [[0.0; 4]; 4];
@@ -12,12 +16,12 @@ pub const IDENTITY: Block =
 
 /// `a b`.
 #[inline(always)]
-pub fn mul(a: &Block, b: &Block) -> Block {
-    let mut c = ZERO;
+pub fn mul<S: Real>(a: &Block<S>, b: &Block<S>) -> Block<S> {
+    let mut c = [[a[0][0].constant(0.0); 4]; 4];
     for i in 0..4 {
         for k in 0..4 {
             for j in 0..4 {
-                c[i][j] += a[i][k] * b[k][j];
+                c[i][j] = c[i][j].add_product(a[i][k], b[k][j]);
             }
         }
     }
@@ -38,11 +42,11 @@ pub fn transpose(a: &Block) -> Block {
 
 /// `c -= a b`.
 #[inline(always)]
-pub fn sub_mul(c: &mut Block, a: &Block, b: &Block) {
+pub fn sub_mul<S: Real>(c: &mut Block<S>, a: &Block<S>, b: &Block<S>) {
     for i in 0..4 {
         for k in 0..4 {
             for j in 0..4 {
-                c[i][j] -= a[i][k] * b[k][j];
+                c[i][j] = c[i][j].sub_product(a[i][k], b[k][j]);
             }
         }
     }
@@ -50,65 +54,53 @@ pub fn sub_mul(c: &mut Block, a: &Block, b: &Block) {
 
 /// `a x`.
 #[inline(always)]
-pub fn apply(a: &Block, x: &[f64; 4]) -> [f64; 4] {
-    let mut y = [0.0; 4];
+pub fn apply<S: Real>(a: &Block<S>, x: &[S; 4]) -> [S; 4] {
+    let mut y = *x;
     for i in 0..4 {
-        y[i] = a[i][0] * x[0] + a[i][1] * x[1] + a[i][2] * x[2] + a[i][3] * x[3];
+        y[i] = dot4(&a[i], x);
     }
     y
 }
 
-/// Inverse by Gauss-Jordan elimination with partial pivoting; `None` if a pivot vanishes or is not finite.
+/// `x + a y`.
 #[inline(always)]
-pub fn inverse(a: &Block) -> Option<Block> {
-    let (mut m, mut perm) = (*a, [0; 4]);
-    // Column by column, each known when this is compiled: rows stay in registers.
-    perm[0] = eliminate::<0>(&mut m)?;
-    perm[1] = eliminate::<1>(&mut m)?;
-    perm[2] = eliminate::<2>(&mut m)?;
-    perm[3] = eliminate::<3>(&mut m)?;
-    for k in (0..4).rev() {
-        if perm[k] != k {
-            for row in &mut m {
-                row.swap(k, perm[k]);
-            }
+pub fn add_applied<S: Real>(mut x: [S; 4], a: &Block<S>, y: &[S; 4]) -> [S; 4] {
+    for k in 0..4 {
+        for i in 0..4 {
+            x[i] = x[i].add_product(a[i][k], y[k]);
         }
     }
+    x
+}
+
+/// `x - a y`.
+#[inline(always)]
+pub fn less_applied<S: Real>(mut x: [S; 4], a: &Block<S>, y: &[S; 4]) -> [S; 4] {
+    for k in 0..4 {
+        for i in 0..4 {
+            x[i] = x[i].sub_product(a[i][k], y[k]);
+        }
+    }
+    x
+}
+
+/// Inverse; `None` if a pivot vanishes or is not finite.
+#[inline(always)]
+pub fn inverse(a: &Block) -> Option<Block> {
+    let (mut m, mut exchanged) = (*a, [0; 4]);
+    // Column by column, each known when this is compiled: rows stay in registers.
+    exchanged[0] = eliminate::<0>(&mut m)?;
+    exchanged[1] = eliminate::<1>(&mut m)?;
+    exchanged[2] = eliminate::<2>(&mut m)?;
+    exchanged[3] = eliminate::<3>(&mut m)?;
+    gauss_jordan::restore(m.as_flattened_mut(), 4, &exchanged);
     Some(m)
 }
 
 /// Eliminates column `K`; returns the row of the pivot.
 #[inline(always)]
 fn eliminate<const K: usize>(m: &mut Block) -> Option<usize> {
-    let mut p = K;
-    for i in K + 1..4 {
-        if m[i][K].abs() > m[p][K].abs() {
-            p = i;
-        }
-    }
-    if p != K {
-        m.swap(K, p);
-    }
-    let pivot = m[K][K];
-    if pivot == 0.0 || !pivot.is_finite() {
-        return None;
-    }
-    let inv = 1.0 / pivot;
-    m[K][K] = 1.0;
-    for j in 0..4 {
-        m[K][j] *= inv;
-    }
-    let row = m[K];
-    for i in 0..4 {
-        if i != K {
-            let factor = m[i][K];
-            m[i][K] = 0.0;
-            for j in 0..4 {
-                m[i][j] -= factor * row[j];
-            }
-        }
-    }
-    Some(p)
+    gauss_jordan::eliminate_largest(m.as_flattened_mut(), 4, K, |x| x, |_| false)
 }
 
 /// The inverse of the block of a node on its own, which as a rule is diagonal.

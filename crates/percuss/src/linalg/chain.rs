@@ -1,7 +1,7 @@
 //! Block-tridiagonal matrices of 4 x 4 blocks: the band of beams meshed node by node.
 
 use super::block::{self, Block, ZERO};
-use crate::scalar::in_lanes;
+use crate::scalar::{Real, in_lanes};
 use pulp::{Simd, WithSimd};
 
 /// A block-tridiagonal matrix, or, after [`Chain::factor`], its block LU factors in place.
@@ -122,6 +122,22 @@ impl Chain {
         self.diag[i] = inverse;
         Ok(())
     }
+}
+
+/// Adds the tangent of the element from node `a` on to a band, from the elements before it: diagonal, blocks above and below it. What stands
+/// for the element alone is set.
+#[inline(always)]
+pub fn add_element<S: Real>(
+    [diag, upper, lower]: [&mut [Block<S>]; 3],
+    a: usize,
+    [aa, ab, ba, bb]: &[Block<S>; 4],
+) {
+    for i in 0..4 {
+        for j in 0..4 {
+            diag[a][i][j] += aa[i][j];
+        }
+    }
+    (upper[a], lower[a], diag[a + 1]) = (*ab, *ba, *bb);
 }
 
 /// See [`Chain::factor`].

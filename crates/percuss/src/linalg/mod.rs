@@ -7,6 +7,7 @@ pub mod complementarity;
 pub mod condensed;
 pub mod dense;
 pub mod elimination;
+pub mod gauss_jordan;
 pub mod ordering;
 pub mod schur;
 pub mod sparse;

@@ -1,5 +1,6 @@
 //! Small dense blocks of [`Wide`] numbers, row by row.
 
+use super::gauss_jordan::{eliminate_largest, restore};
 use crate::scalar::Wide;
 
 /// `c -= a b` with a of shape (rows, inner) and b of shape (inner, columns); rows of c are `stride` apart.
@@ -27,40 +28,15 @@ pub fn sub_product(
     }
 }
 
-/// Inverts in place by elimination with partial pivoting; `false` if a pivot vanishes or is not finite.
+/// Inverts in place; `false` if a pivot vanishes or is not finite.
 pub fn inverse(m: &mut [Wide], n: usize) -> bool {
     let mut exchanged = vec![0; n];
     for k in 0..n {
-        let mut p = k;
-        for i in k + 1..n {
-            if m[i * n + k].round().abs() > m[p * n + k].round().abs() {
-                p = i;
-            }
-        }
-        exchanged[k] = p;
-        (0..n).for_each(|j| m.swap(k * n + j, p * n + j));
-        let pivot = m[k * n + k].round();
-        if pivot == 0.0 || !pivot.is_finite() {
-            return false;
-        }
-        let reciprocal = Wide::ONE / m[k * n + k];
-        m[k * n + k] = Wide::ONE;
-        (0..n).for_each(|j| m[k * n + j] = m[k * n + j] * reciprocal);
-        for i in (0..n).filter(|i| *i != k) {
-            let factor = m[i * n + k];
-            if factor.round() == 0.0 {
-                continue;
-            }
-            m[i * n + k] = Wide::ZERO;
-            for j in 0..n {
-                let product = factor * m[k * n + j];
-                m[i * n + j] -= product;
-            }
-        }
+        let row = eliminate_largest(m, n, k, Wide::round, |factor| factor.round() == 0.0);
+        let Some(row) = row else { return false };
+        exchanged[k] = row;
     }
-    for k in (0..n).rev() {
-        (0..n).for_each(|i| m.swap(i * n + k, i * n + exchanged[k]));
-    }
+    restore(m, n, &exchanged);
     true
 }
 

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 pub use super::acting::*;
 use super::definition::{InitialMotion, StrainMeasure, Strength, TouchLaw};
+pub use super::point::*;
 pub use super::section_line::SectionLine;
 pub use super::span_fibres::*;
 pub use super::striking::*;

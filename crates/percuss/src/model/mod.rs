@@ -24,6 +24,8 @@ mod outline;
 mod overlaps;
 mod pairs;
 mod places;
+#[allow(missing_docs)]
+pub(crate) mod point;
 mod prescribed;
 pub mod scene;
 mod section_line;

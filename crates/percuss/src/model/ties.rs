@@ -1,32 +1,31 @@
 //! What holds and ties beams: prescribed degrees of freedom, constraints, connectors, the points they act at.
 
+use super::point::MaterialPoint;
 use crate::element::fibre::StressLaw;
 use crate::linalg::block::{Block, IDENTITY};
 
 /// Components of a node's displacement that are held, or moved as prescribed.
 #[derive(Clone, Debug)]
-pub struct PrescribedDofs {
+pub struct PrescribedDofs<S = f64> {
     pub node: usize,
     /// The support that holds them, the first one where several do; `None` for the guide of a projectile
     /// and for obstacles, whose reactions are those of their contacts.
     pub support: Option<usize>,
     /// Held directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4, 4) \[-\].
-    pub normals: Vec<[f64; 4]>,
+    pub normals: Vec<[S; 4]>,
     /// Motion along each of them, shape (directions held, motions that take part) \[index of a motion, m\].
     pub drives: Vec<Drive>,
-    /// What they leave free: `I - N N^T` with the held directions as columns of N, shape (4, 4) \[-\].
-    pub free: Block,
+    /// What they leave free: `P = I - N N^T` with the held directions as columns of N, shape (4, 4) \[-\].
+    pub free: Block<S>,
+    /// Which components are held, where the directions are those of components, or all are, shape (4).
+    pub components: Option<[bool; 4]>,
 }
 
 impl PrescribedDofs {
     /// Nothing held yet.
     pub fn new(node: usize, support: Option<usize>) -> Self {
-        Self { node, support, normals: Vec::new(), drives: Vec::new(), free: IDENTITY }
-    }
-
-    /// Whether nothing is left free.
-    pub fn is_whole(&self) -> bool {
-        self.normals.len() == 4
+        let (normals, drives) = (Vec::new(), Vec::new());
+        Self { node, support, normals, drives, free: IDENTITY, components: Some([false; 4]) }
     }
 
     /// Holds one more direction, of unit length and across those held already.
@@ -38,6 +37,32 @@ impl PrescribedDofs {
         }
         self.normals.push(normal);
         self.drives.push(drive);
+        let own = normal.map(|c| c.abs() == 1.0);
+        let is_component = own.contains(&true) && (0..4).all(|k| own[k] || normal[k] == 0.0);
+        self.components = match self.components {
+            _ if self.is_whole() => Some([true; 4]),
+            Some(held) if is_component => Some(std::array::from_fn(|k| held[k] || own[k])),
+            _ => None,
+        };
+    }
+}
+
+impl<S: Copy> PrescribedDofs<S> {
+    /// Whether nothing is left free.
+    pub fn is_whole(&self) -> bool {
+        self.normals.len() == 4
+    }
+
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> PrescribedDofs<T> {
+        PrescribedDofs {
+            node: self.node,
+            support: self.support,
+            normals: self.normals.iter().map(|n| n.map(&mut *f)).collect(),
+            drives: self.drives.clone(),
+            free: self.free.map(|row| row.map(&mut *f)),
+            components: self.components,
+        }
     }
 }
 
@@ -56,80 +81,6 @@ pub struct SupportData {
     pub motion: Option<usize>,
     /// Whether it is a stop, which presses only when its gap is closed.
     pub stops: bool,
-}
-
-/// A material point: where it lies in the mesh and how it follows the nodes.
-#[derive(Clone, Debug)]
-pub struct MaterialPoint {
-    pub label: String,
-    pub beam: usize,
-    /// Node `a` of the element; node `b` is the next one.
-    pub node: usize,
-    /// Arc length from the start of the beam \[m\].
-    pub s: f64,
-    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
-    pub shape: [f64; 4],
-    /// Derivatives of the shape functions, shape (4) \[1/m, 1, 1/m, 1\].
-    pub slope: [f64; 4],
-    /// Reference position, shape (2) \[m\].
-    pub position: [f64; 2],
-    /// Reference tangent, shape (2) \[1\].
-    pub tangent: [f64; 2],
-}
-
-impl MaterialPoint {
-    /// Interpolates nodal values with the shape functions.
-    #[inline]
-    pub fn value(&self, nodal: &[[f64; 4]]) -> [f64; 2] {
-        self.combine(nodal, &self.shape)
-    }
-
-    /// Interpolates nodal values with the derivatives of the shape functions.
-    #[inline]
-    pub fn gradient(&self, nodal: &[[f64; 4]]) -> [f64; 2] {
-        self.combine(nodal, &self.slope)
-    }
-
-    #[inline]
-    fn combine(&self, nodal: &[[f64; 4]], n: &[f64; 4]) -> [f64; 2] {
-        let (a, b) = (&nodal[self.node], &nodal[self.node + 1]);
-        [
-            n[0] * a[0] + n[1] * a[2] + n[2] * b[0] + n[3] * b[2],
-            n[0] * a[1] + n[1] * a[3] + n[2] * b[1] + n[3] * b[3],
-        ]
-    }
-
-    /// Adds `shape^T f` to nodal forces.
-    #[inline]
-    pub fn spread(&self, force: [f64; 2], nodal: &mut [[f64; 4]]) {
-        spread(&self.shape, self.node, force, nodal);
-    }
-
-    /// Adds `shape^T f` to the forces on the two nodes of its element.
-    pub fn spread_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
-        spread(&self.shape, 0, force, nodes);
-    }
-
-    /// Adds `slope^T f` to the forces on the two nodes of its element.
-    pub fn spread_gradient_over(&self, force: [f64; 2], nodes: &mut [[f64; 4]; 2]) {
-        spread(&self.slope, 0, force, nodes);
-    }
-
-    /// Adds `slope^T f` to nodal forces.
-    #[inline]
-    pub fn spread_gradient(&self, force: [f64; 2], nodal: &mut [[f64; 4]]) {
-        spread(&self.slope, self.node, force, nodal);
-    }
-}
-
-#[inline]
-fn spread(n: &[f64; 4], node: usize, force: [f64; 2], nodal: &mut [[f64; 4]]) {
-    for i in 0..2 {
-        nodal[node][i] += n[0] * force[i];
-        nodal[node][2 + i] += n[1] * force[i];
-        nodal[node + 1][i] += n[2] * force[i];
-        nodal[node + 1][2 + i] += n[3] * force[i];
-    }
 }
 
 /// What a joint carries, a mean over a step.
@@ -163,8 +114,8 @@ impl JointData {
 
 /// A scalar constraint on material points, kept by a multiplier.
 #[derive(Clone, Debug)]
-pub struct Constraint {
-    pub kind: ConstraintKind,
+pub struct Constraint<S = f64> {
+    pub kind: ConstraintKind<S>,
     /// The support it belongs to; a joint's belong to none.
     pub support: Option<usize>,
     /// The joint of a given strength that it belongs to, among `Model::joints`.
@@ -177,33 +128,33 @@ pub struct Constraint {
 
 /// What is constrained.
 #[derive(Clone, Debug)]
-pub enum ConstraintKind {
+pub enum ConstraintKind<S = f64> {
     /// `direction . u(point) = value`, or of its gradient: a support between nodes.
     Held {
-        point: MaterialPoint,
+        point: MaterialPoint<S>,
         /// The direction, of unit length, shape (2) \[-\].
-        direction: [f64; 2],
+        direction: [S; 2],
         gradient: bool,
     },
     /// `J t . g(point) = 0` with t the reference tangent turned by the prescribed angle.
-    Turned { point: MaterialPoint },
+    Turned { point: MaterialPoint<S> },
     /// `direction . (u(a) - u(b)) = 0`: positions shared.
     Shared {
         /// The points a and b, shape (2).
-        points: Box<[MaterialPoint; 2]>,
+        points: Box<[MaterialPoint<S>; 2]>,
         /// The direction, of unit length, shape (2) \[-\].
-        direction: [f64; 2],
+        direction: [S; 2],
     },
     /// `g_a x R g_b = 0` with R the rotation from the reference tangent of b to that of a: the angle is kept.
     Angle {
         /// The points a and b, shape (2).
-        points: Box<[MaterialPoint; 2]>,
-        cosine: f64,
-        sine: f64,
+        points: Box<[MaterialPoint<S>; 2]>,
+        cosine: S,
+        sine: S,
     },
 }
 
-impl ConstraintKind {
+impl<S: Copy> ConstraintKind<S> {
     /// Whether it is of slopes and not of places.
     pub fn is_of_slopes(&self) -> bool {
         match self {
@@ -212,11 +163,45 @@ impl ConstraintKind {
             Self::Shared { .. } => false,
         }
     }
+
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> ConstraintKind<T> {
+        match self {
+            Self::Held { point, direction, gradient } => ConstraintKind::Held {
+                point: point.map(f),
+                direction: direction.map(f),
+                gradient: *gradient,
+            },
+            Self::Turned { point } => ConstraintKind::Turned { point: point.map(f) },
+            Self::Shared { points, direction } => ConstraintKind::Shared {
+                points: Box::new(points.each_ref().map(|p| p.map(f))),
+                direction: direction.map(f),
+            },
+            Self::Angle { points, cosine, sine } => ConstraintKind::Angle {
+                points: Box::new(points.each_ref().map(|p| p.map(f))),
+                cosine: f(*cosine),
+                sine: f(*sine),
+            },
+        }
+    }
 }
 
-impl Constraint {
+impl<S: Copy> Constraint<S> {
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> Constraint<T> {
+        Constraint {
+            kind: self.kind.map(f),
+            support: self.support,
+            joint: self.joint,
+            drive: self.drive.clone(),
+            until: self.until,
+        }
+    }
+}
+
+impl<S> Constraint<S> {
     /// The points it ties.
-    pub fn points(&self) -> &[MaterialPoint] {
+    pub fn points(&self) -> &[MaterialPoint<S>] {
         match &self.kind {
             ConstraintKind::Held { point, .. } | ConstraintKind::Turned { point } => {
                 std::slice::from_ref(point)
@@ -288,42 +273,57 @@ pub enum ConnectorEnd {
 
 /// Potential of a connector.
 #[derive(Clone, Copy, Debug)]
-pub enum ConnectorLaw {
+pub enum ConnectorLaw<S = f64> {
     /// `k (q - rest)^2 / 2`.
     Linear {
         /// Stiffness k, force per unit of the coordinate.
-        stiffness: f64,
+        stiffness: S,
         /// Coordinate without force.
-        rest: f64,
+        rest: S,
     },
     /// `k <q - gap>^2 / 2`: no force before the gap is closed.
     OneSided {
         /// Stiffness k, force per unit of the coordinate.
-        stiffness: f64,
+        stiffness: S,
         /// Coordinate from which on it presses.
-        gap: f64,
+        gap: S,
     },
 }
 
-impl ConnectorLaw {
+impl<S: Copy> ConnectorLaw<S> {
+    /// The same with every number replaced, in a fixed order.
+    #[inline(always)]
+    pub fn map<T>(self, f: &mut impl FnMut(S) -> T) -> ConnectorLaw<T> {
+        match self {
+            Self::Linear { stiffness, rest } => {
+                ConnectorLaw::Linear { stiffness: f(stiffness), rest: f(rest) }
+            }
+            Self::OneSided { stiffness, gap } => {
+                ConnectorLaw::OneSided { stiffness: f(stiffness), gap: f(gap) }
+            }
+        }
+    }
+
     /// Whether it presses only while its gap is closed.
     pub fn is_one_sided(self) -> bool {
         matches!(self, Self::OneSided { .. })
     }
 
+    /// A value of the coordinate without force and energy.
+    pub fn free(self) -> S {
+        match self {
+            Self::Linear { rest, .. } => rest,
+            Self::OneSided { gap, .. } => gap,
+        }
+    }
+}
+
+impl ConnectorLaw {
     /// Whether it acts at a value of the coordinate: what is not closed there has neither force nor stiffness.
     pub fn acts_at(self, q: f64) -> bool {
         match self {
             Self::Linear { .. } => true,
             Self::OneSided { gap, .. } => q > gap,
-        }
-    }
-
-    /// A value of the coordinate without force and energy.
-    pub fn free(self) -> f64 {
-        match self {
-            Self::Linear { rest, .. } => rest,
-            Self::OneSided { gap, .. } => gap,
         }
     }
 }

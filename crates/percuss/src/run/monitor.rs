@@ -14,7 +14,7 @@ use super::trial::Trial;
 use super::yielding::{self, YieldRecord};
 use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::geometry::row::Row;
-use crate::ledger::{Ledger, Measures};
+use crate::ledger::{Audit, Ledger, Measures};
 use crate::math::interpolant::Interpolant;
 use crate::model::Model;
 use crate::model::frozen::SupportData;
@@ -105,20 +105,10 @@ pub struct Monitor {
     pub connectors: Vec<ConnectorRecord>,
     /// What is noted of joints of a given strength, shape (such joints).
     pub joints: Vec<JointRecord>,
-    /// Largest energy residual \[J\].
-    pub energy_residual: f64,
+    /// Largest residuals and drifts.
+    pub audit: Audit,
     /// Largest sum of the energy at the start and the works so far, all by their magnitudes \[J\].
     pub energy_came: f64,
-    /// Largest residual of linear momentum \[kg m/s\].
-    pub linear_residual: f64,
-    /// Largest residual of angular momentum \[kg m^2/s\].
-    pub angular_residual: f64,
-    /// Largest drift of stored bending strains \[1/m\].
-    pub curvature_drift: f64,
-    /// Largest drift of stored membrane strains \[1\].
-    pub membrane_drift: f64,
-    /// Largest drift of angular rates from the slopes' velocities, as kinetic energy \[J\].
-    pub angular_rate_drift: f64,
 }
 
 impl Monitor {
@@ -145,13 +135,8 @@ impl Monitor {
                 .iter()
                 .map(|torn| JointRecord::starting(*torn, state.time))
                 .collect(),
-            energy_residual: 0.0,
+            audit: Audit::default(),
             energy_came: 0.0,
-            linear_residual: 0.0,
-            angular_residual: 0.0,
-            curvature_drift: 0.0,
-            membrane_drift: 0.0,
-            angular_rate_drift: 0.0,
         };
         monitor.start.points.resize(model.points.len(), [[0.0; 2]; 2]);
         section_forces::update(model, &monitor.lines, state, &mut monitor.section_forces);
@@ -281,16 +266,10 @@ impl Monitor {
 
     /// Takes the measures of a new state into the largest residuals.
     pub fn audit(&mut self, ledger: &Ledger, m: &Measures) {
-        let linear = ledger.linear_residual(m);
         let came =
             ledger.energy_initial.abs() + ledger.work_loads.abs() + ledger.work_supports.abs();
         self.energy_came = self.energy_came.max(came);
-        self.energy_residual = larger(self.energy_residual, ledger.energy_residual(m));
-        self.linear_residual = larger(self.linear_residual, linear[0].hypot(linear[1]));
-        self.angular_residual = larger(self.angular_residual, ledger.angular_residual(m));
-        self.curvature_drift = larger(self.curvature_drift, m.curvature_drift);
-        self.membrane_drift = larger(self.membrane_drift, m.membrane_drift);
-        self.angular_rate_drift = larger(self.angular_rate_drift, m.angular_rate_drift);
+        self.audit.take(ledger, m);
     }
 }
 
@@ -298,9 +277,4 @@ fn unset_support(support: &SupportData) -> SupportSummary {
     let (name, none) = (support.name.clone(), Range::default());
     let touches = support.stops.then(Vec::new);
     SupportSummary { name, force: [none; 2], moment: none, impulse: [0.0; 3], touches }
-}
-
-/// The larger magnitude; NaN stays, so that a broken balance cannot look closed.
-fn larger(a: f64, b: f64) -> f64 {
-    if b.abs() > a || b.is_nan() { b.abs() } else { a }
 }

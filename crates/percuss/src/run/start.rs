@@ -14,7 +14,6 @@ use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
 use crate::step::effective_mass;
-use crate::step::tangent::project_node;
 use crate::step::{commit, fibres, lead};
 
 /// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
@@ -176,7 +175,7 @@ impl Simulation<'_> {
             }
         }
         for dofs in model.prescribed.iter().filter(|h| h.node >= beams) {
-            project_node(dofs, &mut force[dofs.node]);
+            dofs.project(&mut force[dofs.node]);
         }
         self.state.acceleration = force;
     }

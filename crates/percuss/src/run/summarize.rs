@@ -11,7 +11,7 @@ use crate::summary::*;
 
 impl Simulation<'_> {
     pub(super) fn summary(self, termination: Termination) -> RunSummary {
-        let ledger = &self.state.ledger;
+        let (ledger, audit) = (&self.state.ledger, self.monitor.audit);
         let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
         let effective = self.model.effective_masses();
         let [energy_scale, linear_scale, angular_scale] = ledger.audit_scales();
@@ -39,18 +39,18 @@ impl Simulation<'_> {
                 hardening: self.measures.hardening,
                 failure: ledger.loss_failure,
                 scale: energy_scale,
-                residual_max: relative(self.monitor.energy_residual, energy_scale),
+                residual_max: relative(audit.energy, energy_scale),
             },
             momentum: MomentumSummary {
                 linear_scale,
-                linear_residual_max: relative(self.monitor.linear_residual, linear_scale),
+                linear_residual_max: relative(audit.linear, linear_scale),
                 angular_scale,
-                angular_residual_max: relative(self.monitor.angular_residual, angular_scale),
+                angular_residual_max: relative(audit.angular, angular_scale),
             },
             audit: AuditSummary {
-                curvature_drift_max: self.monitor.curvature_drift,
-                membrane_drift_max: self.monitor.membrane_drift,
-                angular_rate_drift_max: relative(self.monitor.angular_rate_drift, energy_scale),
+                curvature_drift_max: audit.curvature_drift,
+                membrane_drift_max: audit.membrane_drift,
+                angular_rate_drift_max: relative(audit.angular_rate_drift, energy_scale),
             },
             projectiles: self.projectiles(),
             contacts: (self.model.contacts.iter().zip(self.monitor.contacts.records).enumerate())

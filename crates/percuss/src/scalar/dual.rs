@@ -121,6 +121,10 @@ impl<const P: usize> Number for Dual<P> {
         if mask { a } else { b }
     }
     #[inline(always)]
+    fn either(mask: bool, a: impl FnOnce() -> Self, b: impl FnOnce() -> Self) -> Self {
+        if mask { a() } else { b() }
+    }
+    #[inline(always)]
     fn powf(self, exponent: Self) -> Self {
         let power = self.value.powf(exponent.value);
         let (base, log) = (exponent.value * power / self.value, power * self.value.ln());

@@ -134,6 +134,11 @@ pub trait Number: Real + Debug {
     fn at_most(self, other: Self) -> Self::Mask;
     /// `a` where the mask says yes, `b` elsewhere.
     fn choose(mask: Self::Mask, a: Self, b: Self) -> Self;
+    /// What one of two gives: the first where the mask says yes; what no lane asks for may be left out.
+    #[inline(always)]
+    fn either(mask: Self::Mask, a: impl FnOnce() -> Self, b: impl FnOnce() -> Self) -> Self {
+        Self::choose(mask, a(), b())
+    }
     /// Decisions of given values, lane by lane.
     #[inline(always)]
     fn mask(self, value: impl Fn(usize) -> bool) -> Self::Mask {
@@ -163,6 +168,11 @@ pub trait Number: Real + Debug {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         self.if_less(other, other, self)
+    }
+    /// Length of the vector of two numbers; of a vanishing one, without derivatives.
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        (self * self + other * other).sqrt()
     }
     /// To a power; the base is positive.
     fn powf(self, exponent: Self) -> Self;
@@ -233,6 +243,14 @@ impl Number for f64 {
     #[inline(always)]
     fn choose(mask: bool, a: Self, b: Self) -> Self {
         if mask { a } else { b }
+    }
+    #[inline(always)]
+    fn either(mask: bool, a: impl FnOnce() -> Self, b: impl FnOnce() -> Self) -> Self {
+        if mask { a() } else { b() }
+    }
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        f64::hypot(self, other)
     }
     #[inline(always)]
     fn powf(self, exponent: Self) -> Self {

@@ -10,8 +10,8 @@ use crate::element::point::{PointResponse, StepPoint, Strains};
 use crate::element::rotary::{self, Turn};
 use crate::element::yielding::{ElementFibres, ElementStep, ElementTurn};
 use crate::element::{collocation, energy_momentum, strain_rate};
-use crate::linalg::block::{Block, ZERO};
-use crate::linalg::chain::Chain;
+use crate::linalg::block::ZERO;
+use crate::linalg::chain::{Chain, add_element};
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::add;
 use crate::model::frozen::Span;
@@ -386,18 +386,6 @@ pub fn spread(
     a: usize,
     chain: &mut Chain,
 ) {
-    let [aa, ab, ba, bb] = sums.nodal_tangent(mass, slope);
-    add_block(&mut chain.diag[a], &aa);
-    chain.upper[a] = ab;
-    chain.lower[a] = ba;
-    chain.diag[a + 1] = bb;
-}
-
-#[inline(always)]
-fn add_block(target: &mut Block, block: &Block) {
-    for i in 0..4 {
-        for j in 0..4 {
-            target[i][j] += block[i][j];
-        }
-    }
+    let Chain { diag, upper, lower, .. } = chain;
+    add_element([diag, upper, lower], a, &sums.nodal_tangent(mass, slope));
 }

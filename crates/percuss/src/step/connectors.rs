@@ -6,14 +6,15 @@
 
 mod form;
 mod inelastic;
+mod law;
 
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::tangent::Tangent;
 use crate::element::fibre::FibreState;
 use crate::math::vec2::{add, cross, dot, norm, scale, sub};
-use crate::model::frozen::{Connector, ConnectorEnd, ConnectorLaw, Coordinate, MaterialPoint};
-use crate::model::{Model, Potential};
+use crate::model::Model;
+use crate::model::frozen::{Connector, ConnectorEnd, Coordinate, MaterialPoint};
 use crate::state::State;
 use form::{CoordinateForm, add_to, angle_form, distance_form, product};
 pub use inelastic::{advanced, bring_to_rest};
@@ -89,40 +90,18 @@ impl Connector {
         if let Some((own, state)) = self.memory(memories) {
             return own.law.elastic_energy(state, q - self.law.free());
         }
-        match self.law {
-            ConnectorLaw::Linear { stiffness, rest } => 0.5 * stiffness * (q - rest) * (q - rest),
-            ConnectorLaw::OneSided { stiffness, gap } => {
-                Potential::Linear { stiffness }.energy(q - gap)
-            }
-        }
+        self.law.energy(q)
     }
 
     /// Force and its derivative with respect to the coordinate at the end of a step from `q0` by `change`.
-    fn force(
-        &self,
-        rule: &Integration,
-        q0: f64,
-        change: f64,
-        memories: &[FibreState],
-    ) -> (f64, f64) {
+    fn force(&self, rule: &Integration, q0: f64, change: f64, memories: &[FibreState]) -> [f64; 2] {
         if let Some((own, memory)) = self.memory(memories) {
             let from = q0 - self.law.free();
             return inelastic::force(&own.law, memory, rule, [from, from + change]);
         }
-        let theta = rule.theta();
-        match self.law {
-            ConnectorLaw::Linear { stiffness, rest } => {
-                (stiffness * (q0 + theta * change - rest), theta * stiffness)
-            }
-            ConnectorLaw::OneSided { stiffness, gap } => {
-                let (p0, p1) = (q0 - gap, q0 - gap + change);
-                let law = Potential::Linear { stiffness };
-                let step = match rule.rule {
-                    Rule::Midpoint(_) => law.quotient(p0, p1),
-                    Rule::Alpha(_) | Rule::Static => law.collocated(p0, p1, theta),
-                };
-                (step.force, step.slope)
-            }
+        match rule.rule {
+            Rule::Midpoint(_) => self.law.quotient(q0, change),
+            Rule::Alpha(_) | Rule::Static => self.law.collocated(q0, change, rule.theta()),
         }
     }
 
@@ -152,7 +131,7 @@ impl Connector {
                 angle_form(start, step, b.is_some(), rule, self.turn())
             }
         };
-        let (elastic, slope) = self.force(rule, q0, form.change, &state.memories);
+        let [elastic, slope] = self.force(rule, q0, form.change, &state.memories);
         let gone = self.has_failed(&state.memories);
         let rate = if gone { 0.0 } else { rule.lag(self.damping) };
         let damper = rate * form.change;

@@ -1,7 +1,7 @@
 //! Values and gradients of constraints.
 //!
 //! Linear ones are what they are. The angle of a rigid corner, `c = g_a x R g_b`, is quadratic: along its gradient at the
-//! midpoint a multiplier does no work, and `c` vanishes at the end of the step.
+//! midpoint a multiplier does no work, and `c` vanishes at the end of the step (theory, section 2).
 
 use super::forcing::Forcing;
 use crate::linalg::condensed::BorderVector;
@@ -11,15 +11,31 @@ use crate::scalar::Real;
 
 /// A step as constraints see it.
 #[derive(Clone, Copy, Debug)]
-pub struct ConstraintStep<'a> {
+pub struct ConstraintStep<'a, S = f64> {
     /// Displacements at the start, shape (nodes, 4) \[m, 1, rad\].
-    pub start: &'a [[f64; 4]],
+    pub start: &'a [[S; 4]],
     /// Their increments, shape (nodes, 4) \[m, 1, rad\].
-    pub increment: &'a [[f64; 4]],
+    pub increment: &'a [[S; 4]],
     /// Prescribed motions.
     pub forcing: &'a Forcing,
     /// Where in the step the forces of constraints are directed: at its middle, in statics at its end.
     pub share: f64,
+}
+
+/// A gradient on the nodes of a constraint's points, two nodes of the first, two of the second, shape (4, 4) \[1, m, 1/m\].
+pub type NodalForm<S> = [[S; 4]; 4];
+
+/// What the ground does on a point through a constraint, a mean over a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Reaction<S> {
+    /// Position of the point in the middle of the step, shape (2) \[m\].
+    pub at: [S; 2],
+    /// Force, shape (2) \[N\].
+    pub force: [S; 2],
+    /// Couple \[N m\].
+    pub moment: S,
+    /// Work over the step \[J\].
+    pub work: S,
 }
 
 /// `R b` with the rotation of the given cosine and sine.
@@ -31,47 +47,53 @@ pub fn turn<S: Real>([cosine, sine]: [S; 2], b: [S; 2]) -> [S; 2] {
 /// Coefficients of dg_a and dg_b in the derivative of `g_a x R g_b` at the tangents a and b, with the rotation R of the given cosine and
 /// sine.
 #[inline(always)]
-pub fn angle_forms<S: Real>(a: [S; 2], b: [S; 2], [cosine, sine]: [S; 2]) -> [[S; 2]; 2] {
+fn angle_forms<S: Real>(a: [S; 2], b: [S; 2], [cosine, sine]: [S; 2]) -> [[S; 2]; 2] {
     let ([b1, b2], along) = (rot90(turn([cosine, sine], b)), rot90(a));
     [[-b1, -b2], turn([cosine, -sine], along)]
 }
 
-impl<'a> ConstraintStep<'a> {
+/// A point's nodal values interpolated, or their gradient.
+#[inline(always)]
+fn seen<S: Real>(point: &MaterialPoint<S>, gradient: bool, nodal: &[[S; 4]]) -> [S; 2] {
+    if gradient { point.gradient(nodal) } else { point.value(nodal) }
+}
+
+impl<'a, S> ConstraintStep<'a, S> {
     /// No step: constraints at a configuration that stands still.
-    pub fn at_rest(start: &'a [[f64; 4]], forcing: &'a Forcing) -> Self {
+    pub fn at_rest(start: &'a [[S; 4]], forcing: &'a Forcing) -> Self {
         Self { start, increment: &[], forcing, share: 0.0 }
     }
 }
 
-impl ConstraintStep<'_> {
+impl<S: Real> ConstraintStep<'_, S> {
     /// Tangent g at a point after `share` of the increment.
-    fn tangent(&self, p: &MaterialPoint, share: f64) -> [f64; 2] {
+    #[inline(always)]
+    fn tangent(&self, p: &MaterialPoint<S>, share: f64) -> [S; 2] {
         let start = add(p.tangent, p.gradient(self.start));
         if self.increment.is_empty() {
             return start;
         }
-        add(start, scale(share, p.gradient(self.increment)))
+        let [d1, d2] = p.gradient(self.increment);
+        add(start, [d1 * share, d2 * share])
     }
 
     /// Direction across the tangent that a support turns, after `share` of the step.
-    fn across(&self, c: &Constraint, point: &MaterialPoint, share: f64) -> [f64; 2] {
+    #[inline(always)]
+    fn across(&self, c: &Constraint<S>, point: &MaterialPoint<S>, share: f64) -> [S; 2] {
         let angle = self.forcing.start(&c.drive) + share * self.forcing.increment(&c.drive);
-        rot90(turn([angle.cos(), angle.sin()], point.tangent))
-    }
-
-    /// Tangent to which a support turns a point at the start of the step, and the direction across that at its end.
-    pub fn turned(&self, c: &Constraint, point: &MaterialPoint) -> ([f64; 2], [f64; 2]) {
-        (scale(-1.0, rot90(self.across(c, point, 0.0))), self.across(c, point, 1.0))
+        let like = point.tangent[0];
+        rot90(turn([like.constant(angle.cos()), like.constant(angle.sin())], point.tangent))
     }
 
     /// Value of the constraint at the start of the step: round-off of the steps before.
-    pub fn start_value(&self, c: &Constraint) -> f64 {
+    #[inline(always)]
+    pub fn start_value(&self, c: &Constraint<S>) -> S {
         let u = self.start;
-        let g = |p: &MaterialPoint| add(p.tangent, p.gradient(u));
+        let g = |p: &MaterialPoint<S>| add(p.tangent, p.gradient(u));
         match &c.kind {
             ConstraintKind::Held { point, direction, gradient } => {
-                let value = if *gradient { point.gradient(u) } else { point.value(u) };
-                dot(*direction, value) - self.forcing.start(&c.drive)
+                let value = seen(point, *gradient, u);
+                dot(*direction, value) - value[0].constant(self.forcing.start(&c.drive))
             }
             ConstraintKind::Turned { point } => dot(self.across(c, point, 0.0), g(point)),
             ConstraintKind::Shared { points, direction } => {
@@ -85,40 +107,111 @@ impl ConstraintStep<'_> {
 
     /// Change of the constraint over the step, exactly and without subtracting positions: linear constraints applied to the
     /// increment, products by their difference rule.
-    pub fn change(&self, c: &Constraint) -> f64 {
+    #[inline(always)]
+    pub fn change(&self, c: &Constraint<S>) -> S {
         let d = self.increment;
         match &c.kind {
-            ConstraintKind::Held { .. } => self.derivative(c, d) - self.forcing.increment(&c.drive),
+            ConstraintKind::Held { .. } => {
+                let derivative = self.derivative(c, d);
+                derivative - derivative.constant(self.forcing.increment(&c.drive))
+            }
             ConstraintKind::Turned { point } => {
                 // t1 - t0 = 2 sin(half the angle) J t_m, and (t0 + t1)/2 = cos(half the angle) t_m.
                 let half = 0.5 * self.forcing.increment(&c.drive);
                 let across = self.across(c, point, 0.5);
                 let along = rot90(across);
-                half.cos() * dot(across, point.gradient(d))
-                    + 2.0 * half.sin() * dot(along, self.tangent(point, 0.5))
+                dot(across, point.gradient(d)) * half.cos()
+                    + dot(along, self.tangent(point, 0.5)) * (2.0 * half.sin())
             }
             ConstraintKind::Shared { .. } => self.derivative(c, d),
+            ConstraintKind::Angle { .. } => self.along(c, 0.5, d),
+        }
+    }
+
+    /// Gradients of the constraint on the values or slopes at its points after `share` of the step, where its force is directed.
+    #[inline(always)]
+    fn forms(&self, c: &Constraint<S>, share: f64) -> [([S; 2], bool); 2] {
+        match &c.kind {
+            ConstraintKind::Held { direction, gradient, .. } => [(*direction, *gradient); 2],
+            ConstraintKind::Turned { point } => [(self.across(c, point, share), true); 2],
+            ConstraintKind::Shared { direction, .. } => {
+                [(*direction, false), ([-direction[0], -direction[1]], false)]
+            }
             ConstraintKind::Angle { points, cosine, sine } => {
-                let [on_a, on_b] = self.angle_forms(points, [*cosine, *sine], 0.5);
-                dot(on_a, points[0].gradient(d)) + dot(on_b, points[1].gradient(d))
+                let [a, b] = &**points;
+                let tangents = (self.tangent(a, share), self.tangent(b, share));
+                let [on_a, on_b] = angle_forms(tangents.0, tangents.1, [*cosine, *sine]);
+                [(on_a, true), (on_b, true)]
             }
         }
     }
 
-    /// Gradients of the constraint on the values or slopes at its points, where its force is directed.
-    fn forms(&self, c: &Constraint, share: f64) -> [([f64; 2], bool); 2] {
-        let none = ([0.0; 2], false);
-        match &c.kind {
-            ConstraintKind::Held { direction, gradient, .. } => [(*direction, *gradient), none],
-            ConstraintKind::Turned { point } => [(self.across(c, point, share), true), none],
-            ConstraintKind::Shared { direction, .. } => {
-                [(*direction, false), (scale(-1.0, *direction), false)]
-            }
-            ConstraintKind::Angle { points, cosine, sine } => {
-                let [on_a, on_b] = self.angle_forms(points, [*cosine, *sine], share);
-                [(on_a, true), (on_b, true)]
+    /// What a support does on its point through a constraint with the given multiplier.
+    #[inline(always)]
+    pub fn reaction(&self, c: &Constraint<S>, multiplier: S) -> Reaction<S> {
+        let (point, zero) = (&c.points()[0], multiplier.constant(0.0));
+        let ([at, tangent], (form, gradient)) =
+            (point.middle(self.start, self.increment), self.forms(c, self.share)[0]);
+        let force = scale(-multiplier, form);
+        let work = dot(force, seen(point, gradient, self.increment));
+        if gradient {
+            Reaction { at, force: [zero; 2], moment: cross(tangent, force), work }
+        } else {
+            Reaction { at, force, moment: zero, work }
+        }
+    }
+
+    /// Adds `factor` times the gradient of the constraint, where its force is directed, to nodal values.
+    #[inline(always)]
+    pub fn add_gradient(&self, c: &Constraint<S>, factor: S, nodal: &mut [[S; 4]]) {
+        for (point, (form, gradient)) in c.points().iter().zip(self.forms(c, self.share)) {
+            let force = scale(factor, form);
+            if gradient {
+                point.spread_gradient(force, nodal);
+            } else {
+                point.spread(force, nodal);
             }
         }
+    }
+
+    /// Derivative of the constraint, at the end of the step, in the direction `nodal`.
+    #[inline(always)]
+    pub fn derivative(&self, c: &Constraint<S>, nodal: &[[S; 4]]) -> S {
+        self.along(c, 1.0, nodal)
+    }
+
+    /// Derivative of the constraint after `share` of the step.
+    #[inline(always)]
+    fn along(&self, c: &Constraint<S>, share: f64, nodal: &[[S; 4]]) -> S {
+        let forms = self.forms(c, share);
+        let on = |point: &MaterialPoint<S>, (form, gradient): ([S; 2], bool)| {
+            dot(form, seen(point, gradient, nodal))
+        };
+        match c.points() {
+            [a, b] => on(a, forms[0]) + on(b, forms[1]),
+            points => on(&points[0], forms[0]),
+        }
+    }
+
+    /// The gradient after `share` of the step on the nodes of the constraint's points.
+    #[inline(always)]
+    pub fn nodal_form(&self, c: &Constraint<S>, share: f64) -> NodalForm<S> {
+        let forms = self.forms(c, share);
+        let mut all = [[forms[0].0[0].constant(0.0); 4]; 4];
+        for (k, point) in c.points().iter().enumerate() {
+            let ([f1, f2], gradient) = forms[k];
+            let [n0, n1, n2, n3] = if gradient { point.slope } else { point.shape };
+            all[2 * k] = [n0 * f1, n0 * f2, n1 * f1, n1 * f2];
+            all[2 * k + 1] = [n2 * f1, n2 * f2, n3 * f1, n3 * f2];
+        }
+        all
+    }
+}
+
+impl ConstraintStep<'_> {
+    /// Tangent to which a support turns a point at the start of the step, and the direction across that at its end.
+    pub fn turned(&self, c: &Constraint, point: &MaterialPoint) -> ([f64; 2], [f64; 2]) {
+        (scale(-1.0, rot90(self.across(c, point, 0.0))), self.across(c, point, 1.0))
     }
 
     /// Gradient of a support's constraint where its force is directed, and whether it acts on the slope.
@@ -132,47 +225,15 @@ impl ConstraintStep<'_> {
         cross(self.tangent(&points[0], self.share), self.forms(c, self.share)[0].0)
     }
 
-    /// Adds `factor` times the gradient of the constraint, where its force is directed, to nodal values.
-    pub fn add_gradient(&self, c: &Constraint, factor: f64, nodal: &mut [[f64; 4]]) {
-        for (point, (form, gradient)) in c.points().iter().zip(self.forms(c, self.share)) {
-            let force = scale(factor, form);
-            if gradient {
-                point.spread_gradient(force, nodal);
-            } else {
-                point.spread(force, nodal);
-            }
-        }
-    }
-
-    /// Derivative of the constraint, at the end of the step, in the direction `nodal`.
-    pub fn derivative(&self, c: &Constraint, nodal: &[[f64; 4]]) -> f64 {
-        let forms = self.forms(c, 1.0);
-        let on = |(point, (form, gradient)): (&MaterialPoint, ([f64; 2], bool))| {
-            dot(form, if gradient { point.gradient(nodal) } else { point.value(nodal) })
-        };
-        c.points().iter().zip(forms).map(on).sum()
-    }
-
     /// The gradient where the force is directed, or at the end of the step, in the places of a border vector.
     pub fn border(&self, c: &Constraint, end: bool, vector: &mut BorderVector) {
         for (_, value) in vector.iter_mut() {
             *value = [0.0; 4];
         }
-        let share = if end { 1.0 } else { self.share };
-        for (point, (form, gradient)) in c.points().iter().zip(self.forms(c, share)) {
-            let n = if gradient { &point.slope } else { &point.shape };
-            for (offset, node) in [(0, point.node), (2, point.node + 1)] {
-                if n[offset] == 0.0 && n[offset + 1] == 0.0 {
-                    continue;
-                }
-                for (k, value) in vector.iter_mut() {
-                    if *k == node {
-                        for i in 0..2 {
-                            value[i] += n[offset] * form[i];
-                            value[2 + i] += n[offset + 1] * form[i];
-                        }
-                    }
-                }
+        let form = self.nodal_form(c, if end { 1.0 } else { self.share });
+        for (node, on) in point_nodes(c).zip(&form) {
+            for (_, value) in vector.iter_mut().filter(|(k, _)| *k == node) {
+                (0..4).for_each(|i| value[i] += on[i]);
             }
         }
     }
@@ -185,17 +246,12 @@ impl ConstraintStep<'_> {
         let f = factor * self.share;
         Some([[f * sine, f * cosine], [-f * cosine, f * sine]])
     }
+}
 
-    /// The same of the angle between the tangents at two points, after `share` of the step.
-    fn angle_forms(
-        &self,
-        points: &[MaterialPoint; 2],
-        rotation: [f64; 2],
-        share: f64,
-    ) -> [[f64; 2]; 2] {
-        let [a, b] = points.each_ref().map(|p| self.tangent(p, share));
-        angle_forms(a, b, rotation)
-    }
+/// Nodes of a constraint's points, two a point.
+#[inline(always)]
+pub fn point_nodes<S>(c: &Constraint<S>) -> impl Iterator<Item = usize> {
+    c.points().iter().flat_map(|p| [p.node, p.node + 1])
 }
 
 /// Nodes that a constraint touches.

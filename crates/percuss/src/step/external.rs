@@ -3,6 +3,7 @@
 
 use super::forcing::Forcing;
 use super::tangent::Tangent;
+use crate::ledger::StepWork;
 use crate::math::vec2::{cross, dot, rot90};
 use crate::model::Model;
 use crate::model::frozen::{LoadAction, MaterialPoint};
@@ -118,45 +119,13 @@ fn add_moment<const TANGENT: bool>(
     }
 }
 
-/// Work, impulse and angular impulse of forces over a step.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct LoadWork {
-    /// Work \[J\].
-    pub work: f64,
-    /// Impulse, shape (2) \[N s\].
-    pub impulse: [f64; 2],
-    /// Angular impulse about the origin \[N m s\].
-    pub angular_impulse: f64,
-}
-
-impl LoadWork {
-    /// Adds a force at position `x`, moved by `d` over a step of size `h`.
-    pub fn add_force(&mut self, force: [f64; 2], x: [f64; 2], d: [f64; 2], h: f64) {
-        self.work += dot(force, d);
-        self.impulse[0] += h * force[0];
-        self.impulse[1] += h * force[1];
-        self.angular_impulse += h * cross(x, force);
-    }
-
-    /// Adds forces on a node's values and slopes.
-    pub fn add_nodal(
-        &mut self,
-        model: &Model,
-        state: &State,
-        increment: &[[f64; 4]],
-        node: usize,
-        force: &[f64; 4],
-        h: f64,
-    ) {
-        let (frame, u, d) = (&model.nodes[node], &state.displacement[node], &increment[node]);
-        let x = [0, 1].map(|i| frame.position[i] + u[i] + 0.5 * d[i]);
-        self.add_force([force[0], force[1]], x, [d[0], d[1]], h);
-        // Slope parts: no net force, but work and moment.
-        let g = [0, 1].map(|i| frame.tangent[i] + u[2 + i] + 0.5 * d[2 + i]);
-        let couple = [force[2], force[3]];
-        self.work += dot(couple, [d[2], d[3]]);
-        self.angular_impulse += h * cross(g, couple);
-    }
+/// Position and tangent of a node in the middle of a step.
+pub fn middle(model: &Model, state: &State, increment: &[[f64; 4]], node: usize) -> [[f64; 2]; 2] {
+    let (frame, u, d) = (&model.nodes[node], &state.displacement[node], &increment[node]);
+    [
+        [0, 1].map(|i| frame.position[i] + u[i] + 0.5 * d[i]),
+        [0, 1].map(|i| frame.tangent[i] + u[2 + i] + 0.5 * d[2 + i]),
+    ]
 }
 
 /// What the loads did over a step, beams', masses' and projectiles' gravity included; those that turn with the beam act as they stand `theta` of the
@@ -168,9 +137,9 @@ pub fn work(
     theta: f64,
     forcing: &Forcing,
     increment: &[[f64; 4]],
-) -> LoadWork {
-    let mut sum = LoadWork::default();
-    let add = |p: &MaterialPoint, force: [f64; 2], sum: &mut LoadWork| {
+) -> StepWork {
+    let mut sum = StepWork::default();
+    let add = |p: &MaterialPoint, force: [f64; 2], sum: &mut StepWork| {
         let (u, d) = (p.value(&state.displacement), p.value(increment));
         let x = std::array::from_fn(|i| p.position[i] + u[i] + 0.5 * d[i]);
         sum.add_force(force, x, d, h);
@@ -197,7 +166,12 @@ pub fn work(
             LoadAction::Dead { nodal, .. } => {
                 for (node, force) in nodal {
                     let force = force.map(|f| factor * f);
-                    sum.add_nodal(model, state, increment, *node, &force, h);
+                    sum.add_nodal(
+                        &force,
+                        middle(model, state, increment, *node),
+                        &increment[*node],
+                        h,
+                    );
                 }
             }
             LoadAction::Follower { points } => {
@@ -224,18 +198,17 @@ fn add_gravity(
     h: f64,
     gravity: [f64; 2],
     increment: &[[f64; 4]],
-    sum: &mut LoadWork,
+    sum: &mut StepWork,
 ) {
     for (span, k, a, _) in model.each_element() {
         for (node, force) in span.table(k).uniform_force(a, gravity) {
-            sum.add_nodal(model, state, increment, node, &force, h);
+            sum.add_nodal(&force, middle(model, state, increment, node), &increment[node], h);
         }
     }
     for (i, body) in model.bodies.iter().enumerate() {
         let force = gravity.map(|g| body.mass * g);
         let node = model.body_node(i);
-        let (x, u, d) = (model.nodes[node].position, state.displacement[node], increment[node]);
-        let middle = [0, 1].map(|k| x[k] + u[k] + 0.5 * d[k]);
-        sum.add_force(force, middle, [d[0], d[1]], h);
+        let ([x, _], d) = (middle(model, state, increment, node), increment[node]);
+        sum.add_force(force, x, [d[0], d[1]], h);
     }
 }

@@ -3,7 +3,7 @@
 use super::integration::Integration;
 use super::sweep::{AdvanceFibres, Sweep};
 use crate::element::beam::{ElementTable, ElementValues};
-use crate::element::fibre::{Fibre, FibreState, StressLaw};
+use crate::element::fibre::{Fibre, FibreFlow, FibreState, StressLaw};
 use crate::element::yielding::{
     ElementFibres, ElementStep, FibreEnergies, GaussStrains, gauss_strains,
 };
@@ -109,20 +109,17 @@ impl Moved<'_> {
         let (fibres, table) = (self.fibres, self.span.table(k));
         let (h, lag) = (self.rule.h, self.rule.lag(self.span.retardation));
         let [from, to] = self.strains(k);
-        let mut fails = false;
+        let mut flow = FibreFlow::beside([self.losses.plastic, self.losses.viscous]);
         let mut states = self.state.fibres[fibres.range(k)].iter_mut();
         for (j, points) in fibres.of(k).iter().enumerate() {
             for (fibre, state) in points.iter().zip(&mut states) {
                 let law = &fibres.laws[fibre.law];
-                let [e0, e1] = [from[j], to[j]].map(|s| s[0] + fibre.height * s[1]);
-                let [plastic, viscous] = law.advance(state, [e0, e1], (h, lag));
-                let volume = fibre.area * table.rows[j].weight;
-                self.losses.plastic += volume * plastic;
-                self.losses.viscous += volume * viscous;
-                fails |= law.fails(e1) && !state.failed;
+                let on = (table.rows[j].weight, [from[j], to[j]]);
+                flow.advance((law, fibre), state, on, (h, lag));
             }
         }
-        fails
+        [self.losses.plastic, self.losses.viscous] = flow.taken;
+        flow.failing
     }
 
     /// Fails the fibres of an element that have come to their failure strain, and all others if none is left at a Gauss point.

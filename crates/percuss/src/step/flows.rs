@@ -6,7 +6,8 @@ pub use reactions::reactions_at_start;
 
 use super::bodies::rear_spring;
 use super::constraint::ConstraintStep;
-use super::external::{self, LoadWork};
+use super::damping::{MassDamping, viscous};
+use super::external;
 use super::fibres::FibreLosses;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
@@ -14,13 +15,14 @@ use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::point::Strains;
-use crate::element::rotary::Turn;
 use crate::element::strain::strains;
 use crate::element::strain_rate;
 use crate::geometry::row::Row;
-use crate::math::vec2::{add, cross, dot, scale};
+use crate::ledger::StepWork;
+use crate::math::vec2::{add, cross, scale};
 use crate::model::Model;
 use crate::model::frozen::{ConnectorEnd, Coordinate, MaterialPoint, Span};
+use crate::scalar::array;
 use crate::settings::Scheme;
 use crate::state::State;
 use reactions::{average_reactions, supports_so_far};
@@ -37,10 +39,7 @@ pub fn enter(
     state.reacting.begin();
     let so_far = state.ledger.set_aside();
     let before = supports_so_far(state);
-    let ledger = &mut state.ledger;
-    ledger.work_loads += done.work;
-    ledger.impulse_loads = add(ledger.impulse_loads, done.impulse);
-    ledger.angular_impulse_loads += done.angular_impulse;
+    state.ledger.load(&done);
     let led = work.lead.work(model, state, &work.increment, rule);
     let ledger = &mut state.ledger;
     ledger.work_supports += led.work;
@@ -75,21 +74,14 @@ struct Entry<'a> {
 
 impl Entry<'_> {
     /// Position and tangent of a point in the middle of the step.
-    fn middle(&self, p: &MaterialPoint) -> ([f64; 2], [f64; 2]) {
-        let (u, d) = (&self.state.displacement, &self.work.increment);
-        let half = |a: [f64; 2], b: [f64; 2]| add(a, scale(0.5, b));
-        (
-            add(p.position, half(p.value(u), p.value(d))),
-            add(p.tangent, half(p.gradient(u), p.gradient(d))),
-        )
+    fn middle(&self, p: &MaterialPoint) -> [[f64; 2]; 2] {
+        p.middle(&self.state.displacement, &self.work.increment)
     }
 
     /// Enters a force and a couple of a support, a guide or the ground on a point; supports have reactions of their own.
     fn reaction(&mut self, support: Option<usize>, x: [f64; 2], force: [f64; 2], moment: f64) {
         let h = self.rule.h;
-        let ledger = &mut self.state.ledger;
-        ledger.impulse_supports = add(ledger.impulse_supports, scale(h, force));
-        ledger.angular_impulse_supports += h * (cross(x, force) + moment);
+        self.state.ledger.react(h, x, force, moment);
         let Some(support) = support else { return };
         let own = self.state.reaction_mut(support);
         own[0] += h * force[0];
@@ -102,14 +94,13 @@ impl Entry<'_> {
         let (model, work) = (self.model, self.work);
         for dofs in &model.prescribed {
             let (n, r) = (dofs.node, &work.residual[dofs.node]);
-            let (frame, u, d) = (&model.nodes[n], &self.state.displacement[n], &work.increment[n]);
+            let [x, g] = external::middle(model, self.state, &work.increment, n);
             let mut reaction = [0.0; 4];
             for normal in &dofs.normals {
                 let along: f64 = (0..4).map(|k| normal[k] * r[k]).sum();
                 (0..4).for_each(|k| reaction[k] += along * normal[k]);
             }
-            let x = [0, 1].map(|i| frame.position[i] + u[i] + 0.5 * d[i]);
-            let g = [0, 1].map(|i| frame.tangent[i] + u[2 + i] + 0.5 * d[2 + i]);
+            let d = &work.increment[n];
             let moment = if n < model.beam_node_count() {
                 cross(g, [reaction[2], reaction[3]])
             } else {
@@ -127,20 +118,11 @@ impl Entry<'_> {
             if c.support.is_none() {
                 continue;
             }
-            let support = c.support;
-            let point = &c.points()[0];
-            let (x, g) = self.middle(point);
             let start = &self.state.displacement;
             let step = ConstraintStep { start, increment: &work.increment, forcing, share: 0.5 };
-            let (form, gradient) = step.support_form(c);
-            let force = scale(-multiplier, form);
-            if gradient {
-                self.state.ledger.work_supports += dot(force, point.gradient(&work.increment));
-                self.reaction(support, x, [0.0; 2], cross(g, force));
-            } else {
-                self.state.ledger.work_supports += dot(force, point.value(&work.increment));
-                self.reaction(support, x, force, 0.0);
-            }
+            let r = step.reaction(c, *multiplier);
+            self.state.ledger.work_supports += r.work;
+            self.reaction(c.support, r.at, r.force, r.moment);
         }
     }
 
@@ -160,11 +142,11 @@ impl Entry<'_> {
             match &c.coordinate {
                 Coordinate::Displacement { point, drive, .. } => {
                     self.state.ledger.work_supports -= step.force * forcing.increment(drive);
-                    let (x, _) = self.middle(point);
+                    let [x, _] = self.middle(point);
                     self.reaction(c.support, x, force(0), 0.0);
                 }
                 Coordinate::Angle { a, b: None, .. } => {
-                    let (x, g) = self.middle(a);
+                    let [x, g] = self.middle(a);
                     self.reaction(c.support, x, [0.0; 2], cross(g, force(0)));
                 }
                 Coordinate::Angle { .. } => {}
@@ -173,7 +155,7 @@ impl Entry<'_> {
                         [(&ends[0], &ends[1]), (&ends[1], &ends[0])].iter().enumerate()
                     {
                         if let (ConnectorEnd::Point(p), ConnectorEnd::Ground(_)) = (end, other) {
-                            let (x, _) = self.middle(p);
+                            let [x, _] = self.middle(p);
                             self.reaction(None, x, force(k), 0.0);
                         }
                     }
@@ -185,7 +167,7 @@ impl Entry<'_> {
     /// Damping of the beams' materials.
     fn spans(&mut self) {
         let (model, h) = (self.model, self.rule.h);
-        let mut sum = LoadWork::default();
+        let mut sum = StepWork::default();
         for span in model.spans.iter().filter(|s| s.is_damped()) {
             for k in 0..span.elements.len() {
                 if span.mass_damping > 0.0 {
@@ -197,67 +179,39 @@ impl Entry<'_> {
                 }
             }
         }
-        self.damped(&sum);
+        self.state.ledger.damp(&sum);
     }
 
-    /// Enters the work of damping forces as a loss.
-    fn damped(&mut self, sum: &LoadWork) {
-        let ledger = &mut self.state.ledger;
-        ledger.loss_damping -= sum.work;
-        ledger.impulse_damping = add(ledger.impulse_damping, sum.impulse);
-        ledger.angular_impulse_damping += sum.angular_impulse;
-    }
-
-    fn mass_damping(&self, span: &Span, k: usize, sum: &mut LoadWork) {
+    fn mass_damping(&self, span: &Span, k: usize, sum: &mut StepWork) {
         let (h, a, table) = (self.rule.h, span.nodes.start + k, span.table(k));
-        let d = &self.work.increment;
-        let rate = |n: usize| {
+        let (u, d) = (&self.state.displacement, &self.work.increment);
+        let velocity = [a, a + 1].map(|n| {
             let a0 = self.state.acceleration.get(n).unwrap_or(&[0.0; 4]);
-            std::array::from_fn::<f64, 4, _>(|i| {
-                self.rule.rate(d[n][i], self.state.velocity[n][i], a0[i])
-            })
-        };
-        let (va, vb) = (rate(a), rate(a + 1));
-        for (row, node) in [(0, a), (2, a + 1)] {
-            let force: [f64; 4] = std::array::from_fn(|i| {
-                let (m, c) = (&table.mass[row + i / 2], i % 2);
-                let v = m[0] * va[c] + m[1] * va[2 + c] + m[2] * vb[c] + m[3] * vb[2 + c];
-                -span.mass_damping * v
-            });
-            sum.add_nodal(self.model, self.state, d, node, &force, h);
-        }
-        let u = &self.state.displacement;
-        let (old, step) =
-            (ElementValues::new(&u[a], &u[a + 1]), ElementValues::new(&d[a], &d[a + 1]));
+            array(|i| self.rule.rate(d[n][i], self.state.velocity[n][i], a0[i]))
+        });
+        let middle = [a, a + 1].map(|n| external::middle(self.model, self.state, d, n));
+        let damping = MassDamping { table, coefficient: span.mass_damping, h };
+        damping.translation(&velocity, middle, [&d[a], &d[a + 1]], sum);
         if self.state.has_parted(a) {
             return; // its sections turn on undamped
         }
-        for row in &table.rows {
-            let point = step_point(row, &old, &step);
-            let g0 = add(point.reference.tangent, point.slope_0);
-            let spin = Turn::new(g0, point.d_slope).mean_spin(h.recip());
-            let moment = -span.mass_damping * row.weighed.rotary * spin;
-            sum.work += moment * spin * h;
-            sum.angular_impulse += h * moment;
-        }
+        let old = ElementValues::new(&u[a], &u[a + 1]);
+        let slopes = table.rows.each_ref().map(|row| old.at(&row.first));
+        damping.rotation(&slopes, &ElementValues::new(&d[a], &d[a + 1]), sum);
     }
 
-    /// `int EA (Deps)^2 + EI (Dkappa)^2 ds` of an element over the step, strains changing as the scheme has it.
+    /// What viscous damping takes of an element, but for the factor `tau/h`, strains changing as the scheme has it.
     fn viscous_loss(&self, span: &Span, k: usize) -> f64 {
         let (a, table) = (span.nodes.start + k, span.table(k));
         let (u, d) = (&self.state.displacement, &self.work.increment);
         let (old, step) =
             (ElementValues::new(&u[a], &u[a + 1]), ElementValues::new(&d[a], &d[a + 1]));
-        let end = ElementValues::new(
-            &std::array::from_fn(|i| u[a][i] + d[a][i]),
-            &std::array::from_fn(|i| u[a + 1][i] + d[a + 1][i]),
-        );
+        let [at_a, at_b] = [a, a + 1].map(|n| array(|i| u[n][i] + d[n][i]));
+        let end = ElementValues::new(&at_a, &at_b);
         let invariant =
             Integration::new(Scheme::EnergyMomentum, self.rule.h).rule == self.rule.rule;
-        let mut loss = 0.0;
-        for row in &table.rows {
-            let point = step_point(row, &old, &step);
-            let change = if invariant {
+        let changes = table.rows.each_ref().map(|row| {
+            if invariant {
                 let at = |u: &ElementValues<f64>| {
                     let (slope, bend) = (u.at(&row.first), u.at(&row.second));
                     strains(span.measure, &row.reference, slope, bend)
@@ -266,22 +220,19 @@ impl Entry<'_> {
                 Strains { membrane: s1.membrane - s0.membrane, bending: s1.bending - s0.bending }
             } else {
                 let none = Strains { membrane: 0.0, bending: 0.0 };
-                strain_rate::advance(&row.weighed, &point, none)
-            };
-            loss += row.weighed.axial * change.membrane.powi(2)
-                + row.weighed.bending * change.bending.powi(2);
-        }
-        if let Some(samples) = &table.membrane {
-            let change = if invariant {
-                let (s0, s1) =
-                    (samples.strains(span.measure, &old), samples.strains(span.measure, &end));
-                std::array::from_fn(|i| s1[i] - s0[i])
+                strain_rate::advance(&row.weighed, &step_point(row, &old, &step), none)
+            }
+        });
+        let sampled = table.membrane.as_ref().map(|samples| {
+            if invariant {
+                let at = |u| samples.strains(span.measure, u);
+                let (s0, s1) = (at(&old), at(&end));
+                array(|i| s1[i] - s0[i])
             } else {
                 samples.step(&old, &step).map(|s| s.midpoint_change(span.measure))
-            };
-            loss += 2.0 * samples.energy(change);
-        }
-        loss
+            }
+        });
+        viscous(table, &changes, sampled)
     }
 
     /// Damping of modes.

@@ -6,7 +6,7 @@ use crate::settings::SAME_INSTANT;
 use crate::state::Followed;
 
 /// Loads and motions over a step.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Forcing {
     /// Acceleration of gravity, shape (2) \[m/s^2\].
     pub gravity: [f64; 2],

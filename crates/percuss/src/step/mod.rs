@@ -24,6 +24,8 @@ pub mod constraint;
 pub mod contacts;
 #[allow(missing_docs)]
 pub mod convergence;
+#[allow(missing_docs)]
+pub mod damping;
 pub mod effective_mass;
 #[allow(missing_docs)]
 pub mod external;

@@ -17,8 +17,9 @@ mod bodies;
 mod ground;
 mod moving;
 
-use super::external::LoadWork;
+use super::external::middle;
 use super::tangent::inner;
+use crate::ledger::StepWork;
 use crate::linalg::chain::Chain;
 use crate::model::Model;
 use crate::state::State;
@@ -55,7 +56,7 @@ impl ModalDamping {
 #[derive(Clone, Copy, Debug)]
 pub struct ModalFlow {
     /// Work, impulse and angular impulse of its forces on the structure.
-    pub done: LoadWork,
+    pub done: StepWork,
     /// Energy that it takes \[J\].
     pub loss: f64,
     /// Of that, what supports that move have brought \[J\].
@@ -95,9 +96,10 @@ impl MovingModes {
     ) -> ModalFlow {
         let mut force = vec![[0.0; 4]; increment.len()];
         self.apply(damping, increment, h, &mut force);
-        let mut done = LoadWork::default();
+        let mut done = StepWork::default();
         for (node, f) in force.iter().enumerate() {
-            done.add_nodal(model, state, increment, node, &f.map(|x| -x), h);
+            let place = middle(model, state, increment, node);
+            done.add_nodal(&f.map(|x| -x), place, &increment[node], h);
         }
         let (mut loss, mut brought) = (0.0, 0.0);
         for (k, vector) in self.vectors(damping).iter().enumerate() {

@@ -1,75 +1,138 @@
 //! Components held at nodes, projected out of vectors and blocks.
 
-use crate::linalg::block::{Block, IDENTITY, ZERO, mul};
+use crate::linalg::block::{Block, IDENTITY, mul};
 use crate::linalg::chain::Chain;
+use crate::math::vec2::dot4;
 use crate::model::Model;
 use crate::model::frozen::PrescribedDofs;
+use crate::scalar::Number;
 
 /// Removes the held components of nodal values.
 pub fn project(model: &Model, nodal: &mut [[f64; 4]]) {
-    for dofs in &model.prescribed {
-        project_node(dofs, &mut nodal[dofs.node]);
+    project_held(&model.prescribed, nodal);
+}
+
+/// Removes given components of nodal values.
+#[inline(always)]
+pub fn project_held<S: Number>(prescribed: &[PrescribedDofs<S>], nodal: &mut [[S; 4]]) {
+    for dofs in prescribed {
+        dofs.project(&mut nodal[dofs.node]);
     }
 }
 
-/// Removes the held components of a node's values.
-pub fn project_node(dofs: &PrescribedDofs, x: &mut [f64; 4]) {
-    if dofs.is_whole() {
-        *x = [0.0; 4];
-        return;
+impl<S: Number> PrescribedDofs<S> {
+    /// Removes the held components of the node's values: `P x`.
+    #[inline(always)]
+    pub fn project(&self, x: &mut [S; 4]) {
+        let Some(held) = self.components else {
+            for normal in &self.normals {
+                let along = dot4(normal, x);
+                for k in 0..4 {
+                    x[k] = x[k].sub_product(along, normal[k]);
+                }
+            }
+            return;
+        };
+        for k in 0..4 {
+            if held[k] {
+                x[k] = x[k].constant(0.0);
+            }
+        }
     }
-    for n in &dofs.normals {
-        let along = n[0] * x[0] + n[1] * x[1] + n[2] * x[2] + n[3] * x[3];
-        for i in 0..4 {
-            x[i] -= along * n[i];
+
+    /// Removes the rows of held components: `P A`.
+    #[inline(always)]
+    pub fn project_rows(&self, block: &mut Block<S>) {
+        let Some(held) = self.components else {
+            *block = mul(&self.free, block);
+            return;
+        };
+        for k in 0..4 {
+            if held[k] {
+                block[k] = [block[k][0].constant(0.0); 4];
+            }
+        }
+    }
+
+    /// Removes the columns of held components: `A P`.
+    #[inline(always)]
+    pub fn project_columns(&self, block: &mut Block<S>) {
+        let Some(held) = self.components else {
+            *block = mul(block, &self.free);
+            return;
+        };
+        for row in block {
+            for k in 0..4 {
+                if held[k] {
+                    row[k] = row[k].constant(0.0);
+                }
+            }
+        }
+    }
+
+    /// Replaces the rows and columns of held components in the node's own block: `P A P + s N N^T` with the scale s of the block.
+    #[inline(always)]
+    fn hold_block(&self, block: &mut Block<S>) {
+        // Held directions weigh as much as the others, or round-off in them would move.
+        let mut scale = block[0][0].constant(1e-300);
+        for k in 0..4 {
+            scale = scale.max(block[k][k].abs());
+        }
+        self.project_rows(block);
+        self.project_columns(block);
+        let Some(held) = self.components else {
+            for normal in &self.normals {
+                for r in 0..4 {
+                    for c in 0..4 {
+                        block[r][c] = block[r][c].add_product(scale * normal[r], normal[c]);
+                    }
+                }
+            }
+            return;
+        };
+        for k in 0..4 {
+            if held[k] {
+                block[k][k] = scale;
+            }
+        }
+    }
+
+    /// The same in all blocks of a band, whose node `i` is `linked` to the next one.
+    #[inline(always)]
+    pub fn hold_in(
+        &self,
+        [diag, upper, lower]: [&mut [Block<S>]; 3],
+        linked: impl Fn(usize) -> bool,
+    ) {
+        let i = self.node;
+        self.hold_block(&mut diag[i]);
+        if linked(i) {
+            self.project_rows(&mut upper[i]);
+            self.project_columns(&mut lower[i]);
+        }
+        if i > 0 && linked(i - 1) {
+            self.project_columns(&mut upper[i - 1]);
+            self.project_rows(&mut lower[i - 1]);
         }
     }
 }
 
-/// Replaces the rows and columns of held components: `P A P + s N N^T` with the scale s of the block.
+/// Replaces the rows and columns of held components.
 pub fn prescribe_block(chain: &mut Chain, dofs: &PrescribedDofs, linked: &[bool]) {
-    let (i, p) = (dofs.node, &dofs.free);
+    let i = dofs.node;
     if dofs.is_whole() && !linked[i] && (i == 0 || !linked[i - 1]) {
         chain.diag[i] = IDENTITY;
         return;
     }
-    let diag = &chain.diag[i];
-    let scale = (0..4).map(|k| diag[k][k].abs()).fold(0.0_f64, f64::max).max(1e-300);
-    if dofs.is_whole() {
-        chain.diag[i] = IDENTITY.map(|row| row.map(|x| scale * x));
-        if linked[i] {
-            (chain.upper[i], chain.lower[i]) = (ZERO, ZERO);
-        }
-        if i > 0 && linked[i - 1] {
-            (chain.upper[i - 1], chain.lower[i - 1]) = (ZERO, ZERO);
-        }
-        return;
-    }
-    let mut block = mul(&mul(p, diag), p);
-    for n in &dofs.normals {
-        for r in 0..4 {
-            for c in 0..4 {
-                block[r][c] += scale * n[r] * n[c];
-            }
-        }
-    }
-    chain.diag[i] = block;
-    if linked[i] {
-        chain.upper[i] = mul(p, &chain.upper[i]);
-        chain.lower[i] = mul(&chain.lower[i], p);
-    }
-    if i > 0 && linked[i - 1] {
-        chain.upper[i - 1] = mul(&chain.upper[i - 1], p);
-        chain.lower[i - 1] = mul(p, &chain.lower[i - 1]);
-    }
+    dofs.hold_in([&mut chain.diag, &mut chain.upper, &mut chain.lower], |i| linked[i]);
 }
 
 /// Removes held components from a block between two nodes.
 pub fn project_coupling(model: &Model, a: usize, b: usize, block: &mut Block) {
     if let Some(dofs) = model.dofs_at(a) {
-        *block = mul(&dofs.free, block);
+        dofs.project_rows(block);
     }
     if let Some(dofs) = model.dofs_at(b) {
-        *block = mul(block, &dofs.free);
+        dofs.project_columns(block);
     }
 }

@@ -14,7 +14,7 @@ use crate::linalg::condensed::{BorderPattern, Condensed};
 use crate::model::Model;
 use crate::model::frozen::{BodyKind, Connector, Constraint, ConstraintKind, MaterialPoint};
 
-pub use super::projection::{project, project_node};
+pub use super::projection::project;
 
 /// The tangent, assembled or factored in place.
 #[derive(Clone, Debug)]
@@ -294,7 +294,7 @@ impl Tangent {
                     if !acts {
                         *value = [0.0; 4];
                     } else if let Some(dofs) = model.dofs_at(*node) {
-                        project_node(dofs, value);
+                        dofs.project(value);
                     }
                 }
             }

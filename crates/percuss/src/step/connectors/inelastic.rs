@@ -40,16 +40,16 @@ pub(super) fn force(
     state: &FibreState,
     rule: &Integration,
     [from, to]: [f64; 2],
-) -> (f64, f64) {
+) -> [f64; 2] {
     match rule.rule {
         Rule::Static => {
             let found = law.at_rest(state, to);
-            (found.stress, law.loading_tangent(&found))
+            [found.stress, law.loading_tangent(&found)]
         }
         // Schemes that advance accelerations are refused.
         Rule::Midpoint(_) | Rule::Alpha(_) => {
             let found = law.step(state, from, to, rule.h);
-            (found.mean, found.slope)
+            [found.mean, found.slope]
         }
     }
 }

@@ -6,7 +6,7 @@ use std::fmt;
 use pulp::{Simd, WithSimd};
 
 use super::{Alike, Sweep, values};
-use crate::element::fibre::FibreState;
+use crate::element::fibre::{FibreFlow, FibreState};
 use crate::element::yielding::{ElementFibres, ElementStep};
 use crate::math::hermite::GAUSS;
 use crate::model::frozen::{Span, SpanFibres};
@@ -156,37 +156,31 @@ impl WithSimd for AdvanceFibres<'_> {
             let [from, to] = ElementStep { table, measure, start, increment, h, lag }.strains();
             let fibres = held.of(k);
             let elements = 0..P::F64_LANES.min(count - k);
-            let mut taken = [like; 2];
-            let mut fails = like.less(like);
+            let mut flow = FibreFlow::beside([like; 2]);
             let mut i = 0;
             for j in 0..GAUSS {
                 let weight = table.rows[j].weight;
                 for fibre in &fibres.fibres[j] {
                     let law = &fibres.laws[fibre.law];
-                    let e0 = from[j][0] + fibre.height * from[j][1];
-                    let e1 = to[j][0] + fibre.height * to[j][1];
                     let before = fibres.states[i];
                     let mut after = before;
-                    let lost = law.advance(&mut after, [e0, e1], (h, lag));
-                    let volume = fibre.area * weight;
-                    taken[0] = taken[0].add_product(volume, lost[0]);
-                    taken[1] = taken[1].add_product(volume, lost[1]);
-                    fails = fails | law.fails(e1);
+                    let on = (weight, [from[j], to[j]]);
+                    let plastic = flow.advance((law, fibre), &mut after, on, (h, lag));
                     if before.accumulated.less(after.accumulated).any() {
                         for lane in elements.clone() {
                             let state = &mut state.fibres[own.range(k + lane)][i];
                             state.plastic = after.plastic.at(lane);
                             state.accumulated = after.accumulated.at(lane);
-                            state.dissipated += lost[0].at(lane);
+                            state.dissipated += plastic.at(lane);
                         }
                     }
                     i += 1;
                 }
             }
             for lane in elements {
-                losses.plastic += taken[0].at(lane);
-                losses.viscous += taken[1].at(lane);
-                if fails.lane(lane) {
+                losses.plastic += flow.taken[0].at(lane);
+                losses.viscous += flow.taken[1].at(lane);
+                if flow.failing.lane(lane) {
                     failing.push(k + lane);
                 }
             }

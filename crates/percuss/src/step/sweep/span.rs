@@ -4,8 +4,7 @@ use pulp::{Simd, WithSimd};
 
 use super::{Alike, Sweep, values};
 use crate::element::beam::ElementValues;
-use crate::element::elastic::ElasticStep;
-use crate::element::yielding::{ElementStep, ElementTurn};
+use crate::element::invariant::InvariantStep;
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
 use crate::math::hermite::GAUSS;
@@ -110,27 +109,21 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
             let (table, increment) = (&table, values(&sweep.increment, like, a));
             let starts = &sweep.starts(like, element);
             let spin = &sweep.spin.load_row(like, element);
-            let (sums, spin) = match sweep.fibres[self.span].lanes::<P>() {
-                Some(fibres) => {
-                    let (start, increment) = (&start, &increment);
-                    ElementStep { table, measure, start, increment, h, lag }.sums::<TANGENT>(
-                        &fibres.of(k),
-                        &ElementTurn { starts, spin, rate, damping },
-                    )
-                }
-                None => ElasticStep {
-                    table,
-                    measure,
-                    starts,
-                    spin,
-                    start,
-                    increment,
-                    rate,
-                    lag: (span.retardation > 0.0).then_some(lag),
-                    damping,
-                }
-                .sums::<TANGENT>(),
+            let fibres = sweep.fibres[self.span].lanes::<P>().map(|fibres| fibres.of(k));
+            let lag = (span.retardation > 0.0).then_some(lag);
+            let step = InvariantStep {
+                table,
+                measure,
+                starts,
+                spin,
+                start,
+                increment,
+                h,
+                rate,
+                lag,
+                damping,
             };
+            let (sums, spin) = step.sums::<TANGENT>(fibres.as_ref());
             let [mut on_a, mut on_b] = sums.nodal_force();
             let acceleration =
                 [sweep.inertia.load_row(like, a), sweep.inertia.load_row(like, a + 1)];

@@ -1,15 +1,17 @@
-//! An elastic element over a step of the invariant energy-momentum scheme.
+//! An element over a step of the invariant energy-momentum scheme (theory, section 3), elastic or made of fibres (section 11): its share of
+//! the integrals of the paper's eqs. (4) and (9), the inertia of translation apart.
 
 use super::beam::{ElementSums, ElementTable, ElementValues};
 use super::energy_momentum::{End, PointStep, Quotients, Step};
 use super::point::SectionLaw;
 use super::strain::StrainMeasure;
+use super::yielding::{ElementFibres, ElementStep, ElementTurn};
 use crate::math::hermite::GAUSS;
-use crate::scalar::Real;
+use crate::scalar::Number;
 
 /// A step of an element.
 #[derive(Clone, Copy, Debug)]
-pub struct ElasticStep<'a, S> {
+pub struct InvariantStep<'a, S> {
     /// The element.
     pub table: &'a ElementTable<S>,
     /// Its strain measure.
@@ -18,10 +20,11 @@ pub struct ElasticStep<'a, S> {
     pub starts: &'a [End<S>; GAUSS],
     /// Angular rates of their tangents at the start, shape (Gauss points) \[rad/s\].
     pub spin: &'a [S; GAUSS],
-    /// Nodal values at the start, which slender elements alone look at, and their increments.
+    /// Nodal values at the start, which slender elements and those of fibres alone look at, and their increments.
     pub start: ElementValues<S>,
     pub increment: ElementValues<S>,
-    /// One over the size of the step \[1/s\].
+    /// Size of the step \[s\], and one over it \[1/s\].
+    pub h: S,
     pub rate: S,
     /// Retardation time over the step size; none of an undamped material.
     pub lag: Option<S>,
@@ -29,10 +32,24 @@ pub struct ElasticStep<'a, S> {
     pub damping: S,
 }
 
-impl<S: Real> ElasticStep<'_, S> {
-    /// Forces but for the inertia of translation, their tangent if `TANGENT`, and the angular rates at the end of the step.
+impl<S: Number> InvariantStep<'_, S> {
+    /// Forces but for the inertia of translation, their tangent if `TANGENT`, and the angular rates at the end of the step; of its fibres,
+    /// if it has any.
     #[inline(always)]
-    pub fn sums<const TANGENT: bool>(&self) -> (ElementSums<S>, [S; GAUSS]) {
+    pub fn sums<const TANGENT: bool>(
+        &self,
+        fibres: Option<&ElementFibres<S>>,
+    ) -> (ElementSums<S>, [S; GAUSS]) {
+        let Some(fibres) = fibres else { return self.elastic::<TANGENT>() };
+        let Self { table, measure, starts, spin, h, rate, damping, .. } = *self;
+        let (start, increment) = (&self.start, &self.increment);
+        let lag = self.lag.unwrap_or(h.constant(0.0));
+        ElementStep { table, measure, start, increment, h, lag }
+            .sums::<TANGENT>(fibres, &ElementTurn { starts, spin, rate, damping })
+    }
+
+    #[inline(always)]
+    fn elastic<const TANGENT: bool>(&self) -> (ElementSums<S>, [S; GAUSS]) {
         let Self { table, measure, starts, rate, lag, damping, .. } = *self;
         let mut sums = ElementSums::zero(rate);
         let ([r0, r1, r2], [s0, s1, s2], step) = (&table.rows, starts, &self.increment);

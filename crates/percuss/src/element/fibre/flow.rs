@@ -1,0 +1,47 @@
+//! Fibres on their way to the end of a step.
+
+use super::{Fibre, FibreState, StressLaw};
+use crate::scalar::Number;
+
+/// What fibres do on their way to the end of a step (theory, section 11).
+#[derive(Clone, Copy, Debug)]
+pub struct FibreFlow<S: Number> {
+    /// What plastic flow and the viscosity of their materials take, shape (2) \[J\].
+    pub taken: [S; 2],
+    /// Where any that bears has come to its failure strain.
+    pub failing: S::Mask,
+    /// Where any has flowed.
+    pub flowed: S::Mask,
+}
+
+impl<S: Number> FibreFlow<S> {
+    /// Nothing yet, beside what others took.
+    #[inline(always)]
+    pub fn beside(taken: [S; 2]) -> Self {
+        let none = taken[0].less(taken[0]);
+        Self { taken, failing: none, flowed: none }
+    }
+
+    /// Moves a fibre to the end of a step, from the membrane and bending strains at its Gauss point, of the given weight, to those at the end;
+    /// `times` are as in [`StressLaw::advance`]. Returns what plastic flow takes \[J/m^3\].
+    #[inline(always)]
+    pub fn advance(
+        &mut self,
+        (law, fibre): (&StressLaw<S>, &Fibre<S>),
+        state: &mut FibreState<S>,
+        (weight, [from, to]): (S, [[S; 2]; 2]),
+        times: (S, S),
+    ) -> S {
+        let (e0, e1) = (from[0] + fibre.height * from[1], to[0] + fibre.height * to[1]);
+        let before = state.accumulated;
+        let [plastic, viscous] = law.advance(state, [e0, e1], times);
+        let volume = fibre.area * weight;
+        self.taken[0] = self.taken[0].add_product(volume, plastic);
+        self.taken[1] = self.taken[1].add_product(volume, viscous);
+        if !state.failed {
+            self.failing = self.failing | law.fails(e1);
+        }
+        self.flowed = self.flowed | before.less(state.accumulated);
+        plastic
+    }
+}

@@ -1,0 +1,69 @@
+//! How well the balances close.
+
+use serde::{Deserialize, Serialize};
+
+use super::{Ledger, Measures};
+use crate::scalar::Number;
+
+/// Largest magnitudes, over the states of a run, of what is missing from its balances, and of what drifts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Audit<S = f64> {
+    /// Energy that is missing \[J\].
+    pub energy: S,
+    /// Linear momentum that is missing \[kg m/s\].
+    pub linear: S,
+    /// Angular momentum that is missing \[kg m^2/s\].
+    pub angular: S,
+    /// As [`Measures::curvature_drift`] \[1/m\].
+    pub curvature_drift: S,
+    /// As [`Measures::membrane_drift`] \[-\].
+    pub membrane_drift: S,
+    /// As [`Measures::angular_rate_drift`] \[J\].
+    pub angular_rate_drift: S,
+}
+
+impl<S: Number> Audit<S> {
+    /// Of no state yet, in as many lanes as a number has.
+    pub fn none(like: S) -> Self {
+        let zero = like.constant(0.0);
+        Self {
+            energy: zero,
+            linear: zero,
+            angular: zero,
+            curvature_drift: zero,
+            membrane_drift: zero,
+            angular_rate_drift: zero,
+        }
+    }
+
+    /// Takes in a state.
+    #[inline(always)]
+    pub fn take(&mut self, ledger: &Ledger<S>, m: &Measures<S>) {
+        let [l1, l2] = ledger.linear_residual(m);
+        self.energy = larger(self.energy, ledger.energy_residual(m));
+        self.linear = larger(self.linear, l1.hypot(l2));
+        self.angular = larger(self.angular, ledger.angular_residual(m));
+        self.curvature_drift = larger(self.curvature_drift, m.curvature_drift);
+        self.membrane_drift = larger(self.membrane_drift, m.membrane_drift);
+        self.angular_rate_drift = larger(self.angular_rate_drift, m.angular_rate_drift);
+    }
+
+    /// All its numbers, shape (6).
+    pub fn numbers(&mut self) -> [&mut S; 6] {
+        [
+            &mut self.energy,
+            &mut self.linear,
+            &mut self.angular,
+            &mut self.curvature_drift,
+            &mut self.membrane_drift,
+            &mut self.angular_rate_drift,
+        ]
+    }
+}
+
+/// The larger magnitude; NaN stays, so that a broken balance cannot look closed.
+#[inline(always)]
+fn larger<S: Number>(a: S, b: S) -> S {
+    let b = b.abs();
+    S::choose(a.less(b) | !b.at_most(b), b, a)
+}

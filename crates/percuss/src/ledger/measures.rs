@@ -1,0 +1,134 @@
+//! Energies and momenta.
+
+use serde::{Deserialize, Serialize};
+
+use crate::element::motion::ElementMeasures;
+use crate::math::vec2::{add, cross};
+use crate::scalar::Number;
+
+/// Energies and momenta of a state.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Measures<S = f64> {
+    /// Kinetic energy of the beams \[J\].
+    pub kinetic_beams: S,
+    /// Kinetic energy of the projectiles \[J\].
+    pub kinetic_projectiles: S,
+    /// Axial strain energy \[J\].
+    pub strain_axial: S,
+    /// Bending strain energy \[J\].
+    pub strain_bending: S,
+    /// Energy that hardening has stored \[J\].
+    pub hardening: S,
+    /// Energy of the contact springs \[J\].
+    pub contact: S,
+    /// Energy of springs, elastic supports and stops \[J\].
+    pub springs: S,
+    /// Linear momentum, shape (2) \[kg m/s\].
+    pub linear: [S; 2],
+    /// Angular momentum about the origin \[kg m^2/s\].
+    pub angular: S,
+    /// Largest distance of a stored bending strain from that of the configuration \[1/m\].
+    pub curvature_drift: S,
+    /// Largest distance of a stored membrane strain from that of the configuration \[1\].
+    pub membrane_drift: S,
+    /// Kinetic energy with the angular rates that follow from the slopes' velocities, less that with the sections' own rates, which is
+    /// conserved \[J\].
+    pub angular_rate_drift: S,
+    /// Sum of the magnitudes of the bodies' linear momenta and of the elements', these by components \[kg m/s\], a scale: where things move against each
+    /// other, momenta vanish together that do not vanish alone.
+    pub linear_size: S,
+    /// Sum of the distances from the origin times momenta, and of couples, all by their components' magnitudes \[kg m^2/s\], a scale:
+    /// what moves straight towards the origin has no angular momentum, and yet its parts have.
+    pub angular_size: S,
+}
+
+impl<S: Number> Measures<S> {
+    /// Nothing, in as many lanes as a number has.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn none(like: S) -> Self {
+        let zero = like.constant(0.0);
+        Self {
+            kinetic_beams: zero,
+            kinetic_projectiles: zero,
+            strain_axial: zero,
+            strain_bending: zero,
+            hardening: zero,
+            contact: zero,
+            springs: zero,
+            linear: [zero; 2],
+            angular: zero,
+            curvature_drift: zero,
+            membrane_drift: zero,
+            angular_rate_drift: zero,
+            linear_size: zero,
+            angular_size: zero,
+        }
+    }
+
+    /// Total energy \[J\].
+    #[inline(always)]
+    pub fn total(&self) -> S {
+        self.kinetic_beams
+            + self.kinetic_projectiles
+            + self.strain_axial
+            + self.strain_bending
+            + self.hardening
+            + self.contact
+            + self.springs
+    }
+
+    /// Adds sums over elements.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn add_beams(&mut self, sums: &ElementMeasures<S>) {
+        self.kinetic_beams += (sums.translation + sums.rotation) * 0.5;
+        self.angular_rate_drift += sums.rate_drift * 0.5;
+        self.strain_axial += sums.axial * 0.5;
+        self.strain_bending += sums.bending * 0.5;
+        self.linear = add(self.linear, sums.linear);
+        self.angular += sums.angular;
+        self.linear_size += sums.linear_size;
+        self.angular_size += sums.angular_size;
+    }
+
+    /// Adds the momentum of a body at `x`, and what its turning has of angular momentum.
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn add_momentum(&mut self, x: [S; 2], linear: [S; 2], turning: S) {
+        self.linear = add(self.linear, linear);
+        self.angular += cross(x, linear) + turning;
+        self.linear_size += linear[0].hypot(linear[1]);
+        self.angular_size += size(x) * size(linear) + turning.abs();
+    }
+
+    /// All its numbers, shape (15).
+    #[doc(hidden)]
+    #[inline(always)]
+    pub fn numbers(&mut self) -> [&mut S; 15] {
+        let [l1, l2] = &mut self.linear;
+        [
+            &mut self.kinetic_beams,
+            &mut self.kinetic_projectiles,
+            &mut self.strain_axial,
+            &mut self.strain_bending,
+            &mut self.hardening,
+            &mut self.contact,
+            &mut self.springs,
+            l1,
+            l2,
+            &mut self.angular,
+            &mut self.curvature_drift,
+            &mut self.membrane_drift,
+            &mut self.angular_rate_drift,
+            &mut self.linear_size,
+            &mut self.angular_size,
+        ]
+    }
+}
+
+/// Sum of the components' magnitudes.
+#[inline(always)]
+fn size<S: Number>(v: [S; 2]) -> S {
+    v[0].abs() + v[1].abs()
+}

@@ -1,0 +1,43 @@
+//! What forces do over a step.
+
+use crate::math::vec2::{add, cross, dot, scale};
+use crate::scalar::Real;
+
+/// Work, impulse and angular impulse of forces over a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct StepWork<S = f64> {
+    /// Work \[J\].
+    pub work: S,
+    /// Impulse, shape (2) \[N s\].
+    pub impulse: [S; 2],
+    /// Angular impulse about the origin \[N m s\].
+    pub angular_impulse: S,
+}
+
+impl<S: Real> StepWork<S> {
+    /// None, in as many lanes as a number has.
+    #[inline(always)]
+    pub fn none(like: S) -> Self {
+        let zero = like.constant(0.0);
+        Self { work: zero, impulse: [zero; 2], angular_impulse: zero }
+    }
+
+    /// Adds a force at position `x`, moved by `d` over a step of size `h`.
+    #[inline(always)]
+    pub fn add_force(&mut self, force: [S; 2], x: [S; 2], d: [S; 2], h: S) {
+        self.work += dot(force, d);
+        self.impulse = add(self.impulse, scale(h, force));
+        self.angular_impulse += h * cross(x, force);
+    }
+
+    /// Adds a force on a node's values and slopes, whose position and tangent in the middle of a step of size `h` are `middle`, moved by
+    /// `d`.
+    #[inline(always)]
+    pub fn add_nodal(&mut self, force: &[S; 4], [x, g]: [[S; 2]; 2], d: &[S; 4], h: S) {
+        self.add_force([force[0], force[1]], x, [d[0], d[1]], h);
+        // Slope parts: no net force, but work and moment.
+        let couple = [force[2], force[3]];
+        self.work += dot(couple, [d[2], d[3]]);
+        self.angular_impulse += h * cross(g, couple);
+    }
+}

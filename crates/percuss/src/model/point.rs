@@ -1,0 +1,101 @@
+//! Points that a mesh carries along.
+
+use crate::math::vec2::{add, dot4, middle};
+use crate::scalar::Real;
+
+/// A material point: where it lies in the mesh and how it follows the nodes.
+#[derive(Clone, Debug)]
+pub struct MaterialPoint<S = f64> {
+    pub label: String,
+    pub beam: usize,
+    /// Node `a` of the element; node `b` is the next one.
+    pub node: usize,
+    /// Arc length from the start of the beam \[m\].
+    pub s: S,
+    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
+    pub shape: [S; 4],
+    /// Derivatives of the shape functions, shape (4) \[1/m, 1, 1/m, 1\].
+    pub slope: [S; 4],
+    /// Reference position, shape (2) \[m\].
+    pub position: [S; 2],
+    /// Reference tangent, shape (2) \[1\].
+    pub tangent: [S; 2],
+}
+
+impl<S: Real> MaterialPoint<S> {
+    /// Interpolates nodal values with the shape functions.
+    #[inline(always)]
+    pub fn value(&self, nodal: &[[S; 4]]) -> [S; 2] {
+        combine(nodal, self.node, &self.shape)
+    }
+
+    /// Interpolates nodal values with the derivatives of the shape functions.
+    #[inline(always)]
+    pub fn gradient(&self, nodal: &[[S; 4]]) -> [S; 2] {
+        combine(nodal, self.node, &self.slope)
+    }
+
+    /// Position and tangent in the middle of a step from displacements `u` by `d`.
+    #[inline(always)]
+    pub fn middle(&self, u: &[[S; 4]], d: &[[S; 4]]) -> [[S; 2]; 2] {
+        [
+            add(self.position, middle(self.value(u), self.value(d))),
+            add(self.tangent, middle(self.gradient(u), self.gradient(d))),
+        ]
+    }
+
+    /// Adds `shape^T f` to nodal forces.
+    #[inline(always)]
+    pub fn spread(&self, force: [S; 2], nodal: &mut [[S; 4]]) {
+        spread(&self.shape, self.node, force, nodal);
+    }
+
+    /// Adds `shape^T f` to the forces on the two nodes of its element.
+    pub fn spread_over(&self, force: [S; 2], nodes: &mut [[S; 4]; 2]) {
+        spread(&self.shape, 0, force, nodes);
+    }
+
+    /// Adds `slope^T f` to the forces on the two nodes of its element.
+    pub fn spread_gradient_over(&self, force: [S; 2], nodes: &mut [[S; 4]; 2]) {
+        spread(&self.slope, 0, force, nodes);
+    }
+
+    /// Adds `slope^T f` to nodal forces.
+    #[inline(always)]
+    pub fn spread_gradient(&self, force: [S; 2], nodal: &mut [[S; 4]]) {
+        spread(&self.slope, self.node, force, nodal);
+    }
+}
+
+impl<S: Copy> MaterialPoint<S> {
+    /// The same with every number replaced, in a fixed order.
+    pub fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> MaterialPoint<T> {
+        MaterialPoint {
+            label: self.label.clone(),
+            beam: self.beam,
+            node: self.node,
+            s: f(self.s),
+            shape: self.shape.map(&mut *f),
+            slope: self.slope.map(&mut *f),
+            position: self.position.map(&mut *f),
+            tangent: self.tangent.map(&mut *f),
+        }
+    }
+}
+
+/// Interpolates nodal values with shape functions, or their derivatives, of the element of a node.
+#[inline(always)]
+pub fn combine<S: Real>(nodal: &[[S; 4]], node: usize, n: &[S; 4]) -> [S; 2] {
+    let (a, b) = (&nodal[node], &nodal[node + 1]);
+    [dot4(n, &[a[0], a[2], b[0], b[2]]), dot4(n, &[a[1], a[3], b[1], b[3]])]
+}
+
+#[inline(always)]
+fn spread<S: Real>(n: &[S; 4], node: usize, force: [S; 2], nodal: &mut [[S; 4]]) {
+    for i in 0..2 {
+        nodal[node][i] = nodal[node][i].add_product(n[0], force[i]);
+        nodal[node][2 + i] = nodal[node][2 + i].add_product(n[1], force[i]);
+        nodal[node + 1][i] = nodal[node + 1][i].add_product(n[2], force[i]);
+        nodal[node + 1][2 + i] = nodal[node + 1][2 + i].add_product(n[3], force[i]);
+    }
+}
