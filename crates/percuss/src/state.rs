@@ -317,21 +317,16 @@ impl State {
     /// Looks at pair `i` where it stands; returns how far apart the two are, negative also where one has gone through \[m\].
     pub(crate) fn see(&mut self, model: &Model, i: usize, reach: Reach) -> f64 {
         let start = Configuration::of(&self.displacement);
-        let (pair, at) = (&model.pairs[i], Configuration { parted: &self.parted, ..start });
-        let seen = &mut self.pairs[i];
-        match pair.touch(model, &at, &seen.memory, reach) {
-            Some(touch) => {
-                let row = pair.normal_row(&touch, &at);
-                (seen.gap, seen.rate) = (touch.gap, row.on(&self.velocity));
-                seen.memory = touch.memory;
-                seen.place = pair.place_on_face(&touch, &at);
-                touch.apart.min(touch.gap)
-            }
-            None => {
-                (seen.gap, seen.rate) = (f64::INFINITY, 0.0);
-                f64::INFINITY
-            }
-        }
+        let at = Configuration { parted: &self.parted, ..start };
+        self.pairs[i].look(model, &model.pairs[i], (&at, &self.velocity), reach)
+    }
+
+    /// Pair `i` where it stands, which has slept: it has not touched meanwhile, so it is on the side where it is seen.
+    pub(crate) fn woken(&self, model: &Model, i: usize) -> PairState {
+        let mut seen = self.pairs[i];
+        seen.memory.side = 0.0;
+        seen.look(model, &model.pairs[i], (&self.configuration(), &self.velocity), Reach::All);
+        seen
     }
 }
 
@@ -352,6 +347,30 @@ fn followed(model: &Model) -> Vec<Followed> {
 }
 
 impl PairState {
+    /// Looks at its pair in a configuration and its velocities, near to where it was seen last; returns how far apart the two are, as
+    /// [`State::see`] does \[m\].
+    fn look(
+        &mut self,
+        model: &Model,
+        pair: &Pair,
+        (at, velocity): (&Configuration<'_>, &[[f64; 4]]),
+        reach: Reach,
+    ) -> f64 {
+        match pair.touch(model, at, &self.memory, reach) {
+            Some(touch) => {
+                let row = pair.normal_row(&touch, at);
+                (self.gap, self.rate) = (touch.gap, row.on(velocity));
+                self.memory = touch.memory;
+                self.place = pair.place_on_face(&touch, at);
+                touch.apart.min(touch.gap)
+            }
+            None => {
+                (self.gap, self.rate) = (f64::INFINITY, 0.0);
+                f64::INFINITY
+            }
+        }
+    }
+
     fn unseen() -> Self {
         Self {
             gap: f64::NAN,

@@ -15,8 +15,8 @@ mod plastic;
 mod tests;
 mod viscous;
 
-pub use flow::FibreFlow;
 use crate::scalar::{Mask, Number};
+pub use flow::FibreFlow;
 
 pub use law::{
     FibreState, FibreStep, Hardening, Inelasticity, Overstress, PlasticLaw, Plasticity, Slack,

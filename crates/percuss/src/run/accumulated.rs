@@ -7,17 +7,16 @@
 //! the least energy, and not to act at all is among what it chooses from: it gives none either. Friction that has to shrink with
 //! the impulse along the normal may give back some of what it took over the step, but not more; else it is left as it was.
 
-use super::simulation::Simulation;
+use super::budget::Part;
 use super::solve::Attempt;
-use super::step::Part;
+use super::solver::Solving;
 use super::trial::{PartKind, Trial};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
 use crate::step::newton::Failure;
 
-impl Simulation<'_> {
+impl Solving<'_> {
     /// A part, of its whole size, in which no rigid contact ends inside another: those that would are held.
-    #[doc(hidden)]
-    pub fn hold(&mut self, part: &Part) -> Result<Trial, Failure> {
+    pub(super) fn hold(&mut self, part: &Part) -> Result<Trial, Failure> {
         let h = part.size;
         let mut active = self.resting();
         let closes = |i: &usize| {
@@ -43,10 +42,9 @@ impl Simulation<'_> {
         }
     }
 
-    /// The impact interval after a part in which contacts were held; none if they are at rest already, or if no impulses bring them
+    /// The impact interval after a part in which contacts were held, in the room of that; none if they are at rest already, or if no impulses bring them
     /// to rest: then they stay as they are.
-    #[doc(hidden)]
-    pub fn plastic_post_step(&mut self, held: &Trial) -> Option<Trial> {
+    pub(super) fn plastic_post_step(&mut self, held: &Trial) -> Option<Trial> {
         let settles = |contact: &ActiveContact, impulse: [f64; 2]| {
             let phase = Phase::PlasticPostStep { carried: impulse };
             (impulse[0] > 0.0).then_some(ActiveContact { phase, ..*contact })

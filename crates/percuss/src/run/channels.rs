@@ -1,7 +1,5 @@
 //! The columns of the history and their values at a state.
 
-use super::connector_log;
-use super::record::Channel;
 use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
 use crate::geometry::pair::Memory;
@@ -11,6 +9,17 @@ use crate::ledger::Measures;
 use crate::model::frozen::{BodyKind, ContactData, MaterialPoint};
 use crate::model::{Model, TouchLaw};
 use crate::state::State;
+
+/// A column of the history.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Channel {
+    /// Name in the form `<kind>.<name>.<quantity>`, for instance `projectile.mass.velocity_2`.
+    pub name: String,
+    /// Unit in plain ASCII: `m`, `m/s`, `N`, `N*s`, `J`, `kg*m/s`, `1/m`, `s`, or `1`.
+    pub unit: &'static str,
+    /// One sentence that says what the column holds.
+    pub description: String,
+}
 
 /// Columns of the history of `model`, in the order of [`values`].
 pub fn channels(model: &Model) -> Vec<Channel> {
@@ -85,7 +94,7 @@ pub fn channels(model: &Model) -> Vec<Channel> {
             add(format!("support.{name}.impulse_moment"), "N*m*s", text);
         }
     }
-    out.extend(connector_log::channels(model));
+    out.extend(connector_channels(model));
     out.extend(balances(model));
     out
 }
@@ -269,7 +278,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
             row.extend_from_slice(impulses);
         }
     }
-    connector_log::values(model, state, row);
+    add_connectors(model, state, row);
     let ledger = &state.ledger;
     let residual = ledger.linear_residual(m);
     row.extend([
@@ -300,5 +309,34 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
     ]);
     if model.is_inelastic() {
         row.extend([ledger.loss_plastic, m.hardening, ledger.loss_failure]);
+    }
+}
+
+/// Columns of springs and hinges that can yield, in the order of [`add_connectors`].
+fn connector_channels(model: &Model) -> Vec<Channel> {
+    let each = model.yielding().flat_map(|(_, c, own)| {
+        let name = &own.name;
+        let [(what, unit), (force, of)] = if c.turns() {
+            [("rotation", "rad"), ("moment", "N*m")]
+        } else {
+            [("extension", "m"), ("force", "N")]
+        };
+        let plastic = format!("Plastic {what}: what would stay of it without {force}");
+        [
+            (format!("{name}.{what}"), unit, format!("Its {what} from where it has no {force}")),
+            (format!("{name}.plastic_{what}"), unit, plastic),
+            (format!("{name}.{force}"), of, format!("Its {force}, that of its damper left out")),
+        ]
+    });
+    each.map(|(name, unit, description)| Channel { name, unit, description }).collect()
+}
+
+/// Adds their values to a row.
+fn add_connectors(model: &Model, state: &State, row: &mut Vec<f64>) {
+    for (i, c, own) in model.yielding() {
+        let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
+        let force = c.reached_force(q, &state.memories);
+        let values = [q - c.law.free(), memory.plastic, force];
+        row.extend(values.map(|value| own.sign * value + 0.0));
     }
 }

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::record::Channel;
 use crate::analysis::set_beside;
 use crate::model::Model;
 use crate::model::frozen::{Connector, YieldingLaw};
@@ -79,33 +78,4 @@ pub fn summaries(
         }
     };
     model.yielding().zip(records).map(summary).collect()
-}
-
-/// Columns of the history of those that can yield, in the order of [`values`].
-pub fn channels(model: &Model) -> Vec<Channel> {
-    let each = model.yielding().flat_map(|(_, c, own)| {
-        let name = &own.name;
-        let [(what, unit), (force, of)] = if c.turns() {
-            [("rotation", "rad"), ("moment", "N*m")]
-        } else {
-            [("extension", "m"), ("force", "N")]
-        };
-        let plastic = format!("Plastic {what}: what would stay of it without {force}");
-        [
-            (format!("{name}.{what}"), unit, format!("Its {what} from where it has no {force}")),
-            (format!("{name}.plastic_{what}"), unit, plastic),
-            (format!("{name}.{force}"), of, format!("Its {force}, that of its damper left out")),
-        ]
-    });
-    each.map(|(name, unit, description)| Channel { name, unit, description }).collect()
-}
-
-/// Adds their values to a row.
-pub fn values(model: &Model, state: &State, row: &mut Vec<f64>) {
-    for (i, c, own) in model.yielding() {
-        let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
-        let force = c.reached_force(q, &state.memories);
-        let values = [q - c.law.free(), memory.plastic, force];
-        row.extend(values.map(|value| own.sign * value + 0.0));
-    }
 }

@@ -9,7 +9,7 @@ mod smooth;
 
 use serde::{Deserialize, Serialize};
 
-use super::monitor::PartEnd;
+use super::trial::{Accepted, Solved};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Pair;
 use crate::geometry::row::Row;
@@ -20,8 +20,6 @@ use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
 use crate::summary::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Peak, PressedIn};
 use gap_over_step::GapOverStep;
-use rigid::Resting;
-use smooth::{Free, Released};
 
 /// The record of all contacts.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -36,9 +34,6 @@ pub struct ContactLog {
     open: Vec<Option<usize>>,
     /// The pair that touched first in the last interval of each smooth contact, shape (contacts) \[index of a pair\].
     first: Vec<usize>,
-    /// Smooth pairs of the step at hand as they were at its start, shape (such pairs).
-    before: Vec<PairState>,
-    start: f64,
     /// What each smooth pair did in the last step in which it stood open, shape (pairs).
     free: Vec<Free>,
     /// Intervals that ended in the step before, shape (such intervals).
@@ -65,12 +60,55 @@ struct StepTime {
     impulsive: bool,
 }
 
+/// An interval that has ended in a step, and what the gap of the point that left last was at its end.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Released {
+    pair: usize,
+    contact: usize,
+    /// Its number in the contact's record.
+    interval: usize,
+    gap: f64,
+    rate: f64,
+    span: StepTime,
+}
+
+/// The free motion of a gap.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Free {
+    /// Acceleration of the gap \[m/s^2\].
+    acceleration: f64,
+    /// Until when \[s\].
+    until: f64,
+}
+
+/// The persistent contact of two things.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+struct Resting {
+    /// Number of its interval in the contact's record, if it is open.
+    interval: Option<usize>,
+    /// Number of the part of a step in which a pair last pressed, and that pair.
+    pressed: u64,
+    pair: usize,
+    /// Number of the part of a step in which pairs ceased to press.
+    ceased: u64,
+    /// When they did, and the rate of the last of them, shape (2) \[s, m/s\].
+    end: [f64; 2],
+}
+
+impl Default for Free {
+    fn default() -> Self {
+        Self { acceleration: 0.0, until: f64::NAN }
+    }
+}
+
 /// A step from all sides.
 #[derive(Clone, Copy)]
 struct StepViews<'a> {
     model: &'a Model,
     state: &'a State,
     work: &'a Workspace,
+    /// Smooth pairs as they were at its start, shape (such pairs).
+    before: &'a [PairState],
     span: StepTime,
 }
 
@@ -113,8 +151,6 @@ impl ContactLog {
             pressed: vec![None; contacts],
             open: vec![None; contacts],
             first: vec![0; contacts],
-            before: Vec::new(),
-            start: state.time,
             free: vec![Free::default(); model.pairs.len()],
             released: Vec::new(),
             gaps: Vec::new(),
@@ -153,29 +189,18 @@ impl ContactLog {
             })
     }
 
-    /// Notes the start of a step that stands solved in `work`.
-    pub fn begin_step(&mut self, state: &State, work: &Workspace) {
-        self.start = state.time;
-        self.before.clear();
-        self.before.extend(work.smooth.iter().map(|c| state.pairs[c.pair]));
-    }
-
-    /// Takes in the end of the step.
-    pub(super) fn end_step(
-        &mut self,
-        model: &Model,
-        state: &State,
-        work: &Workspace,
-        part: &PartEnd,
-    ) {
-        let span = StepTime { start: self.start, h: part.trial.h, impulsive: part.impulsive };
-        let seen = StepViews { model, state, work, span };
+    /// Takes in a part of a step.
+    pub fn take(&mut self, part: &Accepted<'_>) {
+        let (model, state, work, start) = (part.model, part.after, part.work(), part.before());
+        let Solved { trial, impulsive, .. } = part.solved;
+        let span = StepTime { start: start.time, h: trial.h, impulsive: *impulsive };
+        let seen = StepViews { model, state, work, before: &start.smooth, span };
         self.part += 1;
         self.smooth_contacts(seen);
-        if !part.trial.active.is_empty() {
+        if !trial.active.is_empty() {
             self.residual = self.residual.max(work.impact_residual);
         }
-        self.rigid_contacts(seen, part);
+        self.rigid_contacts(seen, trial);
         for &i in part.awake {
             let depth = -state.pairs[i].gap;
             if let ContactRecord::Nonsmooth { penetration, .. } =

@@ -1,7 +1,6 @@
 //! Which rigid contacts touch, rest or could close, and what a part of a step is therefore solved as.
 
-use super::simulation::Simulation;
-use super::step::Budget;
+use super::solver::Solving;
 use crate::model::{RigidLaw, TouchLaw};
 use crate::settings::{ImpactResolution, MultipleImpacts};
 use crate::step::contacts::{ActiveContact, GAP_RESOLUTION};
@@ -32,16 +31,16 @@ pub(super) enum Resolution {
     TimeStepping { closed: f64 },
 }
 
-impl Simulation<'_> {
-    /// What the next part of a step is solved as, where the state stands.
-    pub(super) fn resolution(&self, budget: &Budget) -> Resolution {
+impl Solving<'_> {
+    /// What the next part of a step, which may still have so many events, is solved as where the state stands.
+    pub(super) fn resolution(&self, events_left: usize) -> Resolution {
         if self.velocities_jump() {
             return Resolution::Jump;
         }
         if let ImpactResolution::TimeStepping { closed_tolerance: closed } = self.settings.impacts {
             return Resolution::TimeStepping { closed };
         }
-        if budget.events_left == 0 {
+        if events_left == 0 {
             return Resolution::Accumulated;
         }
         let touching = self.touching();
@@ -71,15 +70,14 @@ impl Simulation<'_> {
         awake.filter(|i| self.rigid_law(*i).is_some()).collect()
     }
 
-    /// Rigid pairs that touch, at rest but for what is no approach, count as closed.
-    pub(super) fn close_at_rest(&mut self) {
+    /// Rigid pairs that touch, at rest but for what is no approach: they count as closed.
+    pub(super) fn at_rest(&self) -> Vec<usize> {
         let (slow, reach) = (self.no_approach(), self.no_gap());
-        for i in self.rigid() {
-            let pair = &mut self.state.pairs[i];
-            if pair.gap <= reach && pair.rate.abs() <= slow {
-                pair.closed = true;
-            }
-        }
+        let rests = |i: &usize| {
+            let pair = &self.state.pairs[*i];
+            pair.gap <= reach && pair.rate.abs() <= slow
+        };
+        self.rigid().into_iter().filter(rests).collect()
     }
 
     /// Open contacts that would close within the next three quarters of an impact interval; and the one just located, with all others

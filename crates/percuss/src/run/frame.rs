@@ -1,83 +1,120 @@
 //! Frames of a run: its configuration at an instant, with the forces that belong to it, for drawings.
 
-use super::record::Recorder;
-use super::simulation::Simulation;
+use serde::{Deserialize, Serialize};
+
+use super::trial::Accepted;
+use crate::analysis::section_forces::Lines;
 use crate::frame::{Frame, FrameForce};
 use crate::geometry::touch::{Reach, tangent_of};
 use crate::math::vec2::{add, norm, scale};
+use crate::model::Model;
+use crate::state::State;
 
-/// What frames are made in.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Frames {
-    /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
-    section_forces: Vec<[[f64; 3]; 2]>,
-    /// Forces of everything that touches, shape (such forces).
-    contact_forces: Vec<FrameForce>,
-    /// Factors of the loads, shape (loads) \[-\].
-    load_factors: Vec<f64>,
-    /// Size of the part of a step accepted last \[s\], and whether impulses acted in it.
-    pub part: (f64, bool),
+/// What pressed in a part of a step.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Pressed {
+    pair: usize,
+    /// Along normal and tangent, shape (2) \[N\], or \[N s\] of an impulse.
+    force: [f64; 2],
+    impulsive: bool,
 }
 
-impl Simulation<'_> {
-    /// Hands the state reached to a recorder that wants it.
-    pub(super) fn show(&mut self, recorder: &mut dyn Recorder) {
-        let (h, impulsive) = self.frames.part;
-        let divisor = if impulsive { 1.0 } else { h };
-        let smooth: f64 = self.work.smooth.iter().map(|c| c.force.force.abs()).sum();
-        let rigid: f64 = self.work.rigid.iter().map(|c| norm(c.impulse)).sum();
-        let contact = if rigid > 0.0 { rigid / divisor } else { smooth };
-        if !recorder.wants_frame(self.state.time, contact, impulsive && rigid > 0.0) {
-            return;
-        }
-        let mut frames = std::mem::take(&mut self.frames);
-        frames.section_forces.clear();
-        let ends = self.monitor.lines().ends(self.model.element_count());
-        frames.section_forces.extend(ends);
-        frames.contact_forces.clear();
-        self.contact_forces_of(frames.part, &mut frames.contact_forces);
-        frames.load_factors.clone_from(&self.forcing.factors);
-        if self.state.time == 0.0 {
-            // Before the first step no mean over one is known: what acts at that instant.
-            let at_once = self.model.loads.iter().map(|load| load.factor_at_start());
-            frames.load_factors.splice(.., at_once);
-        }
-        recorder.frame(&Frame {
-            time: self.state.time,
-            displacement: &self.state.displacement,
-            velocity: &self.state.velocity,
-            spin: &self.state.spin,
-            section_forces: &frames.section_forces,
-            contact_forces: &frames.contact_forces,
-            load_factors: &frames.load_factors,
-        });
-        self.frames = frames;
+/// What frames are made of.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub struct Frames {
+    /// What pressed in the part of a step accepted last, shape (such contacts).
+    pressed: Vec<Pressed>,
+    /// All its forces by their magnitudes, or its impulses if there were any \[N\] or \[N s\].
+    contact: f64,
+    /// Whether they are impulses.
+    impulsive: bool,
+    /// Factors of its loads, shape (loads) \[-\].
+    load_factors: Vec<f64>,
+    /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
+    #[serde(skip)]
+    section_forces: Vec<[[f64; 3]; 2]>,
+    /// Forces of everything that touches, shape (such forces).
+    #[serde(skip)]
+    contact_forces: Vec<FrameForce>,
+}
+
+impl Frames {
+    /// Whether they belong to a model.
+    pub fn fits(&self, model: &Model) -> bool {
+        let loads = [0, model.loads.len()];
+        self.pressed.iter().all(|one| one.pair < model.pairs.len())
+            && loads.contains(&self.load_factors.len())
     }
 
-    /// Forces of all pairs that touched in the part of a step accepted last, and in an impact their impulses.
-    fn contact_forces_of(&self, (h, impulsive): (f64, bool), out: &mut Vec<FrameForce>) {
-        let smooth = self.work.smooth.iter().map(|c| (c.pair, [c.force.force, 0.0], false));
-        let divisor = if impulsive { 1.0 } else { h };
-        let rigid = (self.work.rigid_pairs.iter().zip(&self.work.rigid))
-            .map(|(&pair, c)| (pair, c.impulse.map(|l| l / divisor), impulsive));
-        let at = self.state.configuration();
-        for (index, [normal, tangential], impulsive) in smooth.chain(rigid) {
-            if normal == 0.0 && tangential == 0.0 {
-                continue;
-            }
-            let (pair, seen) = (&self.model.pairs[index], &self.state.pairs[index]);
-            let Some(touch) = pair.touch(self.model, &at, &seen.memory, Reach::Near) else {
-                continue;
-            };
-            let along = scale(tangential, tangent_of(touch.normal));
-            let on_source = add(scale(normal, touch.normal), along);
-            let sign = if pair.source_partner == 1 { 1.0 } else { -1.0 };
-            out.push(FrameForce {
-                contact: pair.contact,
-                position: add(touch.closest_place, scale(touch.radius, touch.normal)),
-                force: scale(sign, on_source),
-                impulsive,
-            });
+    /// Takes in an accepted part of a step.
+    pub fn take(&mut self, part: &Accepted<'_>) {
+        let (solved, work) = (part.solved, part.work());
+        // What rests in so short a part may give an impulse in disguise, too: no quotient by its length is a force.
+        let trial = &solved.trial;
+        let impulsive = solved.impulsive && (trial.carries_impulses() || !trial.active.is_empty());
+        let divisor = if impulsive { 1.0 } else { trial.h };
+        let smooth = work.smooth.iter().map(|c| Pressed {
+            pair: c.pair,
+            force: [c.force.force, 0.0],
+            impulsive: false,
+        });
+        let rigid = work.rigid_pairs.iter().zip(&work.rigid).map(|(pair, c)| Pressed {
+            pair: *pair,
+            force: c.impulse.map(|l| l / divisor),
+            impulsive,
+        });
+        self.pressed.clear();
+        self.pressed.extend(smooth.chain(rigid).filter(|one| one.force != [0.0; 2]));
+        let smooth: f64 = work.smooth.iter().map(|c| c.force.force.abs()).sum();
+        let rigid: f64 = work.rigid.iter().map(|c| norm(c.impulse)).sum();
+        self.contact = if rigid > 0.0 { rigid / divisor } else { smooth };
+        self.impulsive = impulsive && rigid > 0.0;
+        self.load_factors.clone_from(&solved.solution.forcing.factors);
+    }
+
+    /// All contact forces by their magnitudes \[N\], or impulses \[N s\], and whether they are these.
+    pub fn contact(&self) -> (f64, bool) {
+        (self.contact, self.impulsive)
+    }
+
+    /// The frame of a state.
+    pub fn frame<'a>(&'a mut self, model: &Model, state: &'a State, lines: &Lines) -> Frame<'a> {
+        self.section_forces.clear();
+        self.section_forces.extend(lines.ends(model.element_count()));
+        self.contact_forces.clear();
+        let force = |one: &Pressed| one.force_on(model, state);
+        self.contact_forces.extend(self.pressed.iter().filter_map(force));
+        if state.time == 0.0 {
+            // Before the first step no mean over one is known: what acts at that instant.
+            let at_once = model.loads.iter().map(|load| load.factor_at_start());
+            self.load_factors.splice(.., at_once);
         }
+        Frame {
+            time: state.time,
+            displacement: &state.displacement,
+            velocity: &state.velocity,
+            spin: &state.spin,
+            section_forces: &self.section_forces,
+            contact_forces: &self.contact_forces,
+            load_factors: &self.load_factors,
+        }
+    }
+}
+
+impl Pressed {
+    /// Its force on what it presses on, where that is now; none where the two do not face each other any more.
+    fn force_on(&self, model: &Model, state: &State) -> Option<FrameForce> {
+        let (pair, seen) = (&model.pairs[self.pair], &state.pairs[self.pair]);
+        let touch = pair.touch(model, &state.configuration(), &seen.memory, Reach::Near)?;
+        let [normal, tangential] = self.force;
+        let along = scale(tangential, tangent_of(touch.normal));
+        let on_source = add(scale(normal, touch.normal), along);
+        let sign = if pair.source_partner == 1 { 1.0 } else { -1.0 };
+        Some(FrameForce {
+            contact: pair.contact,
+            position: add(touch.closest_place, scale(touch.radius, touch.normal)),
+            force: scale(sign, on_source),
+            impulsive: self.impulsive,
+        })
     }
 }

@@ -2,16 +2,15 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::trial::Accepted;
 use crate::geometry::row::Row;
-use crate::model::Model;
 use crate::state::State;
-use crate::step::workspace::Workspace;
 use crate::summary::SupportSummary;
 
 /// What supports gave: forces as means over steps, and impulses beyond these in impacts and jumps. What both make together is all that the
 /// supports gave, over a row of the history as over the run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct RowReactions {
+pub struct RowReactions {
     /// Impulses and angular impulse since the last instant settled, of the parts longer than an impact, shape (supports, 3)
     /// \[N s, N m s\].
     sum: Vec<[f64; 3]>,
@@ -35,18 +34,18 @@ pub(super) struct RowReactions {
 
 impl RowReactions {
     /// Before the first row, with the reactions at the start.
-    pub fn new(model: &Model, mean: Vec<[f64; 3]>) -> Self {
-        let none = vec![[0.0; 3]; model.supports.len()];
+    pub fn new(state: &State, mean: &[[f64; 3]]) -> Self {
+        let (mean, none) = (mean.to_vec(), vec![[0.0; 3]; mean.len()]);
         Self {
             sum: none.clone(),
             time: 0.0,
             carries_impulses: false,
             told: [mean.clone(), none.clone()],
             mean,
-            before: none.clone(),
-            settled: 0.0,
+            before: state.reactions.clone(),
+            settled: state.time,
             since_row: [none.clone(), none],
-            row: 0.0,
+            row: state.time,
         }
     }
 
@@ -66,13 +65,14 @@ impl RowReactions {
         &self.told[1]
     }
 
-    /// Adds a part of length `h` accepted last, which may be as short as an impact.
-    pub fn gather(&mut self, state: &State, h: f64, impulsive: bool) {
-        if impulsive {
+    /// Takes in a part of a step; reactions in one as short as an impact are no forces.
+    pub fn take(&mut self, part: &Accepted<'_>) {
+        if part.solved.impulsive {
             self.carries_impulses = true;
             return;
         }
-        self.time += h;
+        let state = part.after;
+        self.time += part.solved.trial.h;
         for (support, before) in state.reacting.list() {
             let now = &state.reactions[*support];
             (0..3).for_each(|i| self.sum[*support][i] += now[i] - before[i]);
@@ -126,7 +126,7 @@ impl RowReactions {
 
 /// What a striking body gave to others through its contacts.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
-pub(super) struct Given {
+pub struct Given {
     /// Impulse, shape (2) \[N s\].
     pub impulse: [f64; 2],
     /// Energy that the contacts took from it \[J\].
@@ -136,8 +136,9 @@ pub(super) struct Given {
 }
 
 impl Given {
-    /// Adds a step of size `h` of the body at `node`.
-    pub fn gather(&mut self, work: &Workspace, node: usize, h: f64) {
+    /// Takes in a part of a step of the body at `node`.
+    pub fn take(&mut self, node: usize, part: &Accepted<'_>) {
+        let (work, h) = (part.work(), part.solved.trial.h);
         let d = &work.increment[node];
         let mut add = |row: &Row, impulse: f64| {
             if impulse == 0.0 {

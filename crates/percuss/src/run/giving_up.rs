@@ -1,10 +1,12 @@
 //! What is said of a step that fails however small it is: what did not converge, and where.
 
-use super::simulation::Simulation;
-use super::step::MOST_CORRECTIONS;
+use super::budget::MOST_CORRECTIONS;
+use crate::contact::search::Search;
 use crate::element::beam::ElementValues;
 use crate::error::Error;
 use crate::math::vec2::{add, norm};
+use crate::model::Model;
+use crate::state::State;
 use crate::step::newton::Failure;
 use crate::step::tangent::Singular;
 use crate::summary::PressedIn;
@@ -12,95 +14,95 @@ use crate::summary::PressedIn;
 /// A stretch below this is a beam that has collapsed: its curvature has no bound as the stretch vanishes.
 const COLLAPSED: f64 = 0.2;
 
-impl Simulation<'_> {
-    /// Why the run ends here, after a step of the given size has failed.
-    #[doc(hidden)]
-    pub fn give_up(&self, failure: Failure, step: f64) -> Error {
-        let place = |node: usize| {
-            let beam = self.model.beams.iter().find(|b| b.nodes.contains(&node));
-            let body = || {
-                let body = node.checked_sub(self.model.beam_node_count());
-                let body = body.and_then(|i| self.model.bodies.get(i));
-                body.map_or_else(String::new, |b| format!("`{}`", b.name))
+/// Why the run ends here, after a step of the given size has failed.
+pub fn give_up(
+    (model, state, search): (&Model, &State, &Search),
+    failure: Failure,
+    step: f64,
+) -> Error {
+    let place = |node: usize| {
+        let beam = model.beams.iter().find(|b| b.nodes.contains(&node));
+        let body = || {
+            let body = node.checked_sub(model.beam_node_count());
+            let body = body.and_then(|i| model.bodies.get(i));
+            body.map_or_else(String::new, |b| format!("`{}`", b.name))
+        };
+        beam.map_or_else(body, |b| {
+            let element = (node - b.nodes.start).min(b.elements.len() - 1) + 1;
+            format!("element {element} of {} of beam `{}`", b.elements.len(), b.name)
+        })
+    };
+    let time = state.time;
+    match failure {
+        Failure::Diverged { residual, node } => {
+            let (stretch, at) = least_stretch(model, state);
+            let collapsed = if stretch < COLLAPSED {
+                let (beam, share) = (place(at), 100.0 * stretch);
+                format!(" ({beam} has collapsed: its axis is pressed to {share:.1} % there)")
+            } else {
+                String::new()
             };
-            beam.map_or_else(body, |b| {
-                let element = (node - b.nodes.start).min(b.elements.len() - 1) + 1;
-                format!("element {element} of {} of beam `{}`", b.elements.len(), b.name)
-            })
-        };
-        let time = self.state.time;
-        match failure {
-            Failure::Diverged { residual, node } => {
-                let (stretch, at) = self.least_stretch();
-                let collapsed = if stretch < COLLAPSED {
-                    let (beam, share) = (place(at), 100.0 * stretch);
-                    format!(" ({beam} has collapsed: its axis is pressed to {share:.1} % there)")
-                } else {
-                    String::new()
-                };
-                let at = place(node) + &collapsed;
-                let what = if residual.is_finite() {
-                    format!("scaled residual {residual:.3e}, largest at {at}")
-                } else {
-                    format!("forces grow beyond all numbers, first at {at}")
-                };
-                match self.deepest_pressed() {
-                    Some(deep) => Error::pressed_through(time, step, format!("{what}; {deep}")),
-                    None => Error::no_convergence(time, step, what),
-                }
-            }
-            Failure::Impact => {
-                let what = "no impulses meet the conditions of all contacts";
-                Error::no_convergence(time, step, what.into())
-            }
-            Failure::Passed => {
-                Error::no_convergence(time, step, "two things pass through each other".into())
-            }
-            Failure::Endless => {
-                let what = format!(
-                    "its impacts and cuts do not end ({MOST_CORRECTIONS} corrections in one step)"
-                );
-                Error::no_convergence(time, step, what)
-            }
-            Failure::Singular(Singular::Node(node)) => Error::singular(time, place(node)),
-            Failure::Singular(Singular::Constraints) => {
-                Error::singular(time, "the joints and supports".into())
+            let at = place(node) + &collapsed;
+            let what = if residual.is_finite() {
+                format!("scaled residual {residual:.3e}, largest at {at}")
+            } else {
+                format!("forces grow beyond all numbers, first at {at}")
+            };
+            match deepest_pressed(model, state, search) {
+                Some(deep) => Error::pressed_through(time, step, format!("{what}; {deep}")),
+                None => Error::no_convergence(time, step, what),
             }
         }
+        Failure::Impact => {
+            let what = "no impulses meet the conditions of all contacts";
+            Error::no_convergence(time, step, what.into())
+        }
+        Failure::Passed => {
+            Error::no_convergence(time, step, "two things pass through each other".into())
+        }
+        Failure::Endless => {
+            let what = format!(
+                "its impacts and cuts do not end ({MOST_CORRECTIONS} corrections in one step)"
+            );
+            Error::no_convergence(time, step, what)
+        }
+        Failure::Singular(Singular::Node(node)) => Error::singular(time, place(node)),
+        Failure::Singular(Singular::Constraints) => {
+            Error::singular(time, "the joints and supports".into())
+        }
     }
+}
 
-    /// The compliant contact that is pressed in deepest, in words, if that is deep for what touches.
-    fn deepest_pressed(&self) -> Option<String> {
-        let (model, state) = (self.model, &self.state);
-        let deep = |i: &usize| {
-            let pressed = PressedIn::of(model, *i, &state.pairs[*i], state.time)?;
-            pressed.is_deep().then_some((&model.contacts[model.pairs[*i].contact], pressed))
-        };
-        let found = self.search.awake().iter().filter_map(deep);
-        let (contact, pressed) = found.max_by(|a, b| a.1.share().total_cmp(&b.1.share()))?;
-        let [a, b] = &contact.between;
-        Some(format!(
-            "contact `{}` is pressed in by {:.4e} m, and the middles of `{a}` and `{b}` meet at {:.4e} m",
-            contact.name, pressed.penetration, pressed.through
-        ))
-    }
+/// The compliant contact that is pressed in deepest, in words, if that is deep for what touches.
+fn deepest_pressed(model: &Model, state: &State, search: &Search) -> Option<String> {
+    let deep = |i: &usize| {
+        let pressed = PressedIn::of(model, *i, &state.pairs[*i], state.time)?;
+        pressed.is_deep().then_some((&model.contacts[model.pairs[*i].contact], pressed))
+    };
+    let found = search.awake().iter().filter_map(deep);
+    let (contact, pressed) = found.max_by(|a, b| a.1.share().total_cmp(&b.1.share()))?;
+    let [a, b] = &contact.between;
+    Some(format!(
+        "contact `{}` is pressed in by {:.4e} m, and the middles of `{a}` and `{b}` meet at {:.4e} m",
+        contact.name, pressed.penetration, pressed.through
+    ))
+}
 
-    /// The least stretch at any Gauss point, and the first node of its element.
-    fn least_stretch(&self) -> (f64, usize) {
-        let mut least = (f64::INFINITY, 0);
-        for span in &self.model.spans {
-            for k in 0..span.elements.len() {
-                let node = span.nodes.start + k;
-                let [a, b] = [node, node + 1].map(|n| &self.state.displacement[n]);
-                let u = ElementValues::new(a, b);
-                for row in &span.table(k).rows {
-                    let stretch = norm(add(row.reference.tangent, u.at(&row.first)));
-                    if stretch < least.0 {
-                        least = (stretch, node);
-                    }
+/// The least stretch at any Gauss point, and the first node of its element.
+fn least_stretch(model: &Model, state: &State) -> (f64, usize) {
+    let mut least = (f64::INFINITY, 0);
+    for span in &model.spans {
+        for k in 0..span.elements.len() {
+            let node = span.nodes.start + k;
+            let [a, b] = [node, node + 1].map(|n| &state.displacement[n]);
+            let u = ElementValues::new(a, b);
+            for row in &span.table(k).rows {
+                let stretch = norm(add(row.reference.tangent, u.at(&row.first)));
+                if stretch < least.0 {
+                    least = (stretch, node);
                 }
             }
         }
-        least
     }
+    least
 }

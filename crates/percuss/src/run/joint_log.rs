@@ -2,12 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::simulation::Simulation;
 use crate::model::Model;
 use crate::model::frozen::{JointData, JointLoad};
-use crate::step::constraint::ConstraintStep;
-use crate::step::integration::Integration;
-use crate::step::joints;
 use crate::summary::{JointParting, JointSummary, Peak};
 
 /// What is noted of a joint.
@@ -42,31 +38,16 @@ impl JointRecord {
     }
 }
 
-impl Simulation<'_> {
-    /// What joints of a strength carry in the part of a step that stands solved.
-    pub(super) fn joint_loads(&self, rule: &Integration) -> Vec<JointLoad> {
-        if self.model.joints.is_empty() {
-            return Vec::new();
+/// Takes in what joints carried in a part of a step that ends at `time`: those beyond their strength hold no longer.
+pub fn note(model: &Model, time: f64, loads: &[JointLoad], records: &mut [JointRecord]) {
+    for ((joint, load), record) in model.joints.iter().zip(loads).zip(records) {
+        if record.parted.is_some() {
+            continue;
         }
-        let (start, increment) = (&self.state.displacement[..], &self.work.increment[..]);
-        let step = ConstraintStep { start, increment, forcing: &self.forcing, share: rule.theta() };
-        joints::loads(self.model, &step, &self.work.multiplier).collect()
-    }
-
-    /// Takes in what joints carried in a part of a step without impulses: those beyond their strength hold no longer.
-    pub(super) fn judge_joints(&mut self, loads: &[JointLoad]) {
-        let time = self.state.time;
-        for (i, (joint, load)) in self.model.joints.iter().zip(loads).enumerate() {
-            if self.state.joints_parted[i] {
-                continue;
-            }
-            let record = &mut self.monitor.joints[i];
-            record.take(load, time);
-            if joint.parts_under(load) {
-                let JointLoad { force, moment } = *load;
-                record.parted = Some(JointParting { time, force, moment });
-                self.state.joints_parted[i] = true;
-            }
+        record.take(load, time);
+        if joint.parts_under(load) {
+            let JointLoad { force, moment } = *load;
+            record.parted = Some(JointParting { time, force, moment });
         }
     }
 }

@@ -4,10 +4,10 @@
 //! there as at the release of a support, and the jump is made in an impact interval, a very short step of its own, whose impulses are kept
 //! apart from forces as those of impacts are.
 
+use super::budget::Part;
 use super::contact_status::IMPACT_INTERVAL;
-use super::simulation::Simulation;
 use super::solve::Attempt;
-use super::step::Part;
+use super::solver::{Solver, Solving};
 use super::trial::{PartKind, Trial};
 use crate::model::{Model, PreparedFunction};
 use crate::settings::SAME_INSTANT;
@@ -35,14 +35,15 @@ pub(super) fn rate_after(function: &PreparedFunction, time: f64, step: f64) -> f
     function.rate_on(time, time + 2.0 * SAME_INSTANT * step, WIDTH * step)
 }
 
-impl Simulation<'_> {
-    /// Time to the next cut that does not lie at the end of this part of the step \[s\].
-    pub(super) fn time_to_cut(&self) -> f64 {
-        let slack = SAME_INSTANT * self.settings.step;
-        let next = self.cuts.partition_point(|t| t - self.state.time <= slack);
-        self.cuts.get(next).map_or(f64::INFINITY, |t| t - self.state.time)
+impl Solver {
+    /// Time to the next cut that does not lie at the end of a part that ends at `time`, of a step of the given size \[s\].
+    pub fn time_to_cut(&self, time: f64, step: f64) -> f64 {
+        let next = self.cuts.partition_point(|t| t - time <= SAME_INSTANT * step);
+        self.cuts.get(next).map_or(f64::INFINITY, |t| t - time)
     }
+}
 
+impl Solving<'_> {
     /// Whether the rate of a motion jumps at this instant.
     pub(super) fn velocities_jump(&self) -> bool {
         if self.work.lead.is_empty() {

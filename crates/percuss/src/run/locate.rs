@@ -5,9 +5,9 @@
 //! in an impact interval, a very short part of its own. That starts half its length before the gap vanishes, so that its middle is the
 //! instant of contact.
 
-use super::simulation::Simulation;
+use super::budget::Part;
 use super::solve::Attempt;
-use super::step::Part;
+use super::solver::Solving;
 use super::trial::{PartKind, Trial};
 use crate::math::hermite::Cubic;
 use crate::math::roots;
@@ -19,7 +19,7 @@ pub const LOCATED: f64 = 1e-3;
 /// Differences of gaps below this share of the size of positions are round-off.
 pub const ROUND_OFF: f64 = 1e-15;
 
-impl Simulation<'_> {
+impl Solving<'_> {
     /// A part without impacts: of its whole size, or up to the first instant of contact.
     pub(super) fn advance_to_contact(&mut self, part: &Part) -> Result<Trial, Failure> {
         let mut active = self.resting();
@@ -49,12 +49,12 @@ impl Simulation<'_> {
 
     /// What the gap of pair `i` is below zero by round-off where the step begins.
     fn floor(&self, i: usize) -> f64 {
-        self.state.pairs[i].gap.clamp(-self.no_gap(), 0.0)
+        self.seen(i).gap.clamp(-self.no_gap(), 0.0)
     }
 
     /// The gap of pair `i` over the step of size `h` solved last; one that opens from round-off below zero begins at zero.
     fn path(&self, h: f64, i: usize) -> Cubic {
-        let pair = &self.state.pairs[i];
+        let pair = self.seen(i);
         let (floor, [gap, rate]) = (self.floor(i), self.gap_next(h, i));
         Cubic { h, start: [pair.gap - floor, pair.rate], end: [gap - floor, rate] }
     }

@@ -4,7 +4,9 @@
 //! first contact ([`locate`]), at impact ([`strike`], [`sequence`]), accumulated ([`accumulated`]) or at a jump of prescribed
 //! velocities ([`jumps`]), and accepted ([`trial`]). [`monitor`] gathers what the summary tells.
 
+mod accept;
 mod accumulated;
+mod budget;
 mod channels;
 mod checkpoint;
 mod connector_log;
@@ -29,6 +31,7 @@ mod rows;
 mod sequence;
 mod simulation;
 mod solve;
+mod solver;
 mod start;
 mod status;
 pub mod step;
@@ -41,12 +44,13 @@ mod summarize;
 pub mod trial;
 pub mod yielding;
 
+pub use channels::Channel;
 pub use checkpoint::{Checkpoint, ResumeError};
 pub use first_step::first_step;
 pub use first_touch::FirstTouches;
 pub use preview::{Preview, preview};
-pub use record::{Channel, Flow, MemoryRecorder, NoRecorder, Recorder};
-pub use simulation::{Simulation, simulate};
-pub use start::{massless, reference_state};
+pub use record::{Flow, MemoryRecorder, NoRecorder, Recorder};
+pub use simulation::{Simulation, reference_state, simulate};
+pub use start::massless;
 pub use status::RunStatus;
 pub use yielding::yielded_at_rest;

@@ -8,9 +8,11 @@ use serde::{Deserialize, Serialize};
 use super::connector_log::{self, ConnectorRecord};
 use super::contact_log::ContactLog;
 use super::crest::Crest;
-use super::joint_log::JointRecord;
+use super::given::{Given, RowReactions};
+use super::joint_log::{self, JointRecord};
 use super::stop_log;
-use super::trial::Trial;
+use super::struck_mass;
+use super::trial::{Accepted, PartSolution, Solved};
 use super::yielding::{self, YieldRecord};
 use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::geometry::row::Row;
@@ -19,53 +21,9 @@ use crate::math::interpolant::Interpolant;
 use crate::model::Model;
 use crate::model::frozen::SupportData;
 use crate::state::State;
-use crate::step::contacts::{ActiveContact, Phase, RigidContact};
-use crate::step::fibres::PartedElement;
-use crate::step::forcing::Forcing;
-use crate::step::integration::Integration;
+use crate::step::effective_mass::EffectiveMass;
 use crate::step::workspace::Workspace;
-use crate::summary::{Range, SectionForceSummary, SupportSummary};
-
-/// A trial that was accepted.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PartEnd<'a> {
-    /// The trial.
-    pub trial: &'a Trial,
-    /// Whether it is as short as an impact, so that quotients over it are impulsive.
-    pub impulsive: bool,
-    /// Pairs that were looked at at its end, shape (such pairs) \[index of a pair\].
-    pub awake: &'a [usize],
-    /// Elements that part at its end, shape (such elements).
-    pub parted: &'a [PartedElement],
-}
-
-/// A trial that is about to be accepted.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Solved<'a> {
-    /// The trial.
-    pub trial: &'a Trial,
-    /// Scheme and size.
-    pub rule: Integration,
-    /// Loads over it.
-    pub forcing: &'a Forcing,
-    /// As in [`PartEnd`].
-    pub impulsive: bool,
-}
-
-impl Solved<'_> {
-    /// Whether something strikes in it: whether a contact that was not at rest gives an impulse.
-    fn strikes(&self, state: &State, work: &Workspace) -> bool {
-        let persistent = self.trial.persistent();
-        let rests = |i: usize, contact: &ActiveContact| match contact.phase {
-            Phase::Resting { .. } => state.pairs[contact.pair].closed,
-            Phase::Impact { .. } => persistent.get(i).is_some_and(|rests| *rests),
-            Phase::PlasticPostStep { .. } => false,
-        };
-        let given = |found: &RigidContact| found.impulse != [0.0; 2];
-        let mut found = self.trial.active.iter().zip(&work.rigid).enumerate();
-        found.any(|(i, (contact, found))| given(found) && !rests(i, contact))
-    }
-}
+use crate::summary::{Range, SectionForceSummary, SharedBlows, SupportSummary};
 
 /// Forms of the contacts in a step of size `h`, and the forces along them.
 fn contact_forces(work: &Workspace, h: f64) -> impl Iterator<Item = ([&Row; 2], [f64; 2])> {
@@ -74,18 +32,9 @@ fn contact_forces(work: &Workspace, h: f64) -> impl Iterator<Item = ([&Row; 2], 
     smooth.chain(rigid)
 }
 
-/// Values at the start of a step that the monitor compares with those at its end.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-struct StepStart {
-    time: f64,
-    /// Displacements and velocities of the recorded points, shape (recorded points, 2, 2) \[m, m/s\].
-    points: Vec<[[f64; 2]; 2]>,
-}
-
 /// Follows one run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Monitor {
-    start: StepStart,
     /// What happens at contacts.
     pub contacts: ContactLog,
     /// Extremes of the recorded points, by component, shape (recorded points, 2).
@@ -96,9 +45,16 @@ pub struct Monitor {
     pub supports: Vec<SupportSummary>,
     /// The supports that reacted last, shape (such supports) \[index of a support\]; nothing if all are to be looked at.
     reacted: Option<Vec<usize>>,
-    /// Section forces of the last step without impact, and whether the step in hand is one with.
+    /// What supports gave.
+    pub reactions: RowReactions,
+    /// What striking bodies gave through contacts, shape (striking bodies).
+    pub given: Vec<Given>,
+    /// Effective masses of the beams of each contact, once it has struck under a rigid law, shape (contacts).
+    pub struck_masses: Vec<Option<EffectiveMass>>,
+    /// Impacts that several touching bodies shared.
+    pub shared_blows: SharedBlows,
+    /// Section forces of the last part of a step without impact.
     lines: Lines,
-    jumps: bool,
     /// What is noted of beams that can yield, one entry a beam, shape (beams); empty if none can.
     pub yielded: Vec<YieldRecord>,
     /// What is noted of springs and hinges that can yield, shape (such springs and hinges).
@@ -112,22 +68,29 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Opens the record at the initial state, an equilibrium in which contacts press with the forces given.
-    pub fn new(model: &Model, state: &State, pressed: &[(Row, f64)]) -> Self {
+    /// Opens the record at the initial state, an equilibrium in which contacts press with the forces given and supports react so.
+    pub fn new(
+        model: &Model,
+        state: &State,
+        pressed: &[(Row, f64)],
+        reactions: &[[f64; 3]],
+    ) -> Self {
         let points = model
             .points
             .iter()
             .map(|p| p.value(&state.displacement).map(|value| Crest::new(value, state.time)));
         let inelastic = model.has_fibres();
         let mut monitor = Self {
-            start: StepStart::default(),
             contacts: ContactLog::new(model, state),
             points: points.collect(),
             section_forces: section_forces::unset(model),
             supports: model.supports.iter().map(unset_support).collect(),
             reacted: None,
             lines: Lines::at_rest(model, state, pressed),
-            jumps: false,
+            reactions: RowReactions::new(state, reactions),
+            given: vec![Given::default(); model.striking_bodies().count()],
+            struck_masses: vec![None; model.contacts.len()],
+            shared_blows: SharedBlows::default(),
             yielded: vec![YieldRecord::default(); if inelastic { model.beams.len() } else { 0 }],
             connectors: vec![ConnectorRecord::default(); model.memory_count()],
             joints: state
@@ -138,23 +101,24 @@ impl Monitor {
             audit: Audit::default(),
             energy_came: 0.0,
         };
-        monitor.start.points.resize(model.points.len(), [[0.0; 2]; 2]);
         section_forces::update(model, &monitor.lines, state, &mut monitor.section_forces);
         yielding::note(model, state, &mut monitor.yielded);
         connector_log::note(model, state, &mut monitor.connectors);
         yielding::note_preload(model, state, &mut monitor.yielded);
         connector_log::note_preload(model, state, &mut monitor.connectors);
-        monitor.note_start(model, state);
+        monitor.open_reactions(reactions, state.time);
         monitor
     }
 
     /// Whether it has the shape of another monitor of the same model, and points at nothing that is not there.
     pub fn fits(&self, other: &Self, model: &Model) -> bool {
         let shape = |m: &Self| {
-            let points = [m.start.points.len(), m.points.len()];
-            (points, m.supports.len(), [m.yielded.len(), m.connectors.len(), m.joints.len()])
+            let bodies = [m.given.len(), m.struck_masses.len()];
+            let yielding = [m.yielded.len(), m.connectors.len(), m.joints.len()];
+            (m.points.len(), m.supports.len(), bodies, yielding)
         };
-        let reacted = self.reacted.iter().flatten().all(|support| *support < self.supports.len());
+        let reacted = self.reactions.fits(model.supports.len())
+            && self.reacted.iter().flatten().all(|support| *support < self.supports.len());
         let stop = |m: &Self| m.supports.iter().map(|s| s.touches.is_some()).collect::<Vec<_>>();
         shape(self) == shape(other)
             && reacted
@@ -164,34 +128,13 @@ impl Monitor {
             && self.contacts.fits(&other.contacts, model)
     }
 
-    /// Notes the start of a step that stands solved in `work`.
-    pub(super) fn begin_step(
-        &mut self,
-        model: &Model,
-        state: &State,
-        work: &Workspace,
-        step: &Solved,
-    ) {
-        self.note_start(model, state);
-        self.contacts.begin_step(state, work);
-        self.jumps = step.impulsive || step.strikes(state, work);
-        if !self.jumps {
-            let Solved { rule, forcing, .. } = *step;
-            let acting = Acting {
-                state,
-                increment: &work.increment,
-                rule: &rule,
-                beams: &work.beams,
-                forcing,
-            };
+    /// Takes the section forces over a part that stands solved, where the state stands at its start.
+    pub fn measure_lines(&mut self, model: &Model, state: &State, solved: &Solved) {
+        if !solved.jumps {
+            let PartSolution { work, forcing, .. } = &*solved.solution;
+            let (rule, beams) = (&solved.rule, &work.beams);
+            let acting = Acting { state, increment: &work.increment, rule, beams, forcing };
             self.lines.set(model, &acting, contact_forces(work, rule.h));
-        }
-    }
-
-    fn note_start(&mut self, model: &Model, state: &State) {
-        self.start.time = state.time;
-        for (start, p) in self.start.points.iter_mut().zip(&model.points) {
-            *start = [p.value(&state.displacement), p.value(&state.velocity)];
         }
     }
 
@@ -201,38 +144,52 @@ impl Monitor {
         &self.lines
     }
 
-    /// Takes in the end of a step.
-    pub(super) fn end_step(
-        &mut self,
-        model: &Model,
-        state: &State,
-        work: &Workspace,
-        part: &PartEnd,
-    ) {
-        let h = part.trial.h;
-        if !part.impulsive {
-            self.reactions(state, h);
+    /// Takes in a part of a step.
+    pub fn take(&mut self, part: &Accepted<'_>) {
+        let (model, state, solved) = (part.model, part.after, part.solved);
+        if !solved.impulsive {
+            self.take_reactions(state, solved.trial.h);
         }
-        if !self.jumps {
+        if !solved.jumps {
             section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
         yielding::note(model, state, &mut self.yielded);
         yielding::note_parted(model, state.time, part.parted, &mut self.yielded);
         connector_log::note(model, state, &mut self.connectors);
-        self.contacts.end_step(model, state, work, part);
-        for (k, p) in model.points.iter().enumerate() {
+        joint_log::note(model, state.time, &solved.joint_loads, &mut self.joints);
+        struck_mass::weigh(&mut self.struck_masses, part);
+        self.contacts.take(part);
+        self.reactions.take(part);
+        for (body, given) in model.striking_bodies().zip(&mut self.given) {
+            given.take(model.body_node(body), part);
+        }
+        if let Some(contacts) = solved.shared {
+            self.shared_blows.take(part.before().time, contacts);
+        }
+        self.take_points(part);
+        self.audit(&state.ledger, part.measures);
+    }
+
+    fn take_points(&mut self, part: &Accepted<'_>) {
+        let (state, start) = (part.after, part.before());
+        let h = part.solved.trial.h;
+        for (k, p) in part.model.points.iter().enumerate() {
             let (u, v) = (p.value(&state.displacement), p.value(&state.velocity));
-            let [u0, v0] = self.start.points[k];
+            let [u0, v0] = start.points[k];
             for c in 0..2 {
-                let from = self.start.time;
                 let path = Interpolant { h, start: [u0[c], v0[c]], end: [u[c], v[c]] };
-                self.points[k][c].take(&path, from, part.impulsive);
+                self.points[k][c].take(&path, start.time, part.solved.impulsive);
             }
         }
     }
 
+    /// Tells forces and impulses of supports apart, up to where the state stands.
+    pub fn settle(&mut self, state: &State) {
+        self.reactions.settle(state, &mut self.supports);
+    }
+
     /// Takes the reactions at the start into the extremes.
-    pub fn open_reactions(&mut self, reactions: &[[f64; 3]], time: f64) {
+    fn open_reactions(&mut self, reactions: &[[f64; 3]], time: f64) {
         for (summary, [f1, f2, moment]) in self.supports.iter_mut().zip(reactions) {
             summary.force[0].take(*f1, time);
             summary.force[1].take(*f2, time);
@@ -240,7 +197,7 @@ impl Monitor {
         }
     }
 
-    fn reactions(&mut self, state: &State, h: f64) {
+    fn take_reactions(&mut self, state: &State, h: f64) {
         let list = state.reacting.list();
         let mut take = |support: usize, mean: [f64; 3]| {
             let summary = &mut self.supports[support];
@@ -265,7 +222,7 @@ impl Monitor {
     }
 
     /// Takes the measures of a new state into the largest residuals.
-    pub fn audit(&mut self, ledger: &Ledger, m: &Measures) {
+    fn audit(&mut self, ledger: &Ledger, m: &Measures) {
         let came =
             ledger.energy_initial.abs() + ledger.work_loads.abs() + ledger.work_supports.abs();
         self.energy_came = self.energy_came.max(came);

@@ -1,12 +1,12 @@
 //! Beams that part at the end of a step: what touched there touches no more.
 
-use super::simulation::Simulation;
+use super::accept::Acceptance;
 use crate::contact::search::Search;
 use crate::geometry::touch::Reach;
 use crate::model::TouchLaw;
 use crate::step::fibres::PartedElement;
 
-impl Simulation<'_> {
+impl Acceptance<'_> {
     /// Takes elements that have parted out of what can be touched; returns the pairs that this has moved apart. What contact forces
     /// stored there is lost with them.
     pub(super) fn part(&mut self, parted: &[PartedElement]) -> Vec<usize> {
@@ -18,8 +18,8 @@ impl Simulation<'_> {
         }
         let before: Vec<f64> = self.state.pairs.iter().map(|pair| pair.gap).collect();
         let pressed = self.stored_in_contacts();
-        self.search = Search::new(self.model);
-        self.search.see(self.model, &mut self.state, Reach::All);
+        self.solver.search = Search::new(self.model);
+        self.solver.search.see(self.model, self.state, Reach::All);
         self.state.ledger.loss_failure += pressed - self.stored_in_contacts();
         let now = self.state.pairs.iter().map(|pair| pair.gap);
         now.zip(before).enumerate().filter(|(_, (now, was))| now != was).map(|(i, _)| i).collect()

@@ -1,6 +1,6 @@
 //! Whether a pair has passed through each other within a part of a step, unseen at its ends.
 
-use super::simulation::Simulation;
+use super::solver::Solving;
 use crate::geometry::pair::Memory;
 use crate::geometry::touch::Reach;
 use crate::step::newton::Failure;
@@ -11,7 +11,7 @@ const LOOKS: usize = 200;
 /// no deeper than about a thousandth of that distance.
 const GRAZE: f64 = 0.1;
 
-impl Simulation<'_> {
+impl Solving<'_> {
     /// Fails if a smooth pair has passed through unseen.
     pub(super) fn smooth_passage(&mut self) -> Result<(), Failure> {
         let reached = self.encounters.reached.iter().copied();
@@ -26,9 +26,8 @@ impl Simulation<'_> {
         let mut first: Option<f64> = None;
         for &i in pairs {
             if let Some((share, memory)) = self.passage(i) {
-                let seen = &mut self.state.pairs[i].memory;
-                if seen.side == 0.0 {
-                    seen.side = memory.side;
+                if self.seen(i).memory.side == 0.0 {
+                    self.encounters.sight_mut(self.state, i).memory.side = memory.side;
                 }
                 first = Some(first.map_or(share, |f| f.min(share)));
             }
@@ -39,7 +38,7 @@ impl Simulation<'_> {
     /// Follows pair `i` along the straight path of the step, never further than it is apart.
     fn passage(&self, i: usize) -> Option<(f64, Memory)> {
         let pair = &self.model.pairs[i];
-        let seen = &self.state.pairs[i];
+        let seen = self.seen(i);
         if !pair.target.has_sides() || seen.gap <= 0.0 || seen.gap.is_nan() {
             return None;
         }

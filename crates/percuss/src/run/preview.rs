@@ -56,13 +56,13 @@ pub fn preview(
         if run.advance(&mut limit).is_err() {
             break;
         }
-        match run.first_intervals()[contact] {
+        match first_intervals(&run)[contact] {
             Some([_, end]) if run.state().time > end + settings.step => break,
             None if run.state().time >= settings.end => break,
             _ => (),
         }
     }
-    let first = run.first_intervals();
+    let first = first_intervals(&run);
     Some(Preview {
         step: settings.step,
         time: run.state().time,
@@ -71,14 +71,12 @@ pub fn preview(
     })
 }
 
-impl Simulation<'_> {
-    fn first_intervals(&self) -> Vec<Option<[f64; 2]>> {
-        let records = self.monitor.contacts.records.iter();
-        let each = records.map(|record| {
-            let (ContactRecord::Smooth { intervals, .. }
-            | ContactRecord::Nonsmooth { intervals, .. }) = record;
-            intervals.first().map(|one| [one.start, one.end])
-        });
-        each.collect()
-    }
+fn first_intervals(run: &Simulation<'_>) -> Vec<Option<[f64; 2]>> {
+    let records = run.monitor.contacts.records.iter();
+    let each = records.map(|record| {
+        let (ContactRecord::Smooth { intervals, .. } | ContactRecord::Nonsmooth { intervals, .. }) =
+            record;
+        intervals.first().map(|one| [one.start, one.end])
+    });
+    each.collect()
 }

@@ -1,21 +1,11 @@
 //! What leaves a run while it steps: rows of channels, handed to a [`Recorder`].
 
+use super::channels::Channel;
 use super::checkpoint::Checkpoint;
 use super::status::RunStatus;
 use crate::error::RecorderError;
 use crate::frame::Frame;
 use crate::state::State;
-
-/// A column of the history.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Channel {
-    /// Name in the form `<kind>.<name>.<quantity>`, for instance `projectile.mass.velocity_2`.
-    pub name: String,
-    /// Unit in plain ASCII: `m`, `m/s`, `N`, `N*s`, `J`, `kg*m/s`, `1/m`, `s`, or `1`.
-    pub unit: &'static str,
-    /// One sentence that says what the column holds.
-    pub description: String,
-}
 
 /// Whether a run goes on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,10 +6,10 @@
 //! symmetric stays so. Each impact obeys the law of its contact, friction included, and its work enters the balance as that of any other.
 //! What is left, next to nothing, or a sequence that does not end, is settled at once and without restitution.
 
+use super::budget::Part;
 use super::contact_status::STICK;
-use super::simulation::Simulation;
-use super::step::Part;
-use super::trial::{PartKind, Trial};
+use super::solver::Solving;
+use super::trial::{PartKind, Sequence, Trial};
 use crate::step::contacts::Phase;
 use crate::step::newton::Failure;
 
@@ -20,20 +20,7 @@ const MOST_IMPACTS: usize = 1000;
 /// What changes the velocity of a contact by less than this share of its own impulse's is no part of its blow.
 const COUPLED: f64 = 0.01;
 
-/// A sequence of impacts under way.
-#[derive(Clone, Debug)]
-pub struct Sequence {
-    /// Length of an impact interval \[s\].
-    interval: f64,
-    /// Contacts that take part: those that touched at its beginning, and those that rested, shape (such contacts) \[index of a pair\].
-    members: Vec<usize>,
-    /// What approaches slower than this has no impact of its own \[m/s\].
-    least: f64,
-    /// Impacts that it may still have.
-    left: usize,
-}
-
-impl Simulation<'_> {
+impl Solving<'_> {
     /// The first impact of a sequence: that of the contact which approaches fastest. All at once if nothing bounces.
     pub(super) fn strike_fastest(
         &mut self,
@@ -107,11 +94,11 @@ impl Simulation<'_> {
         self.solve_impact(sequence.interval, active, PartKind::EndOfSequence).map(Some)
     }
 
-    /// Counts the impact solved last if bodies that touch shared it: if impulses elsewhere changed the velocity of a contact that
+    /// Two contacts of the impact solved last if bodies that touch shared it: if impulses elsewhere changed the velocity of one that
     /// bounces.
-    pub(super) fn note_shared_blow(&mut self, trial: &Trial) {
+    pub(super) fn shared_blow(&self, trial: &Trial) -> Option<[usize; 2]> {
         if !matches!(trial.kind, PartKind::Impact | PartKind::TimeStepping { .. }) {
-            return;
+            return None;
         }
         let active = &trial.active;
         let (problem, m) = (&self.work.impact, 2 * active.len());
@@ -131,15 +118,9 @@ impl Simulation<'_> {
             contact(a) != contact(b) && other.abs() > COUPLED * own
         };
         let all = 0..active.len();
-        let pair = all.clone().filter(|a| bounces(*a)).find_map(|a| {
+        all.clone().filter(|a| bounces(*a)).find_map(|a| {
             let other = all.clone().find(|b| shares(a, *b))?;
             Some([contact(a), contact(other)])
-        });
-        let Some(contacts) = pair else { return };
-        let shared = &mut self.shared_blows;
-        if shared.count == 0 {
-            (shared.first, shared.contacts) = (self.state.time, contacts);
-        }
-        shared.count += 1;
+        })
     }
 }

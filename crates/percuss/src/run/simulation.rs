@@ -1,15 +1,19 @@
 //! A transient run: what it consists of, how it is set up, the loop over its steps.
 
-use super::channels;
+use super::channels::{self, Channel};
+use super::checkpoint::{Checkpoint, ResumeError};
 use super::frame::Frames;
-use super::given::Given;
 use super::jumps;
 use super::monitor::Monitor;
-use super::record::{Channel, Flow, Recorder};
+use super::record::{Flow, Recorder};
 use super::rows::Rows;
-use super::solve::Encounters;
-use super::start::{Initial, initial_state, massless};
+use super::solver::{Solver, Standing};
+use super::start::{
+    Initial, initial_acceleration, initial_state, massless, reverse, set_velocities, start_moving,
+};
+use super::status::RunStatus;
 use super::step_size::StepSizeControl;
+use super::summarize::{Ended, summarize};
 use crate::analysis::damped_modes::{modal_damping, undampable};
 use crate::analysis::static_contacts::takes_part;
 use crate::contact::search::Search;
@@ -19,17 +23,11 @@ use crate::geometry::touch::Reach;
 use crate::ledger::{Ledger, Measures, RoundOff};
 use crate::model::frozen::ContactData;
 use crate::model::{Fault, Model};
-use crate::settings::{ImpactResolution, Settings, Start};
+use crate::settings::{ImpactResolution, SAME_INSTANT, Settings, Start};
 use crate::state::State;
-use crate::step::effective_mass::EffectiveMass;
-use crate::step::forcing::Forcing;
-use crate::step::modal_damping::ModalDamping;
+use crate::step::commit;
 use crate::step::newton::Effort;
-use crate::step::workspace::Workspace;
-use crate::summary::{RunSummary, SharedBlows, Termination};
-
-/// Energy out of nothing at which a run ends, beside what was there at the start or was put in.
-const MOST_MADE: f64 = 10.0;
+use crate::summary::{RunSummary, Termination};
 
 /// A transient analysis in progress.
 ///
@@ -52,44 +50,18 @@ pub struct Simulation<'m> {
     pub(super) model: &'m Model,
     pub(super) settings: Settings,
     pub(super) state: State,
-    /// The size of steps, where an accuracy is asked for in place of one.
-    pub(super) step_size: Option<StepSizeControl>,
     /// Energies and momenta of the state.
     pub(super) measures: Measures,
-
-    // The part of a step solved last.
-    pub(super) work: Workspace,
-    pub(super) forcing: Forcing,
-    pub(super) encounters: Encounters,
-    /// Which pairs are near.
-    pub(super) search: Search,
-
-    // What follows from model and settings.
-    pub(super) damping: ModalDamping,
-    /// Times at which steps are cut, increasing, shape (cuts) \[s\].
-    pub(super) cuts: Vec<f64>,
-    /// Size of the structure \[m\].
-    pub(super) size: f64,
-    /// What positions are as large as \[m\].
-    pub(super) positions: f64,
-    /// Contacts that press in the equilibrium the run started from, with their forces, shape (such contacts) \[N\]; empty otherwise.
-    pub(super) pressed: Vec<(Row, f64)>,
-
-    // What the summary, rows and frames tell.
+    /// What solves parts of steps.
+    pub(super) solver: Solver,
+    /// The size of steps, where an accuracy is asked for in place of one.
+    pub(super) step_size: Option<StepSizeControl>,
+    /// What the summary tells.
     pub(super) monitor: Monitor,
-    pub(super) effort: Effort,
-    /// Solutions of parts of steps, trials of the root searches for impacts included.
-    pub(super) solver_steps: usize,
-    pub(super) step_cuts: usize,
-    pub(super) accumulated_steps: usize,
-    /// What striking bodies gave through contacts, shape (striking bodies).
-    pub(super) given: Vec<Given>,
-    /// Effective masses of the beams of each contact, once it has struck under a rigid law, shape (contacts).
-    pub(super) struck_masses: Vec<Option<EffectiveMass>>,
-    /// Impacts so far that several touching bodies shared.
-    pub(super) shared_blows: SharedBlows,
     pub(super) rows: Rows,
     pub(super) frames: Frames,
+    /// Contacts that press in the equilibrium the run started from, with their forces, shape (such contacts) \[N\]; empty otherwise.
+    pub(super) pressed: Vec<(Row, f64)>,
 }
 
 impl<'m> Simulation<'m> {
@@ -128,52 +100,58 @@ impl<'m> Simulation<'m> {
             model,
             settings: *settings,
             measures: Measures::default(),
+            solver: Solver::new(model, jumps::cuts(model, settings.step)),
             step_size: None,
-            work: Workspace::new(model),
-            forcing: Forcing::new(model),
-            encounters: Encounters::default(),
-            search: Search::new(model),
-            damping: ModalDamping::default(),
-            cuts: jumps::cuts(model, settings.step),
-            size: model.extent(),
-            positions: model.position_scale(),
-            monitor: Monitor::new(model, &state, &pressed),
-            effort: Effort::default(),
-            solver_steps: 0,
-            step_cuts: 0,
-            accumulated_steps: 0,
-            given: vec![Given::default(); model.striking_bodies().count()],
-            struck_masses: vec![None; model.contacts.len()],
-            shared_blows: SharedBlows::default(),
-            rows: Rows::new(model, reactions),
+            monitor: Monitor::new(model, &state, &pressed, &reactions),
+            rows: Rows::new(model),
             frames: Frames::default(),
             state,
             pressed,
         };
-        simulation.start_moving();
+        start_moving(model, settings.step, &mut simulation.state);
         simulation.open();
         Ok(simulation)
     }
 
-    pub(super) fn open(&mut self) {
-        self.steer_obstacles();
-        self.search = Search::new(self.model);
-        self.search.see(self.model, &mut self.state, Reach::All);
-        if self.settings.scheme.advances_accelerations() {
-            self.initial_acceleration();
+    fn open(&mut self) {
+        let (model, settings, state) = (self.model, &self.settings, &mut self.state);
+        commit::steer_obstacles(model, state, settings.step);
+        self.solver.search = Search::new(model);
+        self.solver.search.see(model, state, Reach::All);
+        if settings.scheme.advances_accelerations() {
+            initial_acceleration(model, settings.step, state, &self.pressed);
         }
-        self.damping = modal_damping(self.model, &self.state);
-        self.take_measures();
-        let round_off = RoundOff::new(self.model, self.settings.step);
-        self.state.ledger = Ledger::open(&self.measures, &round_off);
-        self.monitor = Monitor::new(self.model, &self.state, &self.pressed);
-        self.monitor.open_reactions(self.rows.reactions.mean(), self.state.time);
+        self.solver.damping = modal_damping(model, state);
+        self.measures = self.solver.measures(model, state);
+        let round_off = RoundOff::new(model, settings.step);
+        state.ledger = Ledger::open(&self.measures, &round_off);
+        self.monitor = Monitor::new(model, state, &self.pressed, self.monitor.reactions.mean());
         self.rows.time = f64::NEG_INFINITY;
-        self.step_size = StepSizeControl::new(self.model, &self.settings, &self.state);
-        self.state.pairs.iter_mut().for_each(|pair| pair.closed = false);
-        if self.settings.impacts == ImpactResolution::Event {
-            self.close_at_rest();
+        self.step_size = StepSizeControl::new(model, settings, state);
+        state.pairs.iter_mut().for_each(|pair| pair.closed = false);
+        if settings.impacts == ImpactResolution::Event {
+            let at_rest = self.solver.at_rest(Standing { model, settings, state });
+            at_rest.into_iter().for_each(|pair| state.pairs[pair].closed = true);
         }
+    }
+
+    /// The solver, and what it sees.
+    pub(super) fn solver(&mut self) -> (&mut Solver, Standing<'_>) {
+        let Self { model, settings, state, solver, .. } = self;
+        (solver, Standing { model, settings, state })
+    }
+
+    /// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
+    /// of a rigid motion between neighbouring nodes. Opens the ledger anew.
+    pub fn set_velocities(&mut self, velocity: impl Fn(&str, [f64; 2]) -> [f64; 2]) {
+        set_velocities(self.model, self.settings.step, &mut self.state, velocity);
+        self.open();
+    }
+
+    /// Turns every velocity round: without losses the motion runs back. Opens the ledger anew.
+    pub fn reverse(&mut self) {
+        reverse(&mut self.state);
+        self.open();
     }
 
     /// The state reached.
@@ -188,7 +166,7 @@ impl<'m> Simulation<'m> {
 
     /// Newton iterations and factorisations so far.
     pub fn effort(&self) -> Effort {
-        self.effort
+        self.solver.counts.effort
     }
 
     /// Columns of the history.
@@ -221,7 +199,16 @@ impl<'m> Simulation<'m> {
     /// Runs to the end.
     pub fn run(mut self, recorder: &mut dyn Recorder) -> RunSummary {
         let termination = self.run_steps(recorder);
-        self.summary(termination)
+        let Self { model, settings, state, measures, solver, step_size, monitor, rows, .. } = self;
+        let run = Ended {
+            at: Standing { model, settings: &settings, state: &state },
+            measures: &measures,
+            counts: solver.counts,
+            rows: rows.count,
+            step_control: step_size.as_ref().map(StepSizeControl::told),
+            monitor,
+        };
+        summarize(run, termination)
     }
 
     fn run_steps(&mut self, recorder: &mut dyn Recorder) -> Termination {
@@ -263,6 +250,88 @@ impl<'m> Simulation<'m> {
         Termination::Completed
     }
 
+    /// Hands a row to the recorder, unless this instant has one: an impact at the very end of a step has left it already.
+    pub(super) fn record(&mut self, recorder: &mut dyn Recorder) -> Result<(), Error> {
+        let Self { model, state, measures, solver, monitor, rows, frames, .. } = self;
+        if state.time <= rows.time {
+            return Ok(());
+        }
+        let iterations = rows.begin(state.time, solver.counts.effort.iterations);
+        monitor.settle(state);
+        monitor.reactions.close();
+        recorder.state(state);
+        let (contact, impulsive) = frames.contact();
+        if recorder.wants_frame(state.time, contact, impulsive) {
+            recorder.frame(&frames.frame(model, state, monitor.lines()));
+        }
+        if recorder.wants_rows() {
+            let seen = (*model, &*state, &*measures);
+            let values = rows.values(seen, &solver.search, monitor, iterations);
+            recorder.row(values).map_err(Error::recorder)?;
+        }
+        rows.end();
+        Ok(())
+    }
+
+    /// What the run has done so far.
+    pub fn status(&self) -> RunStatus<'_> {
+        let at = Standing { model: self.model, settings: &self.settings, state: &self.state };
+        RunStatus::of(at, &self.monitor.contacts, self.solver.counts.effort.iterations)
+    }
+
+    /// Takes a checkpoint. It tells of the run as it is, between two steps.
+    pub fn checkpoint(&self) -> Checkpoint {
+        // Every field is named, so that none is forgotten when one is added.
+        let Self {
+            state,
+            measures,
+            solver,
+            step_size,
+            monitor,
+            rows,
+            frames,
+            // These follow from model and settings.
+            model: _,
+            settings: _,
+            pressed: _,
+        } = self;
+        Checkpoint {
+            state: state.clone(),
+            measures: *measures,
+            step_size: step_size.clone(),
+            counts: solver.counts,
+            search: solver.search.clone(),
+            ties: solver.ties(),
+            monitor: monitor.clone(),
+            rows: rows.clone(),
+            frames: frames.clone(),
+        }
+    }
+
+    /// A run that goes on from a checkpoint, to the end of the settings, which may lie later than when it was taken: rows and
+    /// summary are those of a run that was never interrupted, bit for bit. All else in the settings must be as it was.
+    ///
+    /// # Errors
+    /// Every fault of the settings; a checkpoint that does not belong to the model.
+    pub fn resume(
+        model: &'m Model,
+        settings: &Settings,
+        checkpoint: Checkpoint,
+    ) -> Result<Self, ResumeError> {
+        let mut run = Self::new(model, settings).map_err(ResumeError::Faults)?;
+        let beyond = match checkpoint.step_size {
+            Some(_) => checkpoint.time() > settings.end * (1.0 + SAME_INSTANT),
+            None => checkpoint.step() > run.step_count(),
+        };
+        if beyond || !checkpoint.fits(&run.checkpoint(), model) {
+            return Err(ResumeError::Foreign);
+        }
+        let Checkpoint { state, measures, step_size, counts, search, ties, monitor, rows, frames } =
+            checkpoint;
+        run.solver.resume(model, counts, search, &ties);
+        Ok(Self { state, measures, step_size, monitor, rows, frames, ..run })
+    }
+
     /// Hands the pace to a recorder that wants it.
     fn tell_pace(&self, recorder: &mut dyn Recorder) {
         if recorder.wants_status() {
@@ -277,30 +346,6 @@ impl<'m> Simulation<'m> {
             false => Ok(()),
         }
     }
-
-    /// Ends a run whose scheme makes energy out of nothing. What conserves it never comes near: its residual is round-off beside the
-    /// largest energy so far.
-    pub(super) fn refuse_growth(&self) -> Result<(), Error> {
-        let ledger = &self.state.ledger;
-        let (made, came) = (ledger.energy_residual(&self.measures), self.monitor.energy_came);
-        let grown = made > MOST_MADE * came && made > 0.5 * ledger.energy_scale;
-        if grown || made == f64::INFINITY {
-            return Err(Error::grown(self.state.time, made, came));
-        }
-        Ok(())
-    }
-
-    fn take_measures(&mut self) {
-        let (awake, sweep) = (self.search.awake(), &mut self.work.beams.sweep);
-        self.measures = Measures::of(self.model, &self.state, awake, sweep);
-    }
-
-    /// Measures the new state; follows every accepted step.
-    pub(super) fn measure(&mut self) {
-        self.take_measures();
-        self.state.ledger.rescale(&self.measures);
-        self.monitor.audit(&self.state.ledger, &self.measures);
-    }
 }
 
 /// Simulates `model` under `settings`, handing rows to `recorder`.
@@ -313,4 +358,15 @@ pub fn simulate(
     recorder: &mut dyn Recorder,
 ) -> Result<RunSummary, Vec<Fault>> {
     Ok(Simulation::new(model, settings)?.run(recorder))
+}
+
+/// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
+///
+/// # Errors
+/// What overlaps.
+pub fn reference_state(model: &Model) -> Result<State, Vec<Fault>> {
+    let mut state = Simulation::about(model, &Settings::new(1.0, 1.0))?.state().clone();
+    state.velocity.fill([0.0; 4]);
+    state.spin.iter_mut().for_each(|spin| spin.fill(0.0));
+    Ok(state)
 }

@@ -1,13 +1,11 @@
 //! Solving a part of a step: with the pairs that could touch, and again where it brought others near.
 
-use super::simulation::Simulation;
+use super::solver::Solving;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Target};
 use crate::geometry::touch::Reach;
 use crate::model::TouchLaw;
-use crate::settings::Scheme;
-use crate::step::contacts::{ActiveContact, IMPULSIVE, ImpulseLaw, Phase};
-use crate::step::integration::Integration;
+use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
 use crate::step::newton::{Failure, StepProblem};
 use crate::step::workspace::Workspace;
 
@@ -37,28 +35,18 @@ impl Attempt {
     }
 }
 
-/// Pairs of the part of a step solved last.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Encounters {
-    /// Those taken into it, shape (such pairs) \[index of a pair\].
-    pub near: Vec<usize>,
-    /// Those that its motion brought within reach of each other, shape (such pairs) \[index of a pair\].
-    pub reached: Vec<usize>,
-    /// Sleeping ones that were looked at on that account, shape (such pairs) \[index of a pair\].
-    pub looked: Vec<usize>,
-}
-
-impl Simulation<'_> {
+impl Solving<'_> {
     /// Solves a part of a step without accepting it.
     pub(super) fn solve(
         &mut self,
         attempt: &Attempt,
         active: &[ActiveContact],
     ) -> Result<(), Failure> {
-        self.solver_steps += 1;
+        self.counts.solver_steps += 1;
         let h = attempt.h;
         let (time, step) = (self.state.time, self.settings.step);
-        let theta = self.integration(attempt).theta();
+        let integration = self.integration(h, attempt.jumps);
+        let theta = integration.theta();
         self.forcing.set(self.model, (time, h, theta), step, &self.state.followed);
         self.forcing.part(self.model, &self.state.joints_parted);
         if attempt.jumps {
@@ -70,20 +58,21 @@ impl Simulation<'_> {
         loop {
             let problem = StepProblem {
                 model: self.model,
-                state: &self.state,
-                integration: self.integration(attempt),
-                forcing: &self.forcing,
-                damping: &self.damping,
+                state: self.state,
+                integration,
+                forcing: self.forcing,
+                damping: self.damping,
                 size: self.size,
                 positions: self.positions,
                 near: &self.encounters.near,
+                sights: &self.encounters.sights,
                 active,
                 law: attempt.law,
                 feedback: (h / self.settings.step).min(1.0),
                 arcs: self.search.arcs(),
                 reach,
             };
-            let solved = problem.solve(&mut self.work, &mut self.effort);
+            let solved = problem.solve(self.work, &mut self.counts.effort);
             if reach == Reach::Near && !self.closest_points_stand() {
                 reach = Reach::All;
                 continue;
@@ -121,25 +110,13 @@ impl Simulation<'_> {
         }
     }
 
-    /// The scheme on a part; accelerations know no impulses, so jumps of velocity are made by the midpoint rule.
-    pub(super) fn integration(&self, attempt: &Attempt) -> Integration {
-        let by_midpoint = attempt.jumps && self.settings.scheme.advances_accelerations();
-        let scheme = if by_midpoint { Scheme::Midpoint } else { self.settings.scheme };
-        Integration::new(scheme, attempt.h)
-    }
-
-    /// Whether a part is as short as an impact.
-    pub(super) fn is_impulsive(&self, h: f64) -> bool {
-        h < IMPULSIVE * self.settings.step
-    }
-
-    /// Looks at a pair that still sleeps, where the state stands. It has not touched since it fell asleep, so it is on the side
-    /// where it is seen.
+    /// Looks at a pair that still sleeps, where the state stands.
     fn look(&mut self, i: usize) {
-        if self.search.awake().binary_search(&i).is_err() && !self.encounters.looked.contains(&i) {
-            self.state.pairs[i].memory.side = 0.0;
-            self.state.see(self.model, i, Reach::All);
-            self.encounters.looked.push(i);
+        let sights = &mut self.encounters.sights;
+        if self.search.awake().binary_search(&i).is_err()
+            && let Err(k) = sights.binary_search_by_key(&i, |sight| sight.0)
+        {
+            sights.insert(k, (i, self.state.woken(self.model, i)));
         }
     }
 
@@ -161,7 +138,7 @@ impl Simulation<'_> {
     fn closest_points_stand(&self) -> bool {
         let (at, smooth) = (self.end_of_step(), &self.work.smooth);
         let stands = |i: usize| {
-            let (pair, seen) = (&self.model.pairs[i], &self.state.pairs[i]);
+            let (pair, seen) = (&self.model.pairs[i], self.seen(i));
             match smooth.binary_search_by_key(&i, |c| c.pair) {
                 // A closest point that is not followed to the end of the step was not looked for either.
                 Ok(k) => smooth[k].end.is_none_or(|end| {
@@ -191,7 +168,7 @@ impl Simulation<'_> {
 
     /// The end of the step solved last.
     pub(super) fn end_of_step(&self) -> Configuration<'_> {
-        let Workspace { increment, arcs, .. } = &self.work;
+        let Workspace { increment, arcs, .. } = &*self.work;
         self.state.configuration_after(increment, arcs)
     }
 
@@ -199,7 +176,7 @@ impl Simulation<'_> {
     pub(super) fn gap_next(&self, h: f64, i: usize) -> [f64; 2] {
         let (pair, d) = (&self.model.pairs[i], &self.work.increment);
         let at = self.end_of_step();
-        let seen = &self.state.pairs[i];
+        let seen = self.seen(i);
         let Some(touch) = pair.at_end(self.model, &at, &seen.memory, seen.gap) else {
             return [f64::INFINITY, 0.0];
         };

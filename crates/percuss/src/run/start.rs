@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use super::jumps;
-use super::simulation::Simulation;
 use crate::analysis::static_search::{stored_strains, unbalanced_forces};
 use crate::analysis::{equilibrium, mechanisms};
 use crate::error::Error;
@@ -14,171 +13,155 @@ use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
 use crate::step::effective_mass;
+use crate::step::forcing::Forcing;
+use crate::step::tangent::project_node;
 use crate::step::{commit, fibres, lead};
 
-/// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
-///
-/// # Errors
-/// What overlaps.
-pub fn reference_state(model: &Model) -> Result<State, Vec<Fault>> {
-    let mut state = Simulation::about(model, &Settings::new(1.0, 1.0))?.state().clone();
-    state.velocity.fill([0.0; 4]);
-    state.spin.iter_mut().for_each(|spin| spin.fill(0.0));
-    Ok(state)
+/// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
+/// of a rigid motion between neighbouring nodes. Steps have the size `step`.
+pub fn set_velocities(
+    model: &Model,
+    step: f64,
+    state: &mut State,
+    velocity: impl Fn(&str, [f64; 2]) -> [f64; 2],
+) {
+    for beam in &model.beams {
+        for span in &model.spans[beam.spans.clone()] {
+            for n in span.nodes.clone() {
+                let x = |k: usize| model.nodes[k].position;
+                let v = velocity(&beam.name, x(n));
+                let (a, b) = if n + 1 < span.nodes.end { (n, n + 1) } else { (n - 1, n) };
+                let (va, vb) = (velocity(&beam.name, x(a)), velocity(&beam.name, x(b)));
+                let l = span.stations[b - span.nodes.start] - span.stations[a - span.nodes.start];
+                let target = &mut state.velocity[n];
+                *target = [v[0], v[1], (vb[0] - va[0]) / l, (vb[1] - va[1]) / l];
+            }
+        }
+    }
+    settle_velocities(model, step, state);
 }
 
-impl Simulation<'_> {
-    /// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
-    /// of a rigid motion between neighbouring nodes. Opens the ledger anew.
-    pub fn set_velocities(&mut self, velocity: impl Fn(&str, [f64; 2]) -> [f64; 2]) {
-        for beam in &self.model.beams {
-            for span in &self.model.spans[beam.spans.clone()] {
-                for n in span.nodes.clone() {
-                    let x = |k: usize| self.model.nodes[k].position;
-                    let v = velocity(&beam.name, x(n));
-                    let (a, b) = if n + 1 < span.nodes.end { (n, n + 1) } else { (n - 1, n) };
-                    let (va, vb) = (velocity(&beam.name, x(a)), velocity(&beam.name, x(b)));
-                    let l =
-                        span.stations[b - span.nodes.start] - span.stations[a - span.nodes.start];
-                    let target = &mut self.state.velocity[n];
-                    *target = [v[0], v[1], (vb[0] - va[0]) / l, (vb[1] - va[1]) / l];
-                }
-            }
-        }
-        self.settle_velocities();
-        self.open();
+/// Gives beams and masses the rigid motion of the model, about the configuration they stand in.
+pub fn start_moving(model: &Model, step: f64, state: &mut State) {
+    if model.is_still() {
+        return;
     }
+    move_nodes(model, state, 0..model.beam_node_count(), &model.initial_motion);
+    for (nodes, motion) in &model.own_motions {
+        move_nodes(model, state, nodes.clone(), motion);
+    }
+    if !model.own_motions.is_empty() && !model.constraints.is_empty() {
+        join_velocities(model, state);
+    }
+    settle_velocities(model, step, state);
+}
 
-    /// Gives beams and masses the rigid motion of the model, about the configuration they stand in.
-    pub(super) fn start_moving(&mut self) {
-        let model = self.model;
-        if model.is_still() {
-            return;
-        }
-        self.move_nodes(0..model.beam_node_count(), &model.initial_motion);
-        for (nodes, motion) in &model.own_motions {
-            self.move_nodes(nodes.clone(), motion);
-        }
-        if !model.own_motions.is_empty() && !model.constraints.is_empty() {
-            self.join_velocities();
-        }
-        self.settle_velocities();
+fn move_nodes(model: &Model, state: &mut State, range: Range<usize>, motion: &InitialMotion) {
+    let nodes = model.nodes[range.clone()].iter();
+    let both = nodes.zip(&state.displacement[range.clone()]);
+    for ((node, u), v) in both.zip(&mut state.velocity[range]) {
+        let x = [0, 1].map(|i| node.position[i] + u[i] - motion.about[i]);
+        let g = [0, 1].map(|i| node.tangent[i] + u[2 + i]);
+        let (x, g) = (scale(motion.spin, rot90(x)), scale(motion.spin, rot90(g)));
+        *v = [motion.velocity[0] + x[0], motion.velocity[1] + x[1], g[0], g[1]];
     }
+}
 
-    fn move_nodes(&mut self, range: Range<usize>, motion: &InitialMotion) {
-        let state = &mut self.state;
-        let nodes = self.model.nodes[range.clone()].iter();
-        let both = nodes.zip(&state.displacement[range.clone()]);
-        for ((node, u), v) in both.zip(&mut state.velocity[range]) {
-            let x = [0, 1].map(|i| node.position[i] + u[i] - motion.about[i]);
-            let g = [0, 1].map(|i| node.tangent[i] + u[2 + i]);
-            let (x, g) = (scale(motion.spin, rot90(x)), scale(motion.spin, rot90(g)));
-            *v = [motion.velocity[0] + x[0], motion.velocity[1] + x[1], g[0], g[1]];
-        }
+/// Where joined parts start in motions that their joints do not allow, they take the nearest ones that these do, in the
+/// measure of kinetic energy: those after impulses in the joints.
+fn join_velocities(model: &Model, state: &mut State) {
+    let structure = model.structure();
+    let own = state.of_structure(&structure);
+    let Ok(mut mass) = effective_mass::mass_matrix(&structure, &own.displacement) else {
+        return;
+    };
+    let band = effective_mass::mass_band(&structure, &own.displacement);
+    let mut velocity = band.multiply(&own.velocity);
+    mass.solve_linear(&structure, &mut velocity);
+    for (own, joined) in state.velocity.iter_mut().zip(velocity) {
+        *own = joined;
     }
+}
 
-    /// Where joined parts start in motions that their joints do not allow, they take the nearest ones that these do, in the
-    /// measure of kinetic energy: those after impulses in the joints.
-    fn join_velocities(&mut self) {
-        let model = self.model;
-        let structure = model.structure();
-        let state = self.state.of_structure(&structure);
-        let Ok(mut mass) = effective_mass::mass_matrix(&structure, &state.displacement) else {
-            return;
-        };
-        let band = effective_mass::mass_band(&structure, &state.displacement);
-        let mut velocity = band.multiply(&state.velocity);
-        mass.solve_linear(&structure, &mut velocity);
-        for (own, joined) in self.state.velocity.iter_mut().zip(velocity) {
-            *own = joined;
+fn settle_velocities(model: &Model, step: f64, state: &mut State) {
+    crate::step::tangent::project(model, &mut state.velocity);
+    // What moves at the start has been driven before: held components have the velocities of their motions.
+    for (function, followed) in model.motions.iter().zip(&mut state.followed) {
+        followed.rate = jumps::rate_after(function, 0.0, step);
+    }
+    let beams = model.beam_node_count();
+    for dofs in model.prescribed.iter().filter(|h| h.node < beams) {
+        for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
+            let along: f64 = drive.iter().map(|(m, a)| a * state.followed[*m].rate).sum();
+            (0..4).for_each(|k| state.velocity[dofs.node][k] += along * normal[k]);
         }
     }
+    commit::spin_from_velocity(model, state);
+}
 
-    fn settle_velocities(&mut self) {
-        let (model, state) = (self.model, &mut self.state);
-        crate::step::tangent::project(model, &mut state.velocity);
-        // What moves at the start has been driven before: held components have the velocities of their motions.
-        let step = self.settings.step;
-        for (function, followed) in model.motions.iter().zip(&mut state.followed) {
-            followed.rate = jumps::rate_after(function, 0.0, step);
-        }
-        let beams = model.beam_node_count();
-        for dofs in model.prescribed.iter().filter(|h| h.node < beams) {
-            for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
-                let along: f64 = drive.iter().map(|(m, a)| a * state.followed[*m].rate).sum();
-                (0..4).for_each(|k| state.velocity[dofs.node][k] += along * normal[k]);
-            }
-        }
-        commit::spin_from_velocity(self.model, &mut self.state);
+/// Turns every velocity round, at the beginning of a run.
+pub fn reverse(state: &mut State) {
+    for v in &mut state.velocity {
+        *v = v.map(|c| -c);
     }
+    for w in &mut state.spin {
+        *w = w.map(|c| -c);
+    }
+    for w in &mut state.mass_spin {
+        *w = -*w;
+    }
+    state.step = 0;
+    state.time = 0.0;
+}
 
-    /// Turns every velocity round: without losses the motion runs back. Opens the ledger anew.
-    pub fn reverse(&mut self) {
-        for v in &mut self.state.velocity {
-            *v = v.map(|c| -c);
+/// Accelerations under the loads and stresses of the initial state, in which contacts press with the forces given.
+pub fn initial_acceleration(model: &Model, step: f64, state: &mut State, pressed: &[(Row, f64)]) {
+    let mut forcing = Forcing::new(model);
+    forcing.set(model, (0.0, step, 0.5), step, &state.followed);
+    forcing.set_loads_at(model, 0.0, step);
+    let forcing = &forcing;
+    let (structure, beams) = (model.structure(), model.beam_node_count());
+    let own = state.of_structure(&structure);
+    let Ok(mut mass) = effective_mass::mass_matrix(&structure, &own.displacement) else {
+        return;
+    };
+    let mut force = unbalanced_forces(&structure, &own, forcing);
+    // Prescribed accelerations are taken to the other side.
+    let mut prescribed = vec![[0.0; 4]; beams];
+    for dofs in structure.prescribed.iter() {
+        for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
+            let along = forcing.second_rate_at_start(model, drive, step);
+            (0..4).for_each(|k| prescribed[dofs.node][k] += along * normal[k]);
         }
-        for w in &mut self.state.spin {
-            *w = w.map(|c| -c);
-        }
-        for w in &mut self.state.mass_spin {
-            *w = -*w;
-        }
-        self.state.step = 0;
-        self.state.time = 0.0;
-        self.open();
     }
-
-    /// Accelerations under the loads and stresses of the initial state.
-    pub(super) fn initial_acceleration(&mut self) {
-        let model = self.model;
-        let step = self.settings.step;
-        self.forcing.set(model, (0.0, step, 0.5), step, &self.state.followed);
-        self.forcing.set_loads_at(model, 0.0, step);
-        let forcing = &self.forcing;
-        let (structure, beams) = (model.structure(), model.beam_node_count());
-        let state = self.state.of_structure(&structure);
-        let Ok(mut mass) = effective_mass::mass_matrix(&structure, &state.displacement) else {
-            return;
-        };
-        let mut force = unbalanced_forces(&structure, &state, forcing);
-        // Prescribed accelerations are taken to the other side.
-        let mut prescribed = vec![[0.0; 4]; beams];
-        for dofs in structure.prescribed.iter() {
-            for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
-                let along = forcing.second_rate_at_start(model, drive, step);
-                (0..4).for_each(|k| prescribed[dofs.node][k] += along * normal[k]);
-            }
-        }
-        let mut inertia = vec![[0.0; 4]; beams];
-        lead::add_inertia_of(&structure, &state.displacement, &prescribed, &mut inertia);
-        for (f, m) in force.iter_mut().zip(&inertia) {
-            (0..4).for_each(|k| f[k] -= m[k]);
-        }
-        let mut contact_forces = vec![[0.0; 4]; model.node_count()];
-        self.pressed.iter().for_each(|(row, force)| row.spread(*force, &mut contact_forces));
-        for (f, contact) in force.iter_mut().zip(&contact_forces) {
-            (0..4).for_each(|i| f[i] += contact[i]);
-        }
-        mass.solve_linear(&structure, &mut force);
-        for (f, a) in force.iter_mut().zip(&prescribed) {
-            (0..4).for_each(|k| f[k] += a[k]);
-        }
-        // Bodies fall freely, but for what the contacts of an equilibrium carry: no spring is pressed.
-        let falling =
-            |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
-        force.extend(model.bodies.iter().map(falling).map(|g| [g[0], g[1], 0.0, 0.0]));
-        for (body, (a, f)) in
-            model.bodies.iter().zip(force[beams..].iter_mut().zip(&contact_forces[beams..]))
-        {
-            if body.mass > 0.0 {
-                (0..2).for_each(|i| a[i] += f[i] / body.mass);
-            }
-        }
-        for dofs in model.prescribed.iter().filter(|h| h.node >= beams) {
-            dofs.project(&mut force[dofs.node]);
-        }
-        self.state.acceleration = force;
+    let mut inertia = vec![[0.0; 4]; beams];
+    lead::add_inertia_of(&structure, &own.displacement, &prescribed, &mut inertia);
+    for (f, m) in force.iter_mut().zip(&inertia) {
+        (0..4).for_each(|k| f[k] -= m[k]);
     }
+    let mut contact_forces = vec![[0.0; 4]; model.node_count()];
+    pressed.iter().for_each(|(row, force)| row.spread(*force, &mut contact_forces));
+    for (f, contact) in force.iter_mut().zip(&contact_forces) {
+        (0..4).for_each(|i| f[i] += contact[i]);
+    }
+    mass.solve_linear(&structure, &mut force);
+    for (f, a) in force.iter_mut().zip(&prescribed) {
+        (0..4).for_each(|k| f[k] += a[k]);
+    }
+    // Bodies fall freely, but for what the contacts of an equilibrium carry: no spring is pressed.
+    let falling = |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
+    force.extend(model.bodies.iter().map(falling).map(|g| [g[0], g[1], 0.0, 0.0]));
+    for (body, (a, f)) in
+        model.bodies.iter().zip(force[beams..].iter_mut().zip(&contact_forces[beams..]))
+    {
+        if body.mass > 0.0 {
+            (0..2).for_each(|i| a[i] += f[i] / body.mass);
+        }
+    }
+    for dofs in model.prescribed.iter().filter(|h| h.node >= beams) {
+        project_node(dofs, &mut force[dofs.node]);
+    }
+    state.acceleration = force;
 }
 
 /// A fault for each beam without mass, which statics and modes know but no run in time. Inertia is all that tells a velocity from
@@ -197,7 +180,7 @@ pub fn massless(model: &Model) -> Vec<Fault> {
 }
 
 /// Where a run starts.
-pub(super) struct Initial {
+pub struct Initial {
     pub state: State,
     /// Reactions of the supports, shape (supports, 3) \[N, N m\].
     pub reactions: Vec<[f64; 3]>,
@@ -206,7 +189,7 @@ pub(super) struct Initial {
 }
 
 /// The reference configuration or static equilibrium, projectiles as far from it as they stand off, and its reactions.
-pub(super) fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<Fault>> {
+pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<Fault>> {
     let mut state = State::at_rest(model, settings.scheme);
     let mut reactions = vec![[0.0; 3]; model.supports.len()];
     let mut pressed = Vec::new();

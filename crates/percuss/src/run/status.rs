@@ -1,6 +1,7 @@
 //! The state of a run between two steps, from which follow how long it will take and why.
 
-use super::simulation::Simulation;
+use super::contact_log::ContactLog;
+use super::solver::Standing;
 use crate::summary::ContactRecord;
 
 /// What a run has done so far, between two steps.
@@ -20,14 +21,14 @@ pub struct RunStatus<'a> {
     pub busiest: Option<(&'a str, usize)>,
 }
 
-impl Simulation<'_> {
-    /// What the run has done so far.
-    pub fn status(&self) -> RunStatus<'_> {
-        let counts = self.monitor.contacts.records.iter().map(|record| match record {
+impl<'a> RunStatus<'a> {
+    /// Of a run that stands at a state, of which a log of contacts was kept.
+    pub(in crate::run) fn of(at: Standing<'a>, contacts: &ContactLog, iterations: usize) -> Self {
+        let counts = contacts.records.iter().map(|record| match record {
             ContactRecord::Smooth { intervals, .. } => intervals.len(),
             ContactRecord::Nonsmooth { impact_count, .. } => *impact_count,
         });
-        let named = self.model.contacts.iter().map(|contact| contact.name.as_str()).zip(counts);
+        let named = at.model.contacts.iter().map(|contact| contact.name.as_str()).zip(counts);
         let (mut impacts, mut busiest) = (0, None);
         for (name, count) in named.filter(|(_, count)| *count > 0) {
             impacts += count;
@@ -35,13 +36,7 @@ impl Simulation<'_> {
                 busiest = Some((name, count));
             }
         }
-        RunStatus {
-            step: self.state.step,
-            time: self.state.time,
-            end: self.settings.end,
-            iterations: self.effort.iterations,
-            impacts,
-            busiest,
-        }
+        let Standing { state, settings, .. } = at;
+        Self { step: state.step, time: state.time, end: settings.end, iterations, impacts, busiest }
     }
 }

@@ -13,8 +13,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::first_step::contact_steps;
-use super::simulation::Simulation;
-use super::trial::{PartKind, Trial};
+use super::trial::{Accepted, PartKind, PartSolution, PartStart, Solved};
 use crate::math::vec2::norm;
 use crate::model::Model;
 use crate::settings::Settings;
@@ -58,7 +57,7 @@ struct Means {
 
 /// The size of the steps to come, and what it follows from.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub(super) struct StepSizeControl {
+pub struct StepSizeControl {
     /// Error of a step that is admitted.
     admitted: f64,
     /// Error of a force that is admitted beside the largest one.
@@ -243,7 +242,7 @@ impl StepSizeControl {
             }
             error = if error > 0.0 { error / deflection } else { 0.0 };
         }
-        let energy = part.state.ledger.energy_scale;
+        let energy = part.start.energy_scale;
         for (c, now) in part.forces().into_iter().enumerate() {
             let lost = third * bend(now, [self.past[0].force[c], self.past[1].force[c]]).abs();
             let approach = part.approach(c, self.approach[c]);
@@ -274,9 +273,26 @@ impl StepSizeControl {
         4.0 * (slopes[0] - slopes[1]) / (h + 2.0 * a + b)
     }
 
+    /// The size that a part should have had, if it is too long for the accuracy asked for \[s\].
+    pub fn too_long(&self, model: &Model, solved: &Solved) -> Option<f64> {
+        let (free, h) = (matches!(solved.trial.kind, PartKind::Free { .. }), solved.trial.h);
+        if !free || self.is_smallest(h) || self.is_short(h) {
+            return None;
+        }
+        let error = self.error(&SolvedPart::of(model, solved));
+        let size = self.size_for(error, h).min(REPEATED * h).max(SHRINKS * h);
+        (error > self.admitted).then_some(size.max(SMALLEST * self.first))
+    }
+
     /// Takes in a part that is accepted.
-    fn take(&mut self, part: &SolvedPart<'_>, kind: Taken) {
+    pub fn take(&mut self, accepted: &Accepted<'_>) {
+        let part = &SolvedPart::of(accepted.model, accepted.solved);
         let h = part.h;
+        let kind = match accepted.solved.trial.kind {
+            PartKind::Free { .. } if self.is_short(h) => Taken::Short,
+            PartKind::Free { .. } => Taken::Smooth { error: self.error(part) },
+            _ => Taken::Jump,
+        };
         let increments = &part.work.increment[watched(part.model)];
         for (k, d) in increments.iter().enumerate() {
             self.moved[k] = self.moved_by(k, d, h);
@@ -330,12 +346,17 @@ enum Taken {
 /// A part of a step that stands solved.
 struct SolvedPart<'a> {
     model: &'a Model,
-    state: &'a State,
+    start: &'a PartStart,
     work: &'a Workspace,
     h: f64,
 }
 
-impl SolvedPart<'_> {
+impl<'a> SolvedPart<'a> {
+    fn of(model: &'a Model, solved: &'a Solved) -> Self {
+        let PartSolution { work, start, .. } = &*solved.solution;
+        Self { model, start, work, h: solved.trial.h }
+    }
+
     /// Mean forces of the contacts with a force law \[N\].
     fn forces(&self) -> Vec<f64> {
         let mut forces = vec![0.0; self.model.contacts.len()];
@@ -347,40 +368,8 @@ impl SolvedPart<'_> {
 
     /// Largest velocity of approach of a contact with a force law, at most `before` before.
     fn approach(&self, contact: usize, before: f64) -> f64 {
-        let pairs = self.work.smooth.iter().map(|c| c.pair);
-        let own = pairs.filter(|pair| self.model.pairs[*pair].contact == contact);
-        own.map(|pair| self.state.pairs[pair].rate.abs()).fold(before, f64::max)
-    }
-}
-
-impl Simulation<'_> {
-    fn solved_part(&self, h: f64) -> SolvedPart<'_> {
-        SolvedPart { model: self.model, state: &self.state, work: &self.work, h }
-    }
-
-    /// The size that a trial should have had, if it is too long for the accuracy asked for \[s\].
-    pub(super) fn too_long(&self, trial: &Trial) -> Option<f64> {
-        let step_size = self.step_size.as_ref()?;
-        let free = matches!(trial.kind, PartKind::Free { .. });
-        if !free || step_size.is_smallest(trial.h) || step_size.is_short(trial.h) {
-            return None;
-        }
-        let error = step_size.error(&self.solved_part(trial.h));
-        let size =
-            step_size.size_for(error, trial.h).min(REPEATED * trial.h).max(SHRINKS * trial.h);
-        (error > step_size.admitted).then_some(size.max(SMALLEST * step_size.first))
-    }
-
-    /// Tells the step size control of a part that is about to be accepted.
-    pub(super) fn note_step_size(&mut self, trial: &Trial) {
-        let Some(mut step_size) = self.step_size.take() else { return };
-        let part = self.solved_part(trial.h);
-        let kind = match trial.kind {
-            PartKind::Free { .. } if step_size.is_short(trial.h) => Taken::Short,
-            PartKind::Free { .. } => Taken::Smooth { error: step_size.error(&part) },
-            _ => Taken::Jump,
-        };
-        step_size.take(&part, kind);
-        self.step_size = Some(step_size);
+        let pairs = self.work.smooth.iter().zip(&self.start.smooth);
+        let own = pairs.filter(|(c, _)| self.model.pairs[c.pair].contact == contact);
+        own.map(|(_, seen)| seen.rate.abs()).fold(before, f64::max)
     }
 }

@@ -1,8 +1,8 @@
 //! Impacts: impulses that obey the contacts' impact law, over an impact interval or, as in the paper, over a whole step.
 
-use super::simulation::Simulation;
+use super::budget::Part;
 use super::solve::Attempt;
-use super::step::Part;
+use super::solver::Solving;
 use super::trial::{PartKind, Trial};
 use crate::model::{ImpactLaw, RigidLaw};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
@@ -11,7 +11,7 @@ use crate::step::newton::Failure;
 /// Energy that impulses may give, relative to the work they do: round-off.
 pub const NO_GAIN: f64 = 1e-12;
 
-impl Simulation<'_> {
+impl Solving<'_> {
     /// The impact interval in which all contacts that touch strike; those that rest stay closed.
     pub(super) fn strike(&mut self, touching: &[usize], part: &Part) -> Result<Trial, Failure> {
         let h = self.impact_interval() * part.share;

@@ -1,21 +1,28 @@
-//! A part of a step that stands solved in the workspace, and its acceptance.
+//! A part of a step that stands solved: what it is, how it began, what it came to, and its acceptance as observers see it.
 
-use super::monitor::{PartEnd, Solved};
-use super::sequence::Sequence;
-use super::simulation::Simulation;
-use super::solve::Attempt;
-use crate::geometry::configuration::Configuration;
-use crate::geometry::dents::Dent;
-use crate::geometry::touch::Reach;
-use crate::model::TouchLaw;
-use crate::model::frozen::BodyKind;
-use crate::settings::ImpactResolution;
-use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
+use crate::ledger::Measures;
+use crate::model::Model;
+use crate::model::frozen::JointLoad;
+use crate::state::{PairState, State};
+use crate::step::contacts::{ActiveContact, Phase, RigidContact};
 use crate::step::fibres::PartedElement;
+use crate::step::forcing::Forcing;
 use crate::step::integration::Integration;
-use crate::step::newton::StepProblem;
+use crate::step::newton::seen;
 use crate::step::workspace::Workspace;
-use crate::step::{commit, flows};
+
+/// A sequence of impacts under way.
+#[derive(Clone, Debug)]
+pub struct Sequence {
+    /// Length of an impact interval \[s\].
+    pub(super) interval: f64,
+    /// Contacts that take part: those that touched at its beginning, and those that rested, shape (such contacts) \[index of a pair\].
+    pub(super) members: Vec<usize>,
+    /// What approaches slower than this has no impact of its own \[m/s\].
+    pub(super) least: f64,
+    /// Impacts that it may still have.
+    pub(super) left: usize,
+}
 
 /// What a part of a step is.
 #[derive(Clone, Debug)]
@@ -41,7 +48,7 @@ pub enum PartKind {
     },
 }
 
-/// A part of a step that stands solved in the workspace.
+/// What a part of a step was solved as.
 #[derive(Clone, Debug)]
 pub struct Trial {
     /// Its size \[s\].
@@ -55,11 +62,6 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// What it was solved as, but for its law.
-    fn attempt(&self) -> Attempt {
-        Attempt { jumps: matches!(self.kind, PartKind::Jump), ..Attempt::free(self.h) }
-    }
-
     /// Whether its impulses are no forces over its length.
     pub fn carries_impulses(&self) -> bool {
         let strikes = |c: &ActiveContact| !matches!(c.phase, Phase::Resting { .. });
@@ -75,18 +77,6 @@ impl Trial {
         }
     }
 
-    /// Whether it is an impact, at least one of whose contacts gave an impulse.
-    pub fn strikes(&self, work: &Workspace) -> bool {
-        let struck = |(contact, k): (&ActiveContact, usize)| {
-            matches!(contact.phase, Phase::Impact { .. }) && work.rigid[k].impulse[0] > 0.0
-        };
-        match self.kind {
-            PartKind::Impact => self.active.iter().zip(0..).any(struck),
-            PartKind::InSequence(_) | PartKind::EndOfSequence => true,
-            _ => false,
-        }
-    }
-
     /// In time-stepping, which of the active contacts rest; else empty.
     pub fn persistent(&self) -> &[bool] {
         match &self.kind {
@@ -96,179 +86,139 @@ impl Trial {
     }
 }
 
-impl Simulation<'_> {
-    /// Moves the state to the end of a trial: nothing else writes it.
-    #[doc(hidden)]
-    pub fn accept(&mut self, trial: &Trial) {
-        let rule = self.integration(&trial.attempt());
-        let impulsive = self.is_impulsive(trial.h);
-        let solved = Solved { rule, forcing: &self.forcing, impulsive, trial };
-        self.monitor.begin_step(self.model, &self.state, &self.work, &solved);
-        self.note_shared_blow(trial);
-        self.note_approach(trial);
-        self.gather_given(trial.h);
-        self.note_step_size(trial);
-        self.note_start_reactions(&rule);
-        self.remember_closest_points();
-        let loads = self.joint_loads(&rule);
-        let parted = self.commit(&rule, impulsive);
-        if !impulsive && !trial.carries_impulses() {
-            self.judge_joints(&loads);
-        }
-        let opened = self.part(&parted);
-        let end = PartEnd { trial, impulsive, awake: self.search.awake(), parted: &parted };
-        self.monitor.end_step(self.model, &self.state, &self.work, &end);
-        // What rests in so short a part may give an impulse in disguise, too: no quotient by its length is a force.
-        let carries_impulses = impulsive && (trial.carries_impulses() || !trial.active.is_empty());
-        self.frames.part = (trial.h, carries_impulses);
-        self.gather_row(trial, impulsive);
-        self.measure();
-        self.weigh_struck(trial);
-        self.update_contacts(trial);
-        self.open_parted(&opened);
-    }
+/// Pairs of a part of a step.
+#[derive(Clone, Debug, Default)]
+pub struct Encounters {
+    /// Those taken into it, shape (such pairs) \[index of a pair\].
+    pub near: Vec<usize>,
+    /// Those that its motion brought within reach of each other, shape (such pairs) \[index of a pair\].
+    pub reached: Vec<usize>,
+    /// Those seen otherwise than the state knows them, in their order, shape (such pairs) \[index of a pair\]: sleeping ones that were
+    /// looked at on that account, and what came from a side that was not known. They stay until a part is accepted.
+    pub sights: Vec<(usize, PairState)>,
+}
 
-    /// Writes the end of the step solved last into the state, and looks at the pairs there; tells the elements that part.
-    fn commit(&mut self, rule: &Integration, impulsive: bool) -> Vec<PartedElement> {
-        let before = impulsive.then(|| self.state.multiplier.clone());
-        let (state, forcing) = (&mut self.state, &self.forcing);
-        let parted = commit::commit(self.model, state, *rule, forcing, &self.damping, &self.work);
-        self.work.beams.sweep.end();
-        state.offset += rule.h;
-        if let Some(before) = before {
-            // Multipliers of an impact are impulses over its time: no prediction for what follows.
-            state.multiplier = before;
-        }
-        self.steer_obstacles();
-        self.search.moved(self.model);
-        self.search.see(self.model, &mut self.state, Reach::Near);
-        self.remember_crushing();
-        parted
+impl Encounters {
+    /// A pair as it was seen, to be changed.
+    pub fn sight_mut(&mut self, state: &State, pair: usize) -> &mut PairState {
+        let found = self.sights.binary_search_by_key(&pair, |sight| sight.0);
+        let k = found.unwrap_or_else(|k| {
+            self.sights.insert(k, (pair, state.pairs[pair]));
+            k
+        });
+        &mut self.sights[k].1
     }
+}
 
-    /// How deep what crushes was pushed in, and where.
-    fn remember_crushing(&mut self) {
-        let (model, state) = (self.model, &mut self.state);
-        if state.dents.is_empty() {
-            return;
-        }
-        for contact in &self.work.smooth {
-            let pair = &model.pairs[contact.pair];
-            let TouchLaw::Smooth(law) = &model.contacts[pair.contact].law else { continue };
-            if law.unloading.is_some() {
-                let face = (&mut state.dents[contact.pair], pair.reach - pair.target_radius);
-                let pressed = contact.force.force != 0.0;
-                let seen = &mut state.pairs[contact.pair];
-                let now = Dent { place: seen.place, side: seen.memory.side, depth: -seen.gap };
-                law.remember(&mut seen.deepest, now, Some(face), pressed);
-            }
+/// What stood where a part of a step began, as far as its end is compared with it.
+#[derive(Clone, Debug, Default)]
+pub struct PartStart {
+    /// Time \[s\].
+    pub time: f64,
+    /// Largest energy so far \[J\].
+    pub energy_scale: f64,
+    /// Its smooth contacts, shape (smooth contacts).
+    pub smooth: Vec<PairState>,
+    /// Displacements and velocities of the recorded points, shape (recorded points, 2, 2) \[m, m/s\].
+    pub points: Vec<[[f64; 2]; 2]>,
+}
+
+/// What a part of a step is solved in, and comes to.
+#[derive(Clone, Debug)]
+pub struct PartSolution {
+    /// Increment, contacts with their forces and impulses, multipliers, residual; scratch of the solver.
+    pub work: Workspace,
+    /// Loads and motions over it.
+    pub forcing: Forcing,
+    /// What came near in it.
+    pub encounters: Encounters,
+    /// How it began.
+    pub start: PartStart,
+}
+
+impl PartSolution {
+    /// Room for a part of a step.
+    pub fn new(model: &Model) -> Self {
+        Self {
+            work: Workspace::new(model),
+            forcing: Forcing::new(model),
+            encounters: Encounters::default(),
+            start: PartStart::default(),
         }
     }
 
-    /// What approaches in an impact, or was held, has approached so fast.
-    fn note_approach(&mut self, trial: &Trial) {
-        let held = matches!(trial.kind, PartKind::Held);
-        for contact in &trial.active {
-            if held || matches!(contact.phase, Phase::Impact { .. }) {
-                let pair = &mut self.state.pairs[contact.pair];
-                pair.approach_max = pair.approach_max.max(-pair.rate);
-            }
-        }
+    /// Notes how it begins.
+    pub(super) fn begin(&mut self, model: &Model, state: &State) {
+        let (sights, start) = (&self.encounters.sights, &mut self.start);
+        (start.time, start.energy_scale) = (state.time, state.ledger.energy_scale);
+        start.smooth.clear();
+        start.smooth.extend(self.work.smooth.iter().map(|c| *seen(state, sights, c.pair)));
+        start.points.clear();
+        let points = model.points.iter();
+        start
+            .points
+            .extend(points.map(|p| [p.value(&state.displacement), p.value(&state.velocity)]));
     }
+}
 
-    /// Reactions at the start of the step solved last, where the step before does not tell them.
-    fn note_start_reactions(&mut self, rule: &Integration) {
-        // Whether or not velocities have jumped there.
-        let of_run = self.state.step == 0;
-        let found = rule.at_start(of_run).filter(|_| self.state.instant.is_none());
-        let Some(at_start) = found else { return };
-        let (model, state) = (self.model, &self.state);
-        let mut forcing = self.forcing.clone();
-        forcing.set_loads_at(model, state.time, rule.h);
-        let forcing = &forcing;
-        let mut work = self.work.clone();
-        work.lead.set(model, state, &at_start, forcing);
-        let problem = StepProblem {
-            model,
-            state,
-            integration: at_start,
-            forcing,
-            damping: &self.damping,
-            size: self.size,
-            positions: self.positions,
-            near: &self.encounters.near,
-            active: &[],
-            law: ImpulseLaw::Newton,
-            feedback: 0.0,
-            arcs: self.search.arcs(),
-            reach: Reach::Near,
+/// A part of a step that stands solved.
+#[derive(Debug)]
+pub struct Solved {
+    /// What it was solved as.
+    pub trial: Trial,
+    /// Scheme and size.
+    pub rule: Integration,
+    /// Whether it is as short as an impact, so that quotients over it are impulsive.
+    pub impulsive: bool,
+    /// Whether velocities jump in it: whether it is as short, or something strikes.
+    pub jumps: bool,
+    /// Contacts that shared its blow, if bodies that touch did, shape (2) \[index of a contact\].
+    pub shared: Option<[usize; 2]>,
+    /// What joints of a strength carried, shape (such joints); empty where that is no force.
+    pub joint_loads: Vec<JointLoad>,
+    /// What it came to.
+    pub solution: Box<PartSolution>,
+}
+
+impl Solved {
+    /// Whether it is an impact, at least one of whose contacts gave an impulse.
+    pub fn strikes(&self) -> bool {
+        let struck = |(contact, found): (&ActiveContact, &RigidContact)| {
+            matches!(contact.phase, Phase::Impact { .. }) && found.impulse[0] > 0.0
         };
-        problem.unbalanced(&mut work);
-        let found = flows::reactions_at_start(model, state, &at_start, forcing, &work);
-        self.state.instant = Some(found);
+        match self.trial.kind {
+            PartKind::Impact => self.trial.active.iter().zip(&self.solution.work.rigid).any(struck),
+            PartKind::InSequence(_) | PartKind::EndOfSequence => true,
+            _ => false,
+        }
+    }
+}
+
+/// A part of a step that was accepted, as observers see it: how it began stands in its solution.
+#[derive(Clone, Copy, Debug)]
+pub struct Accepted<'a> {
+    /// What moves.
+    pub model: &'a Model,
+    /// What was solved.
+    pub solved: &'a Solved,
+    /// Where it ended.
+    pub after: &'a State,
+    /// Energies and momenta there.
+    pub measures: &'a Measures,
+    /// Pairs that were looked at there, shape (such pairs) \[index of a pair\].
+    pub awake: &'a [usize],
+    /// Elements that parted there, shape (such elements).
+    pub parted: &'a [PartedElement],
+}
+
+impl<'a> Accepted<'a> {
+    /// What it was solved in.
+    pub fn work(&self) -> &'a Workspace {
+        &self.solved.solution.work
     }
 
-    /// Sides and closest points at the end of the step, as the step has seen them.
-    fn remember_closest_points(&mut self) {
-        let (model, state) = (self.model, &mut self.state);
-        for &i in self.encounters.reached.iter().filter(|i| model.pairs[**i].target.has_sides()) {
-            let seen = &mut state.pairs[i];
-            let Workspace { increment, arcs, smooth, .. } = &self.work;
-            let at = Configuration {
-                start: &state.displacement,
-                increment,
-                share: 1.0,
-                arcs,
-                parted: &state.parted,
-            };
-            let known =
-                smooth.binary_search_by_key(&i, |c| c.pair).ok().and_then(|k| smooth[k].end);
-            let end = known.or_else(|| {
-                model.pairs[i].at_end(model, &at, &seen.memory, seen.gap).map(|touch| touch.memory)
-            });
-            seen.memory = end.unwrap_or(seen.memory);
-        }
-        self.encounters.looked.clear();
-    }
-
-    /// Which rigid contacts are closed at the end of a trial, and which one was located there.
-    fn update_contacts(&mut self, trial: &Trial) {
-        self.state.located = match trial.kind {
-            PartKind::Free { located } => located,
-            _ => None,
-        };
-        if let ImpactResolution::TimeStepping { .. } = self.settings.impacts {
-            return;
-        }
-        for (contact, found) in trial.active.iter().zip(&self.work.rigid) {
-            let closed = match contact.phase {
-                // What sticks is held from here on; if nothing presses it, the next step releases it.
-                Phase::Impact { restitution, .. } => restitution == 0.0,
-                phase => phase.carried()[0] + found.impulse[0] > 0.0,
-            };
-            self.state.pairs[contact.pair].closed = closed;
-        }
-        self.close_at_rest();
-    }
-
-    /// Obstacles have the velocities of their motions, whatever the rule makes of their increments.
-    pub(super) fn steer_obstacles(&mut self) {
-        let (time, width) = (self.state.time, 0.02 * self.settings.step);
-        for dofs in self.model.prescribed.iter().rev() {
-            let Some(body) = dofs.node.checked_sub(self.model.beam_node_count()) else { break };
-            if self.model.bodies[body].kind != BodyKind::Obstacle {
-                break;
-            }
-            if dofs.drives.iter().all(Vec::is_empty) {
-                continue; // it stands
-            }
-            let rate = |motion: usize| self.model.motions[motion].rate(time, width);
-            let mut velocity = [0.0; 4];
-            for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
-                let along: f64 = drive.iter().map(|(m, a)| a * rate(*m)).sum();
-                (0..4).for_each(|k| velocity[k] += along * normal[k]);
-            }
-            self.state.velocity[dofs.node] = velocity;
-        }
+    /// How it began.
+    pub fn before(&self) -> &'a PartStart {
+        &self.solved.solution.start
     }
 }

@@ -3,7 +3,7 @@
 use super::connectors;
 use super::fibres::{self, PartedElement};
 use super::flows::enter;
-use super::forcing::Forcing;
+use super::forcing::{Forcing, WIDTH};
 use super::integration::{Integration, Rule};
 use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
@@ -14,7 +14,7 @@ use crate::element::strain_rate;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, dot};
 use crate::model::Model;
-use crate::model::frozen::{Connector, Coordinate, Span};
+use crate::model::frozen::{BodyKind, Connector, Coordinate, Span};
 use crate::state::State;
 
 /// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger; tells the elements that have no fibre left
@@ -49,6 +49,27 @@ pub fn commit(
     state.multiplier.copy_from_slice(&work.multiplier);
     state.time += h;
     parted
+}
+
+/// Gives obstacles the velocities of their motions, whatever the rule makes of their increments; steps have the size `step`.
+pub fn steer_obstacles(model: &Model, state: &mut State, step: f64) {
+    let (time, width) = (state.time, WIDTH * step);
+    for dofs in model.prescribed.iter().rev() {
+        let Some(body) = dofs.node.checked_sub(model.beam_node_count()) else { break };
+        if model.bodies[body].kind != BodyKind::Obstacle {
+            break;
+        }
+        if dofs.drives.iter().all(Vec::is_empty) {
+            continue; // it stands
+        }
+        let rate = |motion: usize| model.motions[motion].rate(time, width);
+        let mut velocity = [0.0; 4];
+        for (normal, drive) in dofs.normals.iter().zip(&dofs.drives) {
+            let along: f64 = drive.iter().map(|(m, a)| a * rate(*m)).sum();
+            (0..4).for_each(|k| velocity[k] += along * normal[k]);
+        }
+        state.velocity[dofs.node] = velocity;
+    }
 }
 
 /// Coordinates of the connectors after a step: those of the configuration, with prescribed motions summed up.

@@ -162,7 +162,7 @@ impl StepProblem<'_> {
         law: &SmoothLaw,
         work: &mut Workspace,
     ) -> Option<SmoothContact> {
-        let (pair, seen) = (&self.model.pairs[index], &self.state.pairs[index]);
+        let (pair, seen) = (&self.model.pairs[index], self.seen(index));
         let Workspace { increment, tangent, arcs, .. } = work;
         let rule = &self.integration;
         let theta = rule.theta();
@@ -236,7 +236,7 @@ impl StepProblem<'_> {
         work: &Workspace,
         impulse: [f64; 2],
     ) -> Option<RigidContact> {
-        let (pair, seen) = (&self.model.pairs[contact.pair], &self.state.pairs[contact.pair]);
+        let (pair, seen) = (&self.model.pairs[contact.pair], self.seen(contact.pair));
         let at = self.configuration(&work.increment, &work.arcs);
         let mid = at.at(0.5);
         let (touch, normal) = match contact.phase {

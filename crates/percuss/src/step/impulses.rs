@@ -83,7 +83,7 @@ impl StepProblem<'_> {
         }
         for (a, contact) in self.active.iter().enumerate() {
             let condition = &mut problem.contacts[a];
-            let (seen, rows) = (&self.state.pairs[contact.pair], &work.rigid[a]);
+            let (seen, rows) = (self.seen(contact.pair), &work.rigid[a]);
             let law = self.rigid_law(contact.pair);
             let before = rows.normal.on(&self.state.velocity);
             condition.friction = law.map_or(0.0, |law| law.friction);

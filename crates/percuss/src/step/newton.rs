@@ -20,7 +20,7 @@ use crate::contact::impact::Stalled;
 use crate::geometry::touch::Reach;
 use crate::model::Model;
 use crate::model::frozen::ConstraintKind;
-use crate::state::State;
+use crate::state::{PairState, State};
 
 /// A step to be solved: from `state`, by `integration`, with the `active` contacts.
 #[derive(Clone, Copy, Debug)]
@@ -41,6 +41,8 @@ pub struct StepProblem<'a> {
     pub positions: f64,
     /// Pairs near enough to touch, shape (such pairs) \[index of a pair\].
     pub near: &'a [usize],
+    /// Pairs seen otherwise than the state knows them, in their order, shape (such pairs) \[index of a pair\].
+    pub sights: &'a [(usize, PairState)],
     /// Rigid contacts that may carry an impulse, shape (active contacts).
     pub active: &'a [ActiveContact],
     /// How impulses follow from velocities.
@@ -52,6 +54,14 @@ pub struct StepProblem<'a> {
     /// Where the closest points of smooth contacts at the end of the step are looked for. In the neighbourhood of the last ones is enough
     /// unless something else has come nearer, which only a look at the solved step can tell.
     pub reach: Reach,
+}
+
+/// A pair as it was seen last: among the `sights`, or by the state.
+pub fn seen<'a>(state: &'a State, sights: &'a [(usize, PairState)], pair: usize) -> &'a PairState {
+    match sights.binary_search_by_key(&pair, |sight| sight.0) {
+        Ok(k) => &sights[k].1,
+        Err(_) => &state.pairs[pair],
+    }
 }
 
 /// What an iteration took.
@@ -200,6 +210,11 @@ impl StepProblem<'_> {
             let found = self.rigid_contact(contact, work, [0.0; 2]);
             work.rigid.push(found.unwrap_or_default());
         }
+    }
+
+    /// A pair as it was seen last.
+    pub(super) fn seen(&self, pair: usize) -> &PairState {
+        seen(self.state, self.sights, pair)
     }
 
     /// Residual of the step solved in `work`.

@@ -339,6 +339,16 @@ pub struct SharedBlows {
     pub contacts: [usize; 2],
 }
 
+impl SharedBlows {
+    /// Counts another one.
+    pub(crate) fn take(&mut self, time: f64, contacts: [usize; 2]) {
+        if self.count == 0 {
+            (self.first, self.contacts) = (time, contacts);
+        }
+        self.count += 1;
+    }
+}
+
 impl Default for SharedBlows {
     fn default() -> Self {
         Self { count: 0, first: f64::NAN, contacts: [0; 2] }

@@ -1,25 +1,9 @@
 //! Contacts under rigid laws: what strikes at one instant is one impact, what rests one interval, however many pairs take part.
 
-use serde::{Deserialize, Serialize};
-
 use super::{ContactLog, StepViews, opened, rate_of_rest};
-use crate::run::monitor::PartEnd;
+use crate::run::trial::Trial;
 use crate::step::contacts::Phase;
 use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
-
-/// The persistent contact of two things.
-#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
-pub(super) struct Resting {
-    /// Number of its interval in the contact's record, if it is open.
-    pub interval: Option<usize>,
-    /// Number of the part of a step in which a pair last pressed, and that pair.
-    pressed: u64,
-    pub pair: usize,
-    /// Number of the part of a step in which pairs ceased to press.
-    ceased: u64,
-    /// When they did, and the rate of the last of them, shape (2) \[s, m/s\].
-    end: [f64; 2],
-}
 
 /// What a pair did in a step.
 struct Deed {
@@ -35,11 +19,11 @@ struct Deed {
 }
 
 impl ContactLog {
-    pub(super) fn rigid_contacts(&mut self, seen: StepViews<'_>, part: &PartEnd) {
-        for k in 0..part.trial.active.len() {
-            let deed = deed(seen, part, k);
+    pub(super) fn rigid_contacts(&mut self, seen: StepViews<'_>, trial: &Trial) {
+        for k in 0..trial.active.len() {
+            let deed = deed(seen, trial, k);
             let rests = !matches!(deed.phase, Phase::Impact { .. })
-                || part.trial.persistent().get(k).is_some_and(|rests| *rests);
+                || trial.persistent().get(k).is_some_and(|rests| *rests);
             let ContactRecord::Nonsmooth { impulse_total, impulse_resting, .. } =
                 &mut self.records[deed.contact]
             else {
@@ -50,7 +34,7 @@ impl ContactLog {
                 *impulse_resting += deed.impulse[0];
                 self.rest(seen, &deed);
             } else if deed.impulse[0] > 0.0 {
-                self.strike(seen, part.trial.fallback_law, &deed);
+                self.strike(seen, trial.fallback_law, &deed);
             }
         }
         self.end_rests(seen);
@@ -171,8 +155,8 @@ impl Impact {
     }
 }
 
-fn deed(seen: StepViews<'_>, part: &PartEnd, k: usize) -> Deed {
-    let (contact, found, h) = (&part.trial.active[k], &seen.work.rigid[k], seen.span.h);
+fn deed(seen: StepViews<'_>, trial: &Trial, k: usize) -> Deed {
+    let (contact, found, h) = (&trial.active[k], &seen.work.rigid[k], seen.span.h);
     let pair = &seen.model.pairs[contact.pair];
     // The row on velocities: before from the mean and what comes after.
     let after = found.normal.on(&seen.state.velocity);

@@ -1,37 +1,15 @@
 //! Contacts under smooth laws: their resultant over all pairs.
 
-use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 use super::gap_over_step::{GapOverStep, highest};
-use super::{ContactLog, StepTime, StepViews, opened};
+use super::{ContactLog, Free, Released, StepViews, opened};
 use crate::contact::free_gap::FreeGap;
 use crate::geometry::touch::Reach;
 use crate::model::{SmoothLaw, TouchLaw};
 use crate::settings::SAME_INSTANT;
 use crate::state::PairState;
 use crate::summary::{ContactInterval, ContactRecord, PressedIn};
-
-/// An interval that has ended in a step, and what the gap of the point that left last was at its end.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub(super) struct Released {
-    pub pair: usize,
-    pub contact: usize,
-    /// Its number in the contact's record.
-    pub interval: usize,
-    gap: f64,
-    rate: f64,
-    span: StepTime,
-}
-
-/// The free motion of a gap.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub(super) struct Free {
-    /// Acceleration of the gap \[m/s^2\].
-    acceleration: f64,
-    /// Until when \[s\].
-    until: f64,
-}
 
 /// The point that touches first.
 struct FirstPoint {
@@ -64,7 +42,7 @@ impl ContactLog {
         let contact = &seen.work.smooth[k];
         let after = &seen.state.pairs[contact.pair];
         let gap = |seen_at: &PairState| seen.law(k).map_or(0.0, |law| law.free_gap(seen_at));
-        gap(&self.before[k]) < 0.0 || gap(after) < 0.0 || contact.force.force != 0.0
+        gap(&seen.before[k]) < 0.0 || gap(after) < 0.0 || contact.force.force != 0.0
     }
 
     fn smooth_contact(
@@ -103,7 +81,7 @@ impl ContactLog {
         if interval.peak_force.value.is_nan() || peak.value > interval.peak_force.value {
             interval.peak_force = peak;
         }
-        add_work(interval, seen, law, pairs.clone(), &self.before[pairs.clone()]);
+        add_work(interval, seen, law, pairs.clone());
         let gap = |k: &usize| law.free_gap(&seen.state.pairs[seen.work.smooth[*k].pair]);
         let deepest = pairs.clone().min_by(|a, b| gap(a).total_cmp(&gap(b)));
         match deepest.filter(|k| gap(k) < 0.0) {
@@ -127,7 +105,7 @@ impl ContactLog {
 
     fn gap_over_step(&self, seen: StepViews<'_>, law: &SmoothLaw, k: usize) -> GapOverStep {
         let after = &seen.state.pairs[seen.work.smooth[k].pair];
-        GapOverStep::new(seen.span.h, &self.before[k], after, law)
+        GapOverStep::new(seen.span.h, &seen.before[k], after, law)
     }
 
     /// Begins an interval with the point that touches first; of several at one instant, with the fastest.
@@ -206,7 +184,7 @@ impl ContactLog {
         // One that sleeps was looked at when the step began, not when it ended.
         let Some(touch) = super::touch(seen.model, seen.state, i, Reach::Near) else { return };
         let row = seen.model.pairs[i].normal_row(&touch, &seen.state.configuration());
-        let acceleration = (row.on(&seen.state.velocity) - self.before[k].rate) / span.h;
+        let acceleration = (row.on(&seen.state.velocity) - seen.before[k].rate) / span.h;
         self.free[i] = Free { acceleration, until: span.start + span.h };
         if let Some(released) = self.take_released(|r| r.pair == i) {
             self.tell(&released, acceleration);
@@ -245,12 +223,6 @@ impl Released {
     }
 }
 
-impl Default for Free {
-    fn default() -> Self {
-        Self { acceleration: 0.0, until: f64::NAN }
-    }
-}
-
 impl Free {
     /// The acceleration of the gap in a step that begins at `start`, if it was seen until then \[m/s^2\].
     fn before(&self, start: f64) -> f64 {
@@ -268,9 +240,8 @@ fn add_work(
     seen: StepViews<'_>,
     law: &SmoothLaw,
     pairs: Range<usize>,
-    before: &[PairState],
 ) {
-    for (contact, before) in seen.work.smooth[pairs].iter().zip(before) {
+    for (contact, before) in seen.work.smooth[pairs.clone()].iter().zip(&seen.before[pairs]) {
         let (pair, after) = (&seen.model.pairs[contact.pair], &seen.state.pairs[contact.pair]);
         let force = contact.force.force;
         interval.impulse += seen.span.h * force;

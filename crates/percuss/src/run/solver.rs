@@ -1,0 +1,269 @@
+//! What solves parts of steps. It sees the state and writes none of it: what a part came to goes with the part.
+
+use serde::{Deserialize, Serialize};
+
+use super::trial::{Encounters, PartKind, PartSolution, Solved, Trial};
+use crate::contact::search::Search;
+use crate::ledger::Measures;
+use crate::model::Model;
+use crate::model::frozen::JointLoad;
+use crate::settings::{Scheme, Settings};
+use crate::state::{PairState, State};
+use crate::step::constraint::ConstraintStep;
+use crate::step::contacts::{ActiveContact, IMPULSIVE, Phase, RigidContact};
+use crate::step::forcing::Forcing;
+use crate::step::integration::Integration;
+use crate::step::joints;
+use crate::step::modal_damping::ModalDamping;
+use crate::step::newton::{Effort, seen};
+use crate::step::workspace::Workspace;
+
+/// What was done so far.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub struct Counts {
+    /// Newton iterations and factorisations.
+    pub effort: Effort,
+    /// Solutions of parts of steps, trials of the root searches for impacts included.
+    pub solver_steps: usize,
+    /// Parts of steps that had no solution and were cut.
+    pub step_cuts: usize,
+    /// Steps in which impacts accumulated.
+    pub accumulated_steps: usize,
+}
+
+impl Counts {
+    /// All of them, shape (5) \[-\].
+    pub fn all(&self) -> [usize; 5] {
+        let Effort { iterations, factorizations } = self.effort;
+        [iterations, factorizations, self.solver_steps, self.step_cuts, self.accumulated_steps]
+    }
+}
+
+/// Where a run stands.
+#[derive(Clone, Copy, Debug)]
+pub struct Standing<'a> {
+    /// What moves.
+    pub model: &'a Model,
+    /// How it is stepped.
+    pub settings: &'a Settings,
+    /// Where it is.
+    pub state: &'a State,
+}
+
+/// What parts of steps are solved with.
+#[derive(Clone, Debug)]
+pub struct Solver {
+    /// Which pairs are near.
+    pub search: Search,
+    /// Modal damping.
+    pub damping: ModalDamping,
+    /// Times at which steps are cut, increasing, shape (cuts) \[s\].
+    pub cuts: Vec<f64>,
+    /// Size of the structure \[m\].
+    pub size: f64,
+    /// What positions are as large as \[m\].
+    pub positions: f64,
+    /// What was done so far.
+    pub counts: Counts,
+    /// Room for the next part; none while one stands solved.
+    spare: Option<Box<PartSolution>>,
+}
+
+impl Solver {
+    /// Before the first part; steps are cut at the given times.
+    pub fn new(model: &Model, cuts: Vec<f64>) -> Self {
+        Self {
+            search: Search::new(model),
+            damping: ModalDamping::default(),
+            cuts,
+            size: model.extent(),
+            positions: model.position_scale(),
+            counts: Counts::default(),
+            spare: Some(Box::new(PartSolution::new(model))),
+        }
+    }
+
+    /// Room for a part of a step, out of the solver until it is kept again.
+    pub fn room(&mut self, model: &Model) -> Box<PartSolution> {
+        self.spare.take().unwrap_or_else(|| Box::new(PartSolution::new(model)))
+    }
+
+    /// Keeps the room of a part that is done with for the next one.
+    pub fn keep(&mut self, room: Box<PartSolution>) {
+        self.spare = Some(room);
+    }
+
+    /// Energies and momenta of a state.
+    pub fn measures(&mut self, model: &Model, state: &State) -> Measures {
+        let mut room = self.room(model);
+        let measures = self.measures_in(&mut room, model, state);
+        self.keep(room);
+        measures
+    }
+
+    /// The same, of a state at the end of a part.
+    pub fn measures_in(&self, room: &mut PartSolution, model: &Model, state: &State) -> Measures {
+        Measures::of(model, state, self.search.awake(), &mut room.work.beams.sweep)
+    }
+
+    /// Nodes tied together by contacts in the pattern of the tangent, shape (pairs of nodes) \[index of a node, index of a node\].
+    pub fn ties(&self) -> Vec<(usize, usize)> {
+        self.spare.as_ref().map_or_else(Vec::new, |room| room.work.tangent.ties())
+    }
+
+    /// Goes on from another state, where so much was done and so seen, with such ties.
+    pub fn resume(
+        &mut self,
+        model: &Model,
+        counts: Counts,
+        search: Search,
+        ties: &[(usize, usize)],
+    ) {
+        (self.counts, self.search) = (counts, search);
+        let mut room = self.room(model);
+        room.work.beams.sweep.end();
+        room.work.tangent.tie(model, ties);
+        self.keep(room);
+    }
+
+    /// Pairs that touch at rest where a run stands, shape (such pairs) \[index of a pair\].
+    pub fn at_rest(&mut self, at: Standing<'_>) -> Vec<usize> {
+        let mut room = self.room(at.model);
+        let found = self.solving(at, &mut room).at_rest();
+        self.keep(room);
+        found
+    }
+
+    /// A part that is solved, in a room of its own.
+    pub(super) fn solving<'a>(
+        &'a mut self,
+        at: Standing<'a>,
+        room: &'a mut PartSolution,
+    ) -> Solving<'a> {
+        let Standing { model, settings, state } = at;
+        let Self { search, damping, cuts, size, positions, counts, .. } = self;
+        let PartSolution { work, forcing, encounters, .. } = room;
+        let (size, positions) = (*size, *positions);
+        Solving {
+            model,
+            settings,
+            state,
+            search,
+            damping,
+            cuts,
+            size,
+            positions,
+            counts,
+            work,
+            forcing,
+            encounters,
+        }
+    }
+
+    /// Solves a part of a step.
+    ///
+    /// # Errors
+    /// What keeps `how` from it.
+    pub(super) fn solve<E>(
+        &mut self,
+        at: Standing<'_>,
+        how: impl FnOnce(&mut Solving<'_>) -> Result<Trial, E>,
+    ) -> Result<Solved, E> {
+        let room = self.room(at.model);
+        self.solve_in(room, at, how)
+    }
+
+    /// The same in a given room, which may be that of the part before.
+    ///
+    /// # Errors
+    /// As of [`Self::solve`]; the room is kept.
+    pub(super) fn solve_in<E>(
+        &mut self,
+        mut room: Box<PartSolution>,
+        at: Standing<'_>,
+        how: impl FnOnce(&mut Solving<'_>) -> Result<Trial, E>,
+    ) -> Result<Solved, E> {
+        let mut solving = self.solving(at, &mut room);
+        match how(&mut solving) {
+            Ok(trial) => {
+                let rule = solving.rule(&trial);
+                let impulsive = solving.is_impulsive(trial.h);
+                let jumps = impulsive || solving.gives_impulses(&trial);
+                let shared = solving.shared_blow(&trial);
+                let joint_loads = solving.joint_loads(&trial, &rule);
+                room.begin(at.model, at.state);
+                Ok(Solved { trial, rule, impulsive, jumps, shared, joint_loads, solution: room })
+            }
+            Err(why) => {
+                self.keep(room);
+                Err(why)
+            }
+        }
+    }
+}
+
+/// A part of a step that is being solved, from where the state stands.
+#[derive(Debug)]
+pub struct Solving<'a> {
+    pub(super) model: &'a Model,
+    pub(super) settings: &'a Settings,
+    pub(super) state: &'a State,
+    pub(super) search: &'a mut Search,
+    pub(super) damping: &'a ModalDamping,
+    /// As in [`Solver`], shape (cuts) \[s\].
+    pub(super) cuts: &'a [f64],
+    pub(super) size: f64,
+    pub(super) positions: f64,
+    pub(super) counts: &'a mut Counts,
+    pub(super) work: &'a mut Workspace,
+    pub(super) forcing: &'a mut Forcing,
+    pub(super) encounters: &'a mut Encounters,
+}
+
+impl Solving<'_> {
+    /// A pair as it was seen last.
+    pub(super) fn seen(&self, pair: usize) -> &PairState {
+        seen(self.state, &self.encounters.sights, pair)
+    }
+
+    /// The scheme on a part of size `h`; accelerations know no impulses, so jumps of prescribed velocities are made by the midpoint rule.
+    pub(super) fn integration(&self, h: f64, jumps: bool) -> Integration {
+        let by_midpoint = jumps && self.settings.scheme.advances_accelerations();
+        let scheme = if by_midpoint { Scheme::Midpoint } else { self.settings.scheme };
+        Integration::new(scheme, h)
+    }
+
+    /// The same of a part that stands solved.
+    fn rule(&self, trial: &Trial) -> Integration {
+        self.integration(trial.h, matches!(trial.kind, PartKind::Jump))
+    }
+
+    /// Whether a part is as short as an impact.
+    fn is_impulsive(&self, h: f64) -> bool {
+        h < IMPULSIVE * self.settings.step
+    }
+
+    /// Whether a contact that was not at rest gives an impulse.
+    fn gives_impulses(&self, trial: &Trial) -> bool {
+        let persistent = trial.persistent();
+        let rests = |i: usize, contact: &ActiveContact| match contact.phase {
+            Phase::Resting { .. } => self.state.pairs[contact.pair].closed,
+            Phase::Impact { .. } => persistent.get(i).is_some_and(|rests| *rests),
+            Phase::PlasticPostStep { .. } => false,
+        };
+        let given = |found: &RigidContact| found.impulse != [0.0; 2];
+        let mut found = trial.active.iter().zip(&self.work.rigid).enumerate();
+        found.any(|(i, (contact, found))| given(found) && !rests(i, contact))
+    }
+
+    /// What joints of a strength carry, where nothing gives an impulse.
+    fn joint_loads(&self, trial: &Trial, rule: &Integration) -> Vec<JointLoad> {
+        let impulses = self.is_impulsive(trial.h) || trial.carries_impulses();
+        if self.model.joints.is_empty() || impulses {
+            return Vec::new();
+        }
+        let (start, increment) = (&self.state.displacement[..], &self.work.increment[..]);
+        let step = ConstraintStep { start, increment, forcing: self.forcing, share: rule.theta() };
+        joints::loads(self.model, &step, &self.work.multiplier).collect()
+    }
+}
