@@ -161,7 +161,7 @@ fn find(
         return Err(BucklingOutcome::Mechanism);
     }
     let stiffness = layout.tangent_with(&unloaded, 0.0);
-    let factored = layout.factor(stiffness, true).ok_or(BucklingOutcome::Unstable)?;
+    let factored = layout.factor(stiffness.clone(), true).ok_or(BucklingOutcome::Unstable)?;
     if factored.negative > 0 {
         return Err(BucklingOutcome::Unstable);
     }

@@ -1,6 +1,6 @@
 //! Loads of the frozen model.
 
-use super::ties::MaterialPoint;
+use super::point::MaterialPoint;
 use super::time_function::PreparedFunction;
 
 /// A load and its time function.

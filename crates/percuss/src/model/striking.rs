@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::definition::TouchLaw;
-use super::ties::MaterialPoint;
+use super::point::MaterialPoint;
 
 /// A rigid body.
 #[derive(Clone, Debug)]

@@ -220,7 +220,7 @@ impl<'m> Simulation<'m> {
         {
             return Termination::Failed(error);
         }
-        self.tell_pace(recorder);
+        self.tell_status(recorder);
         while !self.is_over() {
             let step = self.state.step;
             if let Err(error) = self.offer_checkpoint(recorder, self.is_last_step()) {
@@ -230,7 +230,7 @@ impl<'m> Simulation<'m> {
                 Ok(flow) => flow,
                 Err(error) => return Termination::Failed(error),
             };
-            self.tell_pace(recorder);
+            self.tell_status(recorder);
             let stops = flow == Flow::Stop && !self.is_over();
             let due = self.state.step.is_multiple_of(self.settings.record_every);
             let mut noted = if due { self.record(recorder) } else { Ok(()) };
@@ -332,8 +332,8 @@ impl<'m> Simulation<'m> {
         Ok(Self { state, measures, step_size, monitor, rows, frames, ..run })
     }
 
-    /// Hands the pace to a recorder that wants it.
-    fn tell_pace(&self, recorder: &mut dyn Recorder) {
+    /// Hands the status to a recorder that wants it.
+    fn tell_status(&self, recorder: &mut dyn Recorder) {
         if recorder.wants_status() {
             recorder.status(&self.status());
         }

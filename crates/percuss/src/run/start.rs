@@ -14,7 +14,6 @@ use crate::settings::{Settings, Start};
 use crate::state::State;
 use crate::step::effective_mass;
 use crate::step::forcing::Forcing;
-use crate::step::tangent::project_node;
 use crate::step::{commit, fibres, lead};
 
 /// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
@@ -159,7 +158,7 @@ pub fn initial_acceleration(model: &Model, step: f64, state: &mut State, pressed
         }
     }
     for dofs in model.prescribed.iter().filter(|h| h.node >= beams) {
-        project_node(dofs, &mut force[dofs.node]);
+        dofs.project(&mut force[dofs.node]);
     }
     state.acceleration = force;
 }
