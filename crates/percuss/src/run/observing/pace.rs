@@ -1,7 +1,7 @@
 //! How a run goes: what a recorder asks for that tells how long it will take, and why.
 
 use super::contact_log::ContactLog;
-use super::solver::Standing;
+use crate::run::solving::solver::Standing;
 use crate::summary::ContactRecord;
 
 /// How a run goes, between two steps.
