@@ -1,6 +1,6 @@
 //! What is said of a step that fails however small it is: what did not converge, and where.
 
-use super::budget::MOST_CORRECTIONS;
+use super::solving::budget::MOST_CORRECTIONS;
 use crate::contact::search::Search;
 use crate::element::beam::ElementValues;
 use crate::error::Error;

@@ -1,6 +1,6 @@
 //! The beginning of a run, up to where a contact has opened again.
 
-use super::record::{Flow, Recorder};
+use super::recording::record::{Flow, Recorder};
 use super::simulation::Simulation;
 use crate::model::Model;
 use crate::settings::Settings;

@@ -1,18 +1,18 @@
 //! A transient run: what it consists of, how it is set up, the loop over its steps.
 
-use super::channels::{self, Channel};
-use super::checkpoint::{Checkpoint, ResumeError};
-use super::frame::Frames;
-use super::jumps;
-use super::monitor::Monitor;
-use super::record::{Flow, Recorder};
-use super::rows::Rows;
-use super::solver::{Solver, Standing};
+use super::observing::monitor::Monitor;
+use super::observing::status::RunStatus;
+use super::observing::step_size::StepSizeControl;
+use super::recording::channels::{self, Channel};
+use super::recording::checkpoint::{Checkpoint, ResumeError};
+use super::recording::frame::Frames;
+use super::recording::record::{Flow, Recorder};
+use super::recording::rows::Rows;
+use super::solving::jumps;
+use super::solving::solver::{Solver, Standing};
 use super::start::{
     Initial, initial_acceleration, initial_state, massless, reverse, set_velocities, start_moving,
 };
-use super::status::RunStatus;
-use super::step_size::StepSizeControl;
 use super::summarize::{Ended, summarize};
 use crate::analysis::damped_modes::{modal_damping, undampable};
 use crate::analysis::static_contacts::takes_part;

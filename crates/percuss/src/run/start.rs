@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::jumps;
+use super::solving::jumps;
 use crate::analysis::static_search::{stored_strains, unbalanced_forces};
 use crate::analysis::{equilibrium, mechanisms};
 use crate::error::Error;

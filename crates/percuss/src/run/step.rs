@@ -4,20 +4,20 @@
 //! accepted by the only writer of the state, shown to observers, and recorded before and after an impact. A part that has no solution is
 //! cut in half; where that does not help, the run gives up with its reason.
 
-use super::accept::Acceptance;
-use super::budget::Budget;
-use super::contact_status::Resolution;
 use super::giving_up::give_up;
-use super::record::{Flow, Recorder};
+use super::observing::step_size::StepSizeControl;
+use super::recording::record::{Flow, Recorder};
 use super::simulation::Simulation;
-use super::solver::Solving;
-use super::step_size::StepSizeControl;
-use super::trial::{Accepted, PartKind, Solved, Trial};
+use super::solving::accept::Acceptance;
+use super::solving::budget::Budget;
+use super::solving::contact_status::Resolution;
+use super::solving::solver::Solving;
+use super::solving::trial::{Accepted, PartKind, Solved, Trial};
 use crate::error::Error;
 use crate::settings::SAME_INSTANT;
 use crate::step::newton::Failure;
 
-pub use super::budget::{MOST_EVENTS, Part};
+pub use super::solving::budget::{MOST_EVENTS, Part};
 
 /// Energy out of nothing at which a run ends, beside what was there at the start or was put in.
 const MOST_MADE: f64 = 10.0;

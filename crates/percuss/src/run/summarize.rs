@@ -1,11 +1,11 @@
 //! The summary of a run that has ended.
 
-use super::connector_log;
-use super::given::Given;
-use super::joint_log;
-use super::monitor::Monitor;
-use super::solver::{Counts, Standing};
-use super::yielding;
+use super::observing::connector_log;
+use super::observing::given::Given;
+use super::observing::joint_log;
+use super::observing::monitor::Monitor;
+use super::observing::yielding;
+use super::solving::solver::{Counts, Standing};
 use crate::analysis::equivalent::equivalent_force;
 use crate::ledger::Measures;
 use crate::math::vec2::{dot, norm, scale};

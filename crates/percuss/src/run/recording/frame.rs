@@ -2,12 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::trial::Accepted;
 use crate::analysis::section_forces::Lines;
 use crate::frame::{Frame, FrameForce};
 use crate::geometry::touch::{Reach, tangent_of};
 use crate::math::vec2::{add, norm, scale};
 use crate::model::Model;
+use crate::run::solving::trial::Accepted;
 use crate::state::State;
 
 /// What pressed in a part of a step.

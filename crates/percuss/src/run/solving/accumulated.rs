@@ -16,7 +16,7 @@ use crate::step::newton::Failure;
 
 impl Solving<'_> {
     /// A part, of its whole size, in which no rigid contact ends inside another: those that would are held.
-    pub(super) fn hold(&mut self, part: &Part) -> Result<Trial, Failure> {
+    pub fn hold(&mut self, part: &Part) -> Result<Trial, Failure> {
         let h = part.size;
         let mut active = self.resting();
         let closes = |i: &usize| {
@@ -44,7 +44,7 @@ impl Solving<'_> {
 
     /// The impact interval after a part in which contacts were held, in the room of that; none if they are at rest already, or if no impulses bring them
     /// to rest: then they stay as they are.
-    pub(super) fn plastic_post_step(&mut self, held: &Trial) -> Option<Trial> {
+    pub fn plastic_post_step(&mut self, held: &Trial) -> Option<Trial> {
         let settles = |contact: &ActiveContact, impulse: [f64; 2]| {
             let phase = Phase::PlasticPostStep { carried: impulse };
             (impulse[0] > 0.0).then_some(ActiveContact { phase, ..*contact })

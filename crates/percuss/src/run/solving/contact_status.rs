@@ -16,7 +16,7 @@ pub const CREEP: f64 = 1e-5;
 
 /// What a part of a step is solved as.
 #[derive(Clone, Debug)]
-pub(super) enum Resolution {
+pub enum Resolution {
     /// Prescribed velocities jump.
     Jump,
     /// Nothing touches: up to the first contact, or its whole size.
@@ -33,7 +33,7 @@ pub(super) enum Resolution {
 
 impl Solving<'_> {
     /// What the next part of a step, which may still have so many events, is solved as where the state stands.
-    pub(super) fn resolution(&self, events_left: usize) -> Resolution {
+    pub fn resolution(&self, events_left: usize) -> Resolution {
         if self.velocities_jump() {
             return Resolution::Jump;
         }

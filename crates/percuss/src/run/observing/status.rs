@@ -1,7 +1,7 @@
 //! The state of a run between two steps, from which follow how long it will take and why.
 
 use super::contact_log::ContactLog;
-use super::solver::Standing;
+use crate::run::solving::solver::Standing;
 use crate::summary::ContactRecord;
 
 /// What a run has done so far, between two steps.

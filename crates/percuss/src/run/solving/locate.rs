@@ -21,7 +21,7 @@ pub const ROUND_OFF: f64 = 1e-15;
 
 impl Solving<'_> {
     /// A part without impacts: of its whole size, or up to the first instant of contact.
-    pub(super) fn advance_to_contact(&mut self, part: &Part) -> Result<Trial, Failure> {
+    pub fn advance_to_contact(&mut self, part: &Part) -> Result<Trial, Failure> {
         let mut active = self.resting();
         self.solve_resting(&Attempt::free(part.size), &mut active)?;
         let instant = self.first_contact(part.size, &mut active)?;

@@ -3,13 +3,13 @@
 use serde::{Deserialize, Serialize};
 
 use super::frame::Frames;
-use super::monitor::Monitor;
 use super::rows::Rows;
-use super::solver::Counts;
-use super::step_size::StepSizeControl;
 use crate::contact::search::Search;
 use crate::ledger::Measures;
 use crate::model::{Fault, Model};
+use crate::run::observing::monitor::Monitor;
+use crate::run::observing::step_size::StepSizeControl;
+use crate::run::solving::solver::Counts;
 use crate::state::State;
 
 /// A run between two steps, of the model and the settings it was begun with; [`Simulation::resume`](crate::Simulation::resume) goes on

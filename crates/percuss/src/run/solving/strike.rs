@@ -13,7 +13,7 @@ pub const NO_GAIN: f64 = 1e-12;
 
 impl Solving<'_> {
     /// The impact interval in which all contacts that touch strike; those that rest stay closed.
-    pub(super) fn strike(&mut self, touching: &[usize], part: &Part) -> Result<Trial, Failure> {
+    pub fn strike(&mut self, touching: &[usize], part: &Part) -> Result<Trial, Failure> {
         let h = self.impact_interval() * part.share;
         let mut active = self.resting();
         for &i in touching {
@@ -24,7 +24,7 @@ impl Solving<'_> {
     }
 
     /// A step of the paper's: contacts closed at its start obey the impact law over the whole step.
-    pub(super) fn step_in_time(&mut self, part: &Part, closed: f64) -> Result<Trial, Failure> {
+    pub fn step_in_time(&mut self, part: &Part, closed: f64) -> Result<Trial, Failure> {
         // What separates already is not struck: an impulse on its way out would give energy.
         let strikes = |i: &usize| {
             let pair = &self.state.pairs[*i];

@@ -7,7 +7,7 @@ use crate::step::newton::Failure;
 /// A step is cut down to this share of its size before the run gives up.
 const SMALLEST_SHARE: f64 = 1e-4;
 /// Corrections of Newton's iteration in a step, over all its parts, impacts and cuts, before the run gives up: more would not end.
-pub(super) const MOST_CORRECTIONS: usize = 100_000;
+pub const MOST_CORRECTIONS: usize = 100_000;
 /// More instants located and impacts than this in one step count as accumulated: for the rest of it what touches stays together.
 pub const MOST_EVENTS: usize = 128;
 

@@ -25,7 +25,7 @@ pub struct PartEnd {
 }
 
 /// Moves a state to the end of a part that stands solved.
-pub(super) struct Acceptance<'a> {
+pub struct Acceptance<'a> {
     pub model: &'a Model,
     pub settings: &'a Settings,
     pub state: &'a mut State,

@@ -1,8 +1,8 @@
 //! Effective mass of the beams of a contact, where and when it first strikes.
 
 use super::contact_log;
-use super::trial::Accepted;
 use crate::geometry::touch::Reach;
+use crate::run::solving::trial::Accepted;
 use crate::step::contacts::Phase;
 use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 

@@ -164,7 +164,7 @@ impl Solver {
     ///
     /// # Errors
     /// What keeps `how` from it.
-    pub(super) fn solve<E>(
+    pub fn solve<E>(
         &mut self,
         at: Standing<'_>,
         how: impl FnOnce(&mut Solving<'_>) -> Result<Trial, E>,
@@ -177,7 +177,7 @@ impl Solver {
     ///
     /// # Errors
     /// As of [`Self::solve`]; the room is kept.
-    pub(super) fn solve_in<E>(
+    pub fn solve_in<E>(
         &mut self,
         mut room: Box<PartSolution>,
         at: Standing<'_>,

@@ -3,11 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::channels::{self, SinceLast};
-use super::monitor::Monitor;
-use super::trial::Accepted;
 use crate::contact::search::Search;
 use crate::ledger::Measures;
 use crate::model::Model;
+use crate::run::observing::monitor::Monitor;
+use crate::run::solving::trial::Accepted;
 use crate::state::State;
 
 /// The row to come.

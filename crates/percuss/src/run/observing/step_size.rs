@@ -13,9 +13,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::first_step::contact_steps;
-use super::trial::{Accepted, PartKind, PartSolution, PartStart, Solved};
 use crate::math::vec2::norm;
 use crate::model::Model;
+use crate::run::solving::trial::{Accepted, PartKind, PartSolution, PartStart, Solved};
 use crate::settings::Settings;
 use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;

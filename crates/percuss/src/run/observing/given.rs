@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::trial::Accepted;
 use crate::geometry::row::Row;
+use crate::run::solving::trial::Accepted;
 use crate::state::State;
 use crate::summary::SupportSummary;
 

@@ -1,7 +1,7 @@
 //! Contacts under rigid laws: what strikes at one instant is one impact, what rests one interval, however many pairs take part.
 
 use super::{ContactLog, StepViews, opened, rate_of_rest};
-use crate::run::trial::Trial;
+use crate::run::solving::trial::Trial;
 use crate::step::contacts::Phase;
 use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
 

@@ -2,9 +2,9 @@
 
 use super::channels::Channel;
 use super::checkpoint::Checkpoint;
-use super::status::RunStatus;
 use crate::error::RecorderError;
 use crate::frame::Frame;
+use crate::run::observing::status::RunStatus;
 use crate::state::State;
 
 /// Whether a run goes on.

@@ -22,11 +22,7 @@ const COUPLED: f64 = 0.01;
 
 impl Solving<'_> {
     /// The first impact of a sequence: that of the contact which approaches fastest. All at once if nothing bounces.
-    pub(super) fn strike_fastest(
-        &mut self,
-        touching: &[usize],
-        part: &Part,
-    ) -> Result<Trial, Failure> {
+    pub fn strike_fastest(&mut self, touching: &[usize], part: &Part) -> Result<Trial, Failure> {
         let mut members: Vec<usize> = self.resting().iter().map(|c| c.pair).collect();
         members.extend_from_slice(touching);
         let fastest = touching.iter().map(|i| -self.state.pairs[*i].rate).fold(0.0, f64::max);
@@ -47,7 +43,7 @@ impl Solving<'_> {
     }
 
     /// The next impact of a sequence, or its end; what no impulses can settle the next part of the step finds as it is.
-    pub(super) fn next_of(&mut self, sequence: Sequence) -> Option<Trial> {
+    pub fn next_of(&mut self, sequence: Sequence) -> Option<Trial> {
         let fastest = if sequence.left > 0 { self.fastest(&sequence) } else { Vec::new() };
         let next = match fastest.is_empty() {
             true => None,

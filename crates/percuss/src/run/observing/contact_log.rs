@@ -9,13 +9,13 @@ mod smooth;
 
 use serde::{Deserialize, Serialize};
 
-use super::trial::{Accepted, Solved};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Pair;
 use crate::geometry::row::Row;
 use crate::geometry::touch::{Reach, Touch};
 use crate::model::frozen::ContactData;
 use crate::model::{Model, SmoothLaw, TouchLaw};
+use crate::run::solving::trial::{Accepted, Solved};
 use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
 use crate::summary::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Peak, PressedIn};

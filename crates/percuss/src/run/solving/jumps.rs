@@ -19,7 +19,7 @@ const NO_JUMP: f64 = 1e-9;
 
 /// Times at which steps are cut, increasing: supports let go, or rates of prescribed motions jump at the end of the impact interval that begins
 /// there \[s\].
-pub(super) fn cuts(model: &Model, step: f64) -> Vec<f64> {
+pub fn cuts(model: &Model, step: f64) -> Vec<f64> {
     let mut times: Vec<f64> = model.releases().collect();
     for drive in model.structural_drives() {
         let jumps = drive.iter().flat_map(|(motion, _)| model.motions[*motion].rate_jumps(step));
@@ -31,7 +31,7 @@ pub(super) fn cuts(model: &Model, step: f64) -> Vec<f64> {
 }
 
 /// Rate of a time function right after a time.
-pub(super) fn rate_after(function: &PreparedFunction, time: f64, step: f64) -> f64 {
+pub fn rate_after(function: &PreparedFunction, time: f64, step: f64) -> f64 {
     function.rate_on(time, time + 2.0 * SAME_INSTANT * step, WIDTH * step)
 }
 
@@ -68,7 +68,7 @@ impl Solving<'_> {
     }
 
     /// The impact interval in which prescribed velocities jump; what rests on the structure stays closed.
-    pub(super) fn jump(&mut self, part: &Part) -> Result<Trial, Failure> {
+    pub fn jump(&mut self, part: &Part) -> Result<Trial, Failure> {
         let h = self.impact_interval() * part.share;
         let mut active = self.resting();
         self.solve_resting(&Attempt { jumps: true, ..Attempt::free(h) }, &mut active)?;
