@@ -1,7 +1,7 @@
 //! A transient run.
 //!
-//! [`step`] is one step: its parts are solved ([`solve`], [`passage`]) as their contacts ask for ([`contact_status`]), up to the
-//! first contact ([`locate`]), at impact ([`strike`], [`sequence`]), accumulated ([`accumulated`]) or at a jump of prescribed
+//! [`step`] is one step: [`decider`] says what its parts are, told where contacts stand ([`contact_status`]); they are solved ([`solve`],
+//! [`passage`]) up to the first contact ([`locate`]), at impact ([`strike`], [`sequence`]), accumulated ([`accumulated`]) or at a jump of prescribed
 //! velocities ([`jumps`]), and accepted ([`trial`]). [`monitor`] gathers what the summary tells.
 
 mod accumulated;
@@ -9,9 +9,10 @@ mod channels;
 mod checkpoint;
 mod connector_log;
 pub mod contact_log;
-pub mod contact_status;
+mod contact_status;
 #[allow(missing_docs)]
 pub mod crest;
+pub mod decider;
 mod first_step;
 mod first_touch;
 mod frame;
@@ -31,7 +32,7 @@ mod sequence;
 mod simulation;
 mod solve;
 mod start;
-pub mod step;
+mod step;
 mod step_size;
 mod stop_log;
 pub mod strike;

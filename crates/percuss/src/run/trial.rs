@@ -241,12 +241,7 @@ impl Simulation<'_> {
             return;
         }
         for (contact, found) in trial.active.iter().zip(&self.work.rigid) {
-            let closed = match contact.phase {
-                // What sticks is held from here on; if nothing presses it, the next step releases it.
-                Phase::Impact { restitution, .. } => restitution == 0.0,
-                phase => phase.carried()[0] + found.impulse[0] > 0.0,
-            };
-            self.state.pairs[contact.pair].closed = closed;
+            self.state.pairs[contact.pair].closed = contact.phase.closes(found.impulse[0]);
         }
         self.close_at_rest();
     }

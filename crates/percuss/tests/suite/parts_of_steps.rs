@@ -1,6 +1,5 @@
 //! Parts of steps by themselves, which runs take where nothing simpler will do.
 
-use percuss::internals::run::step::Part;
 use percuss::internals::step::newton::Failure;
 use percuss::internals::step::tangent::Singular;
 use percuss::*;
@@ -53,7 +52,7 @@ fn a_ball_comes_to_rest_on_what_it_would_have_sunk_into() {
         let mut simulation = Simulation::new(&model, &Settings::new(1.0, h)).unwrap();
         let energy = |s: &Simulation<'_>| s.measures().total();
         let before = energy(&simulation);
-        let held = simulation.hold(&Part { size: h, share: 1.0 }).unwrap();
+        let held = simulation.hold(h).unwrap();
         simulation.accept(&held);
         let post_step = simulation.plastic_post_step(&held).unwrap();
         simulation.accept(&post_step);
