@@ -6,28 +6,26 @@ use super::commit::Accept;
 use super::engine::Engine;
 use super::impact::Strike;
 use super::ledger::LaneLedger;
-use super::log::{Log, Struck};
+use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
+use super::pace::Pace;
+use super::paced::rigid_guides;
 use super::sensitivity::{Grazing, Horizon, Onset};
 use super::yield_log::{Noted, YieldLog};
 use percuss::Model;
-use percuss::internals::run::contact_status::STICK;
+use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales, step_behind};
+use percuss::internals::run::locate::Seen;
+use percuss::internals::run::strike::NO_GAIN;
 use percuss::internals::scalar::{Dual, Real};
-use percuss::internals::settings::{SAME_INSTANT, Settings};
-use percuss::math::roots;
-use rest::TouchingBodies;
+use percuss::internals::settings::Settings;
+use percuss::internals::step::contacts::Phase;
+use rest::Deed;
 
 /// Parameters differentiated at once.
 pub const TOGETHER: usize = 4;
 /// A number with its derivatives; the last one is with respect to the size of the step at hand.
 pub type Derived = Dual<{ TOGETHER + 1 }>;
-
-/// Length of an impact interval as a share of the step, and to what share of it an instant is located.
-const IMPACT_INTERVAL: f64 = 1e-6;
-const LOCATED: f64 = 1e-3;
-/// Impacts in one step beyond which they accumulate.
-const MOST_IMPACTS: usize = 64;
 
 /// A run in mid-flight.
 pub struct Flight<'a> {
@@ -39,9 +37,12 @@ pub struct Flight<'a> {
     pub ledger: LaneLedger<Derived>,
     pub log: Log<Derived>,
     pub search: LaneNewton<Derived>,
-    pub solver_steps: usize,
-    /// What the contacts have come to, shape (guided projectiles).
-    touching: Vec<TouchingBodies>,
+    /// Where the run stands, as its values have it.
+    pub pace: Pace,
+    /// Rigid projectiles, shape (rigid contacts) \[index of a projectile\].
+    rigid: Vec<usize>,
+    /// What is done of the step at hand \[s\].
+    offset: Derived,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
     misses: Vec<(usize, Derived, Derived)>,
 }
@@ -59,20 +60,12 @@ impl<'a> Flight<'a> {
         let mut search = LaneNewton::idle(engine.h);
         search.set_run(0, true);
         let (ledger, log) = (LaneLedger::open(&engine), Log::new(&engine));
-        let touching = vec![TouchingBodies::default(); engine.guides.len()];
-        let misses = Vec::new();
-        Self {
-            model,
-            settings,
-            end,
-            engine,
-            ledger,
-            log,
-            search,
-            solver_steps: 0,
-            touching,
-            misses,
-        }
+        let rigid: Vec<usize> = rigid_guides(&engine.numbers).collect();
+        let restitution = |k: &usize| engine.numbers.guides[*k].stiffness.value;
+        let restitutions: Vec<f64> = rigid.iter().map(restitution).collect();
+        let pace = Pace::new(settings, model.position_scale(), &restitutions);
+        let (offset, misses) = (engine.h.constant(0.0), Vec::new());
+        Self { model, settings, end, engine, ledger, log, search, pace, rigid, offset, misses }
     }
 
     /// Runs to the end, or as far as derivatives are known.
@@ -80,21 +73,12 @@ impl<'a> Flight<'a> {
     /// # Errors
     /// How far that is.
     pub fn run(&mut self) -> Result<(), Horizon> {
-        self.close_at_rest();
-        let zero = self.engine.h.constant(0.0);
-        let (step, end) = (self.settings.step, self.settings.end);
-        let (mut offset, count) = (zero, self.settings.step_count());
-        for k in 0..count {
-            let target = step.min(end - k as f64 * step);
-            let target = if (target - step).abs() <= SAME_INSTANT * step { step } else { target };
-            let (mut target, mut until) =
-                (zero.constant(target), zero.constant(((k + 1) as f64 * step).min(end)));
-            if k + 1 == count {
-                // The last step is as long as the run is.
-                (target.slope, until.slope) = (self.end.slope, self.end.slope);
-            }
-            offset = self.advance(target, offset)? - target;
-            self.log.time = until + offset;
+        let (stand, nothing) = (self.stand(), self.nothing());
+        self.pace.close_at_rest(stand.into_iter(), nothing);
+        while !self.pace.is_over() {
+            let (stand, nothing) = (self.stand(), self.nothing());
+            self.pace.begin(stand.into_iter(), nothing);
+            self.advance()?;
         }
         for (k, guide) in self.engine.guides.iter().enumerate() {
             // What still approaches may touch before the end in a run beside this one.
@@ -146,37 +130,100 @@ impl<'a> Flight<'a> {
         all
     }
 
-    /// Advances by a step of the given size, less what is done of it; returns what is done then.
-    fn advance(&mut self, target: Derived, mut offset: Derived) -> Result<Derived, Horizon> {
-        let mut last = None;
-        for _ in 0..MOST_IMPACTS {
-            let left = target - offset;
-            if left.value <= SAME_INSTANT * target.value {
-                return Ok(offset);
-            }
-            let rests = self.resting()?;
-            let struck = match self.touching_again() {
-                Some(k) => Some(k),
-                None => {
-                    self.log.begin(&self.engine);
-                    let held = rests.map(|k| (k, Strike::Stays));
-                    self.solve(left, held)?;
-                    let struck = self.first_contact(left, held)?;
-                    offset += self.engine.h;
-                    self.accept_part(rests);
-                    if self.engine.fibres.failing {
-                        return Err(self.horizon("there a fibre fails".into()));
-                    }
-                    struck
-                }
-            };
-            if let Some(k) = struck {
-                offset += self.impact_interval(k, rests)?;
-                last = struck;
-            }
+    /// Gaps of the rigid contacts and their rates, shape (rigid contacts, 2) \[m, m/s\].
+    fn stand(&self) -> Vec<[f64; 2]> {
+        let guides = self.rigid.iter().map(|k| &self.engine.guides[*k]);
+        guides.map(|g| [g.gap.value, g.rate.value]).collect()
+    }
+
+    /// The same over what was solved last, shape (rigid contacts).
+    fn seen(&self) -> Vec<Seen> {
+        let seen = |(contact, (k, start)): (usize, (&usize, [f64; 2]))| {
+            let end = self.engine.gap_next(*k).map(|x| x.value);
+            Seen { contact, start, end }
+        };
+        self.rigid.iter().zip(self.stand()).enumerate().map(seen).collect()
+    }
+
+    /// What is as good as nothing between things that touch.
+    fn nothing(&self) -> Negligible {
+        let scales = RunScales {
+            step: self.settings.step,
+            positions: self.model.position_scale(),
+            gravity: self.model.gravity(),
+            energy: self.ledger.sums.energy_scale.value,
+            mass: self.model.total_mass,
+        };
+        scales.negligible()
+    }
+
+    /// The contact that presses in the part at hand, if one does.
+    fn pressing(&self) -> Result<Option<(usize, Strike)>, Horizon> {
+        let contacts = self.rigid.iter().zip(&self.pace.contacts);
+        let mut active = contacts.filter_map(|(k, c)| {
+            let own = self.engine.numbers.guides[*k].stiffness.value;
+            c.phase.map(|phase| match phase {
+                Phase::Impact { restitution, .. } if restitution == own => (*k, Strike::Rebounds),
+                Phase::Impact { .. } => (*k, Strike::Sticks),
+                _ => (*k, Strike::Stays),
+            })
+        });
+        match (active.next(), active.next()) {
+            (one, None) => Ok(one),
+            _ => Err(self.horizon("there several rigid contacts press at once".into())),
         }
-        let name = last.map_or("", |k| &self.model.contacts[k].name);
-        Err(self.horizon(format!("impacts of `{name}` accumulate there")))
+    }
+
+    /// Size of the step at hand, and time at its end \[s\]; the last one is as long as the run is.
+    fn step(&self) -> [Derived; 2] {
+        let (settings, steps) = (self.settings, self.pace.steps);
+        let until = ((steps + 1) as f64 * settings.step).min(settings.end);
+        let mut both = [step_behind(settings, steps), until].map(|x| self.end.constant(x));
+        if steps + 1 == settings.step_count() {
+            both.iter_mut().for_each(|x| x.slope = self.end.slope);
+        }
+        both
+    }
+
+    /// Solves the part at hand and takes it in.
+    fn advance(&mut self) -> Result<(), Horizon> {
+        let [target, until] = self.step();
+        self.log.begin(&self.engine);
+        let mut pressing = self.pressing()?;
+        let mut h;
+        loop {
+            h = target.constant(self.pace.h());
+            if self.pace.is_whole() {
+                h.slope = (target - self.offset).slope;
+            }
+            self.solve(h, pressing)?;
+            if self.pace.judge(&self.seen()) {
+                break;
+            }
+            pressing = self.pressing()?;
+        }
+        if let Some(k) = self.pace.located {
+            h = self.follow_instant(self.rigid[k], pressing)?;
+        }
+        self.check_gain(pressing)?;
+        let (mut seen, steps) = (self.seen(), self.pace.steps);
+        let impulse = |k: &usize| self.engine.guides[*k].impulse.value;
+        let impulses: Vec<f64> = self.rigid.iter().map(impulse).collect();
+        self.accept(pressing);
+        for (seen, stand) in seen.iter_mut().zip(self.stand()) {
+            seen.end = stand;
+        }
+        self.pace.accept(&seen, &impulses, self.nothing());
+        self.offset += h;
+        if self.pace.steps > steps {
+            self.offset = self.offset - target;
+            self.log.time = until + self.offset;
+        }
+        (self.offset.value, self.log.time.value) = (self.pace.offset, self.pace.time);
+        match self.engine.fibres.failing {
+            true => Err(self.horizon("there a fibre fails".into())),
+            false => Ok(()),
+        }
     }
 
     /// Derivatives end where the run stands.
@@ -185,7 +232,7 @@ impl<'a> Flight<'a> {
     }
 
     fn solve(&mut self, h: Derived, striking: Option<(usize, Strike)>) -> Result<(), Horizon> {
-        self.solver_steps += 1;
+        self.pace.solver_steps += 1;
         self.engine.h = h;
         self.engine.striking = striking;
         self.engine.constraints.impulsive = striking.is_some_and(|(_, how)| how != Strike::Stays);
@@ -196,105 +243,49 @@ impl<'a> Flight<'a> {
         }
     }
 
-    fn accept(&mut self) {
+    /// Not where an impulse would give energy: another law stands in for the contact's own.
+    fn check_gain(&self, pressing: Option<(usize, Strike)>) -> Result<(), Horizon> {
+        let Some((k, _)) = pressing.filter(|_| self.pace.is_impact()) else { return Ok(()) };
+        let state = &self.engine.guides[k];
+        let work = (state.impulse * state.gap_change / self.engine.h).value;
+        match work > NO_GAIN * (state.impulse * state.rate).value.abs() {
+            true => Err(self.horizon("there Newton's law would give energy".into())),
+            false => Ok(()),
+        }
+    }
+
+    /// Moves the run to the end of the part solved last, and notes what its contact did.
+    fn accept(&mut self, pressing: Option<(usize, Strike)>) {
+        let deed = pressing.map(|(k, how)| Deed::before(self, k, how));
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
         Accept { engine, ledger, log, go: None }.accept();
-        if self.engine.striking.is_none() {
+        if pressing.is_none() {
             self.misses.extend(self.log.passes(&self.engine));
         }
         self.log.time += self.engine.h;
+        if let Some(deed) = deed {
+            deed.note(self);
+        }
     }
 
-    /// Gap of a rigid projectile half an impact interval after the end of the step solved last.
-    fn ahead(&self, k: usize) -> Derived {
+    /// The instant at which a projectile was located, as the size of the part solved last: it moves with the parameters so that the gap half an
+    /// impact interval ahead stays what it is. The part is solved once more with it.
+    fn follow_instant(
+        &mut self,
+        k: usize,
+        pressing: Option<(usize, Strike)>,
+    ) -> Result<Derived, Horizon> {
+        let mut h = self.engine.h;
+        h.slope[TOGETHER] = 1.0;
+        self.solve(h, pressing)?;
         let [gap, rate] = self.engine.gap_next(k);
         let half = 0.5 * IMPACT_INTERVAL * self.settings.step;
-        if rate.value < 0.0 { gap + rate * half } else { gap }
-    }
-
-    /// The rigid projectile that touches first within the step solved last, if one does; the step up to that instant is then
-    /// the one solved last.
-    fn first_contact(
-        &mut self,
-        size: Derived,
-        held: Option<(usize, Strike)>,
-    ) -> Result<Option<usize>, Horizon> {
-        let all = self.open_rigid();
-        let least = |flight: &Self| {
-            let each = all.iter().map(|k| (flight.ahead(*k), *k));
-            each.min_by(|a, b| a.0.value.total_cmp(&b.0.value))
-        };
-        let Some((end, _)) = least(self).filter(|(ahead, _)| ahead.value <= 0.0) else {
-            return Ok(None);
-        };
-        let rate = all.iter().map(|k| self.engine.guides[*k].rate.value.abs()).fold(0.0, f64::max);
-        let interval = IMPACT_INTERVAL * self.settings.step;
-        let start =
-            all.iter().map(|k| self.engine.guides[*k].gap.value).fold(f64::INFINITY, f64::min);
-        let start = (start - 0.5 * interval * rate).max(LOCATED * interval * rate);
-        let guess = size.value * start / (start - end.value);
-        let tolerance = LOCATED * interval;
-        let instant = roots::bracketed(
-            (0.0, start),
-            (size.value, end.value),
-            guess,
-            tolerance,
-            tolerance * rate,
-            |t| {
-                self.solve(size.constant(t), held)?;
-                let (ahead, k) = least(self).expect("a rigid projectile");
-                let approaches = self.engine.gap_next(k)[1].value < 0.0;
-                let open = ahead.value.max(2.0 * tolerance * rate);
-                Ok::<f64, Horizon>(if approaches { ahead.value } else { open })
-            },
-        )?;
-        let (_, k) = least(self).expect("a rigid projectile");
-        // The instant moves with the parameters so that the gap ahead stays what it is.
-        let mut h = size.constant(instant);
-        h.slope[TOGETHER] = 1.0;
-        self.solve(h, held)?;
-        let ahead = self.ahead(k).slope;
+        let ahead = if rate.value < 0.0 { gap + rate * half } else { gap }.slope;
         for (own, by) in h.slope.iter_mut().zip(ahead) {
             *own = -by / ahead[TOGETHER];
         }
         h.slope[TOGETHER] = 0.0;
-        self.solve(h, held)?;
-        Ok(Some(k))
-    }
-
-    /// The impact interval in which the impulse of a projectile acts; returns its length.
-    fn impact_interval(&mut self, k: usize, rests: Option<usize>) -> Result<Derived, Horizon> {
-        if self.touching[rests.unwrap_or(k)].closed {
-            return Err(
-                self.horizon("there something strikes while another contact is closed".into())
-            );
-        }
-        let h = self.engine.h.constant(IMPACT_INTERVAL * self.settings.step);
-        self.log.begin(&self.engine);
-        let start = self.log.time;
-        let approach = -self.engine.guides[k].rate;
-        let stick = (STICK * self.touching[k].approach_max).max(self.negligible()[0]);
-        let how = if approach.value <= stick { Strike::Sticks } else { Strike::Rebounds };
-        self.solve(h, Some((k, how)))?;
-        let state = &self.engine.guides[k];
-        let struck = Struck {
-            time: start + h * 0.5,
-            impulse: state.impulse,
-            approach,
-            separation: self.engine.gap_next(k)[1],
-            given: self.given(k),
-            place: self.engine.struck(k),
-        };
-        if struck.impulse.value > 0.0 {
-            self.log.guides[k].impacts[0].push(struck);
-        }
-        self.accept();
-        self.engine.guides[k].impulse = h.constant(0.0);
-        let restitution = self.engine.numbers.guides[k].stiffness.value;
-        let touching = &mut self.touching[k];
-        touching.approach_max = touching.approach_max.max(approach.value);
-        touching.closed = how == Strike::Sticks || restitution == 0.0;
-        self.close_at_rest();
+        self.solve(h, pressing)?;
         Ok(h)
     }
 }

@@ -7,12 +7,13 @@ use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
-use super::pace::{LanePart, Negligible, Pace, Role, Seen};
+use super::pace::Pace;
 use super::rigid_log::{LaneDeed, RigidLog};
 use super::run::LaneRun;
 use super::stand::Stand;
 use super::summary::{Fixed, Reading, Telling};
-use percuss::internals::run::contact_status::{CREEP, NO_APPROACH};
+use percuss::internals::run::decider::{Negligible, RunScales};
+use percuss::internals::run::locate::Seen;
 use percuss::internals::run::strike::NO_GAIN;
 use percuss::internals::scalar::{Mask, Number};
 use percuss::internals::step::contacts::IMPULSIVE;
@@ -27,8 +28,8 @@ struct Lane {
     run: usize,
     pace: Pace,
     rigid: RigidLog,
-    /// Approach that is none because gravity gives as much in a step \[m/s\].
-    creep: f64,
+    /// What the run is measured by, its energy apart.
+    scales: RunScales,
     /// Size of the part solved last \[s\], and what it says of accelerations: 1 if it was accepted, -1 if not, 0 if it says nothing.
     last: (f64, f64),
     /// Parts of the same size accepted one after another.
@@ -38,24 +39,19 @@ struct Lane {
 impl Lane {
     /// Share of the accelerations of the part before that those of the one at hand are taken for, by the square of the sizes.
     fn ahead(&self) -> f64 {
-        let longer = self.pace.h / self.last.0;
-        let unknown =
-            self.last.1 == 0.0 || self.pace.part == LanePart::Impact || longer > MOST_LONGER;
+        let longer = self.pace.h() / self.last.0;
+        let unknown = self.last.1 == 0.0 || self.pace.is_impact() || longer > MOST_LONGER;
         if unknown { 0.0 } else { self.last.1 * longer * longer }
     }
 
     /// Share of the last change of accelerations that is expected again: all of it behind parts of the same size.
     fn trusted(&self) -> f64 {
-        f64::from(u8::from(self.even > 0 && self.last == (self.pace.h, 1.0)))
+        f64::from(u8::from(self.even > 0 && self.last == (self.pace.h(), 1.0)))
     }
 
     /// Whether the contact may press in the part at hand, and the least rate of its gap if it has this one \[m/s\].
     fn bound(&self, rate: f64) -> Option<f64> {
-        match self.pace.contacts[0].role {
-            Role::Open => None,
-            Role::Rests => Some(-rate.max(0.0)),
-            Role::Strikes(e) => Some(-e * rate.min(0.0) - rate.max(0.0)),
-        }
+        self.pace.contacts[0].phase.map(|phase| phase.least_rate(rate))
     }
 }
 
@@ -138,21 +134,27 @@ impl<S: Number> Paced<S> {
         self.engine.set_lane(lane, &fresh, 0);
         self.ledger.set_lane(lane, &ledger, 0);
         self.log.reset(lane);
-        let (settings, size) = (run.settings, run.model.position_scale());
+        let settings = run.settings;
+        let scales = RunScales {
+            step: settings.step,
+            positions: run.model.position_scale(),
+            gravity: run.model.gravity(),
+            energy: 0.0,
+            mass: run.model.total_mass,
+        };
         let guide = &run.numbers.guides[self.guide];
         let mut new = Lane {
             run: self.next,
-            pace: Pace::new(settings, size, &[guide.stiffness]),
+            pace: Pace::new(settings, scales.positions, &[guide.stiffness]),
             rigid: RigidLog::new(),
-            creep: CREEP * run.model.gravity() * settings.step,
+            scales,
             last: (settings.step, 0.0),
             even: 0,
         };
-        let at = [guide.standoff, -guide.speed];
-        let seen = [Seen { start: at, end: at }];
+        let stand = || std::iter::once([guide.standoff, -guide.speed]);
         let nothing = self.nothing(&new, lane);
-        new.pace.close_at_rest(&seen, nothing);
-        new.pace.begin(&seen, nothing);
+        new.pace.close_at_rest(stand(), nothing);
+        new.pace.begin(stand(), nothing);
         self.lanes[lane] = Some(new);
         self.next += 1;
     }
@@ -160,12 +162,7 @@ impl<S: Number> Paced<S> {
     /// What is no approach and no gap in a lane, as of a single run.
     #[inline(always)]
     fn nothing(&self, lane: &Lane, number: usize) -> Negligible {
-        let numbers = &self.engine.numbers;
-        let (energy, mass) = (self.ledger.sums.energy_scale, numbers.total_mass);
-        let speed = (2.0 * energy.lane(number) / mass.lane(number)).sqrt();
-        let rate = lane.creep.max(NO_APPROACH * speed);
-        let gap = (1e-12 * lane.pace.size()).max(rate * numbers.step.lane(number));
-        Negligible { rate, gap }
+        RunScales { energy: self.ledger.sums.energy_scale.lane(number), ..lane.scales }.negligible()
     }
 
     /// Gives every lane the part at hand: its size, the bound of its contact, the factors of its loads.
@@ -176,11 +173,11 @@ impl<S: Number> Paced<S> {
         let of = |lane: usize, read: &dyn Fn(&Lane) -> f64, none: f64| {
             lanes[lane].as_ref().map_or(none, read)
         };
-        self.engine.h = h.constants(|i| of(i, &|lane| lane.pace.h, h.lane(i)));
+        self.engine.h = h.constants(|i| of(i, &|lane| lane.pace.h(), h.lane(i)));
         self.search.ahead = h.constants(|i| of(i, &|lane| lane.ahead(), 0.0));
         self.search.trusted = h.constants(|i| of(i, &|lane| lane.trusted(), 0.0));
         self.log.time = h.constants(|i| of(i, &|lane| lane.pace.time, 0.0));
-        let strikes = |lane: &Lane| lane.pace.part == LanePart::Impact;
+        let strikes = |lane: &Lane| lane.pace.is_impact();
         self.engine.constraints.impulsive = h.mask(|i| lanes[i].as_ref().is_some_and(strikes));
         let bound = |i: usize| lanes[i].as_ref().and_then(|lane| lane.bound(rate.lane(i)));
         if let Some(press) = &mut self.engine.press {
@@ -193,7 +190,7 @@ impl<S: Number> Paced<S> {
         for (k, factor) in self.engine.load_factors.iter_mut().enumerate() {
             *factor = h.constants(|i| {
                 let load = |lane: &Lane| &runs[lane.run].model.loads[k];
-                of(i, &|lane| load(lane).factor(lane.pace.time, lane.pace.h), 0.0)
+                of(i, &|lane| load(lane).factor(lane.pace.time, lane.pace.h()), 0.0)
             });
         }
         self.engine.apply_loads();
@@ -217,16 +214,15 @@ impl<S: Number> Paced<S> {
         for number in 0..S::LANES {
             let Some(mut lane) = self.lanes[number].take() else { continue };
             lane.pace.solver_steps += 1;
-            let even = lane.last == (lane.pace.h, 1.0);
+            let even = lane.last == (lane.pace.h(), 1.0);
             lane.even = if even { lane.even + 1 } else { 0 };
-            lane.last = (lane.pace.h, 1.0);
+            lane.last = (lane.pace.h(), 1.0);
             if !self.search.failed.lane(number) {
-                let nothing = self.nothing(&lane, number);
-                go[number] = lane.pace.judge(&[seen.lane(number)], nothing);
+                go[number] = lane.pace.judge(&[seen.lane(number)]);
             }
             if !go[number] {
                 lane.last.1 = -1.0;
-            } else if lane.pace.part == LanePart::Impact {
+            } else if lane.pace.is_impact() {
                 lane.last.1 = 0.0;
             }
             self.lanes[number] = Some(lane);
@@ -287,8 +283,8 @@ impl<S: Number> Paced<S> {
     fn advance(&mut self, lane: &mut Lane, number: usize, seen: &Views<S>) -> bool {
         let own = seen.lane(number);
         let impulse = seen.impulse.lane(number);
-        let rests = lane.pace.contacts[0].role == Role::Rests;
-        if lane.pace.part == LanePart::Impact {
+        let contact = lane.pace.contacts[0];
+        if lane.pace.is_impact() {
             let most = NO_GAIN * (impulse * own.start[1]).abs();
             if seen.work.lane(number) > most {
                 return false; // another law stands in for the contact's own
@@ -296,19 +292,19 @@ impl<S: Number> Paced<S> {
         }
         let state = &self.engine.guides[self.guide];
         let end = [state.gap.lane(number), state.rate.lane(number)];
-        if lane.pace.contacts[0].role != Role::Open && (impulse > 0.0 || rests) {
+        if contact.phase.is_some() && (impulse > 0.0 || contact.rests()) {
             let deed = self.deed(lane, number, &own, end);
             lane.rigid.take(&deed);
             self.weigh(lane, number, &deed);
         }
         let nothing = self.nothing(lane, number);
-        let now = [Seen { start: own.start, end }];
+        let now = [Seen { end, ..own }];
         lane.pace.accept(&now, &[impulse], nothing);
         lane.rigid.see(end[0], lane.pace.time);
-        if lane.pace.accumulates() {
+        if lane.pace.has_accumulated() {
             return false;
         }
-        lane.pace.begin(&now, nothing);
+        lane.pace.begin(std::iter::once(end), nothing);
         true
     }
 
@@ -320,10 +316,10 @@ impl<S: Number> Paced<S> {
         let given = [force * guide.along(&self.engine.increment), -(force * state.increment)];
         let [start, middle] = [h, h * 0.5].map(|back| self.engine.struck_before(k, back));
         LaneDeed {
-            rests: lane.pace.contacts[0].role == Role::Rests,
-            impulsive: lane.pace.h < IMPULSIVE * self.engine.numbers.step.lane(number),
+            rests: lane.pace.contacts[0].rests(),
+            impulsive: lane.pace.h() < IMPULSIVE * self.engine.numbers.step.lane(number),
             start: lane.pace.time,
-            h: lane.pace.h,
+            h: lane.pace.h(),
             impulse: state.impulse.lane(number),
             before: own.start[1],
             after: end[1],
@@ -359,6 +355,7 @@ impl<S: Number> Paced<S> {
             search: &self.search,
             lane: number,
             steps: lane.pace.steps,
+            accumulated_steps: 0,
             solver_steps: lane.pace.solver_steps,
             rows: lane.pace.rows,
             rigid: Some(&lane.rigid),
@@ -375,6 +372,6 @@ impl<S: Number> Views<S> {
     #[inline(always)]
     fn lane(&self, lane: usize) -> Seen {
         let both = |x: [S; 2]| [x[0].lane(lane), x[1].lane(lane)];
-        Seen { start: both(self.start), end: both(self.end) }
+        Seen { contact: 0, start: both(self.start), end: both(self.end) }
     }
 }

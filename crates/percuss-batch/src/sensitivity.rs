@@ -239,7 +239,8 @@ impl Case<'_> {
             search: &flight.search,
             lane: 0,
             steps: self.settings.step_count(),
-            solver_steps: flight.solver_steps,
+            accumulated_steps: flight.pace.accumulated_steps,
+            solver_steps: flight.pace.solver_steps,
             rows: found.summary.rows,
             rigid: None,
         };

@@ -25,8 +25,9 @@ pub struct Telling<'a, S: Number> {
     pub log: &'a Log<S>,
     pub search: &'a LaneNewton<S>,
     pub lane: usize,
-    /// Steps of the given size, steps of the solver, rows that a recorder would be given.
+    /// Steps of the given size, those of them in which impacts accumulated, steps of the solver, rows that a recorder would be given.
     pub steps: usize,
+    pub accumulated_steps: usize,
     pub solver_steps: usize,
     pub rows: usize,
     /// What its rigid contact did, of runs side by side.
@@ -86,7 +87,7 @@ impl<S: Number> Telling<'_, S> {
             steps: self.steps,
             solver_steps: self.solver_steps,
             step_cuts: 0,
-            accumulated_steps: 0,
+            accumulated_steps: self.accumulated_steps,
             step_control: None,
             newton_iterations: self.search.iterations.lane(self.lane) as usize,
             factorizations: self.search.factorizations.lane(self.lane) as usize,

@@ -1,6 +1,5 @@
 //! What is said of a step that fails however small it is: what did not converge, and where.
 
-use super::solving::budget::MOST_CORRECTIONS;
 use crate::contact::search::Search;
 use crate::element::beam::ElementValues;
 use crate::error::Error;
@@ -10,6 +9,9 @@ use crate::state::State;
 use crate::step::newton::Failure;
 use crate::step::tangent::Singular;
 use crate::summary::PressedIn;
+
+/// Corrections of Newton's iteration in a step, over all its parts, impacts and cuts, before the run gives up: more would not end.
+pub const MOST_CORRECTIONS: usize = 100_000;
 
 /// A stretch below this is a beam that has collapsed: its curvature has no bound as the stretch vanishes.
 const COLLAPSED: f64 = 0.2;

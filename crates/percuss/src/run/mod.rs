@@ -24,5 +24,5 @@ pub use recording::channels::Channel;
 pub use recording::checkpoint::{Checkpoint, ResumeError};
 pub use recording::record::{Flow, MemoryRecorder, NoRecorder, Recorder};
 pub use simulation::{Simulation, reference_state, simulate};
-pub use solving::{contact_status, locate, strike};
+pub use solving::{decider, locate, strike};
 pub use start::massless;

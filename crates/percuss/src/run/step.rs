@@ -1,23 +1,20 @@
 //! One step of a run.
 //!
-//! Its parts end at impacts, at releases of supports and at jumps of prescribed velocities. Each is solved as its contacts ask for,
-//! accepted by the only writer of the state, shown to observers, and recorded before and after an impact. A part that has no solution is
-//! cut in half; where that does not help, the run gives up with its reason.
+//! Its parts end at impacts, at releases of supports and at jumps of prescribed velocities. Each is solved as its contacts ask for
+//! ([`decider`](super::solving::decider)), accepted by the only writer of the state, shown to observers, and recorded before and after an
+//! impact. A part that has no solution is cut in half; where that does not help, the run gives up with its reason.
 
-use super::giving_up::give_up;
+use super::giving_up::{MOST_CORRECTIONS, give_up};
 use super::observing::step_size::StepSizeControl;
 use super::recording::record::{Flow, Recorder};
 use super::simulation::Simulation;
 use super::solving::accept::Acceptance;
-use super::solving::budget::Budget;
-use super::solving::contact_status::Resolution;
+use super::solving::decider::{Decider, Moment, Resolution, step_behind};
 use super::solving::solver::Solving;
 use super::solving::trial::{Accepted, PartKind, Solved, Trial};
 use crate::error::Error;
 use crate::settings::SAME_INSTANT;
 use crate::step::newton::Failure;
-
-pub use super::solving::budget::{MOST_EVENTS, Part};
 
 /// Energy out of nothing at which a run ends, beside what was there at the start or was put in.
 const MOST_MADE: f64 = 10.0;
@@ -29,54 +26,54 @@ impl Simulation<'_> {
     /// # Errors
     /// If no solution is found even for very short steps; the state is the last one accepted.
     pub fn advance(&mut self, recorder: &mut dyn Recorder) -> Result<Flow, Error> {
-        let mut budget = self.budget();
-        while let Some(part) = budget.next(self.state.offset, self.time_to_cut()) {
+        let most_corrections = self.solver.counts.effort.iterations + MOST_CORRECTIONS;
+        let mut decider = Decider::new(&self.settings, self.solver.positions, self.target());
+        while decider.goes_on(&self.moment()) {
             let (solver, at) = self.solver();
-            match solver.solve(at, |solving| solve_part(solving, &part, budget.events_left)) {
+            match solver.solve(at, |solving| solve_part(solving, &mut decider)) {
                 Ok(solved) => {
                     if let Some(size) = self.too_long(&solved) {
-                        self.refuse(&mut budget, size);
+                        self.refuse(&mut decider, size);
                         self.solver.keep(solved.solution);
                         continue;
                     }
-                    budget.spend(&solved.trial);
+                    decider.spend(solved.trial.is_event());
                     self.accept_all(solved, recorder)?;
-                    self.slow_down(&mut budget);
-                    let goes_on = budget.remains(self.state.offset);
+                    self.slow_down(&mut decider);
+                    let goes_on = decider.remains(self.state.offset);
                     if goes_on && recorder.progress(self.state.time) == Flow::Stop {
                         return Ok(Flow::Stop);
                     }
                 }
                 Err(failure) => {
                     self.solver.counts.step_cuts += 1;
-                    budget.halve(&part, failure).map_err(|why| self.give_up(why, part.size))?;
+                    if !decider.halve() {
+                        return Err(self.give_up(failure, decider.part.size));
+                    }
                 }
             }
-            if self.solver.counts.effort.iterations > budget.most_corrections {
-                return Err(self.give_up(Failure::Endless, part.size));
+            if self.solver.counts.effort.iterations > most_corrections {
+                return Err(self.give_up(Failure::Endless, decider.part.size));
             }
         }
-        let closed = self.close_step(&budget);
+        let closed = self.close_step(&decider);
         self.monitor.settle(&self.state);
         closed?;
         Ok(recorder.progress(self.state.time))
     }
 
-    /// The step to come.
-    fn budget(&self) -> Budget {
-        let (settings, corrections) = (&self.settings, self.solver.counts.effort.iterations);
-        match &self.step_size {
-            Some(step_size) => {
-                let left = settings.end - self.state.time;
-                Budget::of(step_size.target(left), settings.step, corrections)
-            }
-            None => Budget::new(settings, self.state.step, corrections),
-        }
+    /// Where the run stands within the step.
+    fn moment(&mut self) -> Moment {
+        let (solver, at) = self.solver();
+        solver.moment(at)
     }
 
-    /// Time to the next cut of the step \[s\].
-    fn time_to_cut(&self) -> f64 {
-        self.solver.time_to_cut(self.state.time, self.settings.step)
+    /// Size of the step to come \[s\].
+    fn target(&self) -> f64 {
+        match &self.step_size {
+            Some(step_size) => step_size.target(self.settings.end - self.state.time),
+            None => step_behind(&self.settings, self.state.step),
+        }
     }
 
     /// The size that a part should have had, if it is too long for the accuracy asked for \[s\].
@@ -85,17 +82,17 @@ impl Simulation<'_> {
     }
 
     /// A part was too long for the accuracy asked for: the step ends after one of the given size.
-    fn refuse(&mut self, budget: &mut Budget, size: f64) {
-        budget.end_at(self.state.offset + size);
+    fn refuse(&mut self, decider: &mut Decider, size: f64) {
+        decider.end_at(self.state.offset + size);
         if let Some(step_size) = &mut self.step_size {
             step_size.refuse();
         }
     }
 
     /// Behind a jump of velocities a step ends soon where an accuracy is asked for.
-    fn slow_down(&self, budget: &mut Budget) {
+    fn slow_down(&self, decider: &mut Decider) {
         if let Some(size) = self.step_size.as_ref().and_then(StepSizeControl::afresh) {
-            budget.end_at(self.state.offset + size);
+            decider.end_at(self.state.offset + size);
         }
     }
 
@@ -156,26 +153,19 @@ impl Simulation<'_> {
     }
 
     /// Counts the step; its end is on the grid of steps, or behind an impact that went beyond.
-    fn close_step(&mut self, budget: &Budget) -> Result<(), Error> {
-        let step = self.settings.step;
-        self.solver.counts.accumulated_steps += usize::from(budget.events_left == 0);
+    fn close_step(&mut self, decider: &Decider) -> Result<(), Error> {
+        self.solver.counts.accumulated_steps += usize::from(decider.accumulates());
         self.state.step += 1;
+        let (state, end) = (&mut self.state, self.settings.end);
         if let Some(step_size) = &mut self.step_size {
-            step_size.close(self.state.offset, &self.state.pairs);
-            self.state.offset = 0.0;
-            if (self.state.time - self.settings.end).abs() <= SAME_INSTANT * step {
-                self.state.time = self.settings.end;
+            step_size.close(state.offset, &state.pairs);
+            state.offset = 0.0;
+            if (state.time - end).abs() <= SAME_INSTANT * self.settings.step {
+                state.time = end;
             }
-            return self.refuse_growth();
+        } else {
+            (state.time, state.offset) = decider.close(state.step, state.time, state.offset);
         }
-        self.state.offset -= budget.target;
-        if self.state.offset.abs() <= SAME_INSTANT * step {
-            self.state.offset = 0.0;
-        }
-        let grid = self.state.step as f64 * step;
-        // Never back, not even by the last bit, behind an impact at the end of the step.
-        let time = grid.min(self.settings.end) + self.state.offset;
-        self.state.time = if self.state.offset > 0.0 { time.max(self.state.time) } else { time };
         self.refuse_growth()
     }
 
@@ -198,29 +188,26 @@ impl Simulation<'_> {
     }
 }
 
-/// Solves a part of a step that may still have so many events, as its contacts ask for.
-fn solve_part(
-    solving: &mut Solving<'_>,
-    part: &Part,
-    events_left: usize,
-) -> Result<Trial, Failure> {
-    match solving.resolution(events_left) {
-        Resolution::Jump => solving.jump(part),
-        Resolution::Free => solving.advance_to_contact(part),
-        Resolution::Impact(touching) => solving.strike(&touching, part),
-        Resolution::Sequence(touching) => solving.strike_fastest(&touching, part),
-        Resolution::Accumulated => solving.hold(part),
-        Resolution::TimeStepping { closed } => solving.step_in_time(part, closed),
+/// Solves the part at hand as its contacts ask for.
+fn solve_part(solving: &mut Solving<'_>, decider: &mut Decider) -> Result<Trial, Failure> {
+    match decider.part.resolution {
+        Resolution::Jump => solving.jump(&decider.part),
+        Resolution::Free | Resolution::Accumulated => solving.advance_freely(decider),
+        Resolution::Impact => solving.strike(&decider.part),
+        Resolution::Sequence => solving.strike_fastest(&decider.part),
+        Resolution::TimeStepping => solving.step_in_time(&decider.part),
     }
 }
 
 /// Parts of steps by themselves, for tests: runs take them where nothing simpler will do.
 #[doc(hidden)]
 impl Simulation<'_> {
-    /// Takes a part in which nothing rigid ends inside another, and what follows from it.
-    pub fn advance_held(&mut self, part: &Part) -> Result<(), Failure> {
+    /// Takes a part of the given size as behind more impacts than are followed one by one, and what follows from it.
+    pub fn advance_held(&mut self, size: f64) -> Result<(), Failure> {
+        let mut decider = Decider::new(&self.settings, self.solver.positions, size).exhausted();
+        decider.goes_on(&self.moment());
         let (solver, at) = self.solver();
-        let mut next = Some(solver.solve(at, |solving| solving.hold(part))?);
+        let mut next = Some(solver.solve(at, |solving| solve_part(solving, &mut decider))?);
         while let Some(mut solved) = next {
             self.accept(&mut solved);
             next = self.follow_up(solved);

@@ -55,6 +55,26 @@ impl Phase {
             _ => [0.0; 2],
         }
     }
+
+    /// Least rate of the gap at the end of a step that begins with this one, where the normal does not turn; one that happens to open already is
+    /// let go as it came: an impulse would give energy.
+    #[inline(always)]
+    pub fn least_rate(&self, before: f64) -> f64 {
+        match self {
+            Self::Impact { restitution, .. } => -restitution * before.min(0.0) - before.max(0.0),
+            Self::Resting { .. } => -before.max(0.0),
+            Self::PlasticPostStep { .. } => 0.0,
+        }
+    }
+
+    /// Whether a contact is closed behind a step in which it gave this impulse along the normal. What sticks is held from there on; if
+    /// nothing presses it, the next step releases it.
+    pub fn closes(&self, impulse: f64) -> bool {
+        match self {
+            Self::Impact { restitution, .. } => *restitution == 0.0,
+            phase => phase.carried()[0] + impulse > 0.0,
+        }
+    }
 }
 
 impl ActiveContact {

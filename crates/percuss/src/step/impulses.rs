@@ -1,6 +1,6 @@
 //! Impulses of the rigid contacts of a step: the problem that the Delassus operator of the factored tangent poses, and its solution.
 
-use super::contacts::{GAP_RESOLUTION, IMPULSIVE, ImpulseLaw, Phase};
+use super::contacts::{ActiveContact, GAP_RESOLUTION, IMPULSIVE, ImpulseLaw, Phase};
 use super::newton::{Failure, StepProblem};
 use super::workspace::Workspace;
 use crate::geometry::pair::Target;
@@ -88,12 +88,8 @@ impl StepProblem<'_> {
             let before = rows.normal.on(&self.state.velocity);
             condition.friction = law.map_or(0.0, |law| law.friction);
             condition.bound = match contact.phase {
-                // One that happens to open already is let go as it came: an impulse would give energy.
-                Phase::Impact { restitution, .. } => {
-                    -restitution * before.min(0.0) - before.max(0.0)
-                }
-                Phase::Resting { .. } => self.resting_bound(contact.pair, before, seen.gap),
-                Phase::PlasticPostStep { .. } => 0.0,
+                Phase::Resting { .. } => self.resting_bound(contact, before, seen.gap),
+                phase => phase.least_rate(before),
             };
             condition.carried = contact.phase.carried();
             if self.law == ImpulseLaw::Mean
@@ -118,10 +114,10 @@ impl StepProblem<'_> {
     /// mean, so that the impulse gives no energy. Elsewhere the mean rate is what closes the gap left over: it neither drifts nor
     /// gives energy, however the normal turns. In steps as short as an impact a gap left over would be a velocity, and one of round-off would be
     /// in any step: twice the gap over the step, which grows in the flight that follows into a larger gap.
-    fn resting_bound(&self, pair: usize, before: f64, gap: f64) -> f64 {
-        let guided = matches!(self.model.pairs[pair].target, Target::Guided { .. });
+    fn resting_bound(&self, contact: &ActiveContact, before: f64, gap: f64) -> f64 {
+        let guided = matches!(self.model.pairs[contact.pair].target, Target::Guided { .. });
         if guided || self.feedback < IMPULSIVE {
-            -before.max(0.0)
+            contact.phase.least_rate(before)
         } else {
             let left = (gap - GAP_RESOLUTION * self.positions).max(0.0);
             -before - 2.0 * left / self.integration.h

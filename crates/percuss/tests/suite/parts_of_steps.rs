@@ -1,6 +1,5 @@
 //! Parts of steps by themselves, which runs take where nothing simpler will do.
 
-use percuss::internals::run::step::Part;
 use percuss::internals::step::newton::Failure;
 use percuss::internals::step::tangent::Singular;
 use percuss::*;
@@ -53,7 +52,7 @@ fn a_ball_comes_to_rest_on_what_it_would_have_sunk_into() {
         let mut simulation = Simulation::new(&model, &Settings::new(1.0, h)).unwrap();
         let energy = |s: &Simulation<'_>| s.measures().total();
         let before = energy(&simulation);
-        simulation.advance_held(&Part { size: h, share: 1.0 }).unwrap();
+        simulation.advance_held(h).unwrap();
         // The impact interval that brings it to rest follows.
         let beyond = simulation.state().time / h - 1.0;
         assert!(beyond > 0.0 && beyond < 1e-5, "{beyond}");

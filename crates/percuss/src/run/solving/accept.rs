@@ -175,12 +175,7 @@ impl Acceptance<'_> {
         }
         let found = solved.trial.active.iter().zip(&solved.solution.work.rigid);
         for (contact, found) in found {
-            let closed = match contact.phase {
-                // What sticks is held from here on; if nothing presses it, the next step releases it.
-                Phase::Impact { restitution, .. } => restitution == 0.0,
-                phase => phase.carried()[0] + found.impulse[0] > 0.0,
-            };
-            self.state.pairs[contact.pair].closed = closed;
+            self.state.pairs[contact.pair].closed = contact.phase.closes(found.impulse[0]);
         }
         let at = Standing { model: self.model, settings: self.settings, state: self.state };
         for pair in self.solver.solving(at, &mut solved.solution).at_rest() {

@@ -7,41 +7,12 @@
 //! the least energy, and not to act at all is among what it chooses from: it gives none either. Friction that has to shrink with
 //! the impulse along the normal may give back some of what it took over the step, but not more; else it is left as it was.
 
-use super::budget::Part;
 use super::solve::Attempt;
 use super::solver::Solving;
 use super::trial::{PartKind, Trial};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
-use crate::step::newton::Failure;
 
 impl Solving<'_> {
-    /// A part, of its whole size, in which no rigid contact ends inside another: those that would are held.
-    pub fn hold(&mut self, part: &Part) -> Result<Trial, Failure> {
-        let h = part.size;
-        let mut active = self.resting();
-        let closes = |i: &usize| {
-            let pair = &self.state.pairs[*i];
-            !pair.closed && pair.gap + h * pair.rate < 0.0
-        };
-        active.extend(self.rigid().into_iter().filter(closes).map(ActiveContact::resting));
-        loop {
-            self.solve_resting(&Attempt::free(h), &mut active)?;
-            let mut others = self.open_contacts();
-            others.retain(|i| active.iter().all(|contact| contact.pair != *i));
-            let depth = -self.gap_resolution();
-            let gap = |i: &usize| self.gap_next(h, *i)[0];
-            if others.iter().all(|i| gap(i) >= depth) {
-                return match self.first_passage(&others) {
-                    Some(_) => Err(Failure::Passed),
-                    None => Ok(Trial { h, active, fallback_law: false, kind: PartKind::Held }),
-                };
-            }
-            // Those that are inside by less than gaps can tell come along: which is deeper is round-off.
-            let inside: Vec<usize> = others.iter().filter(|i| gap(i) < 0.0).copied().collect();
-            active.extend(inside.into_iter().map(ActiveContact::resting));
-        }
-    }
-
     /// The impact interval after a part in which contacts were held, in the room of that; none if they are at rest already, or if no impulses bring them
     /// to rest: then they stay as they are.
     pub fn plastic_post_step(&mut self, held: &Trial) -> Option<Trial> {

@@ -1,54 +1,53 @@
-//! Which rigid contacts touch, rest or could close, and what a part of a step is therefore solved as.
+//! Which rigid contacts touch, rest or could close: where a run stands within a step, as decisions are told of it.
 
+use super::decider::{IMPACT_INTERVAL, Moment, Negligible, RigidPair, RunScales};
+use super::locate::Seen;
 use super::solver::Solving;
 use crate::model::{RigidLaw, TouchLaw};
-use crate::settings::{ImpactResolution, MultipleImpacts};
-use crate::step::contacts::{ActiveContact, GAP_RESOLUTION};
-
-/// Length of an impact interval as a share of the step.
-pub const IMPACT_INTERVAL: f64 = 1e-6;
-/// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
-pub const STICK: f64 = 1e-6;
-/// Nor does approach slower than this share of the velocity scale, which is round-off.
-pub const NO_APPROACH: f64 = 1e-12;
-/// Nor does approach slower than this share of what gravity gives in a step: piles at rest would rattle over gaps of a picometre.
-pub const CREEP: f64 = 1e-5;
-
-/// What a part of a step is solved as.
-#[derive(Clone, Debug)]
-pub enum Resolution {
-    /// Prescribed velocities jump.
-    Jump,
-    /// Nothing touches: up to the first contact, or its whole size.
-    Free,
-    /// These pairs touch, shape (pairs) \[index of a pair\]; all strike at once.
-    Impact(Vec<usize>),
-    /// These pairs touch, shape (pairs) \[index of a pair\]; they strike one after another.
-    Sequence(Vec<usize>),
-    /// Too many impacts have happened in the step for them to be followed one by one.
-    Accumulated,
-    /// As in the paper, gaps are looked at once; those below `closed` are closed \[m\].
-    TimeStepping { closed: f64 },
-}
+use crate::step::contacts::ActiveContact;
 
 impl Solving<'_> {
-    /// What the next part of a step, which may still have so many events, is solved as where the state stands.
-    pub fn resolution(&self, events_left: usize) -> Resolution {
-        if self.velocities_jump() {
-            return Resolution::Jump;
+    /// Where the run stands, `cut` before the next instant at which a part has to end \[s\].
+    pub(super) fn moment(&self, cut: f64) -> Moment {
+        let standing = |i: usize| {
+            let (pair, law) = (&self.state.pairs[i], self.rigid_law(i)?);
+            let restitution = [law.restitution, law.tangential_restitution];
+            let (gap, rate, closed) = (pair.gap, pair.rate, pair.closed);
+            let approach_max = pair.approach_max;
+            Some(RigidPair { contact: i, gap, rate, closed, approach_max, restitution })
+        };
+        Moment {
+            offset: self.state.offset,
+            cut,
+            jumps: self.velocities_jump(),
+            located: self.state.located,
+            contacts: self.search.awake().iter().filter_map(|i| standing(*i)).collect(),
+            nothing: self.nothing(),
         }
-        if let ImpactResolution::TimeStepping { closed_tolerance: closed } = self.settings.impacts {
-            return Resolution::TimeStepping { closed };
-        }
-        if events_left == 0 {
-            return Resolution::Accumulated;
-        }
-        let touching = self.touching();
-        match self.settings.multiple_impacts {
-            _ if touching.is_empty() => Resolution::Free,
-            MultipleImpacts::Sequential => Resolution::Sequence(touching),
-            _ => Resolution::Impact(touching),
-        }
+    }
+
+    /// What is as good as nothing between things that touch.
+    pub(super) fn nothing(&self) -> Negligible {
+        let scales = RunScales {
+            step: self.settings.step,
+            positions: self.positions,
+            gravity: self.model.gravity(),
+            energy: self.state.ledger.energy_scale,
+            mass: self.model.total_mass,
+        };
+        scales.negligible()
+    }
+
+    /// Open rigid pairs that could touch within the step solved last.
+    pub(super) fn open_contacts(&self) -> Vec<usize> {
+        let open = |i: &usize| self.rigid_law(*i).is_some() && !self.state.pairs[*i].closed;
+        self.encounters.reached.iter().copied().filter(open).collect()
+    }
+
+    /// The gap of pair `i` over the step of size `h` solved last.
+    pub(super) fn seen_over(&self, h: f64, i: usize) -> Seen {
+        let pair = self.seen(i);
+        Seen { contact: i, start: [pair.gap, pair.rate], end: self.gap_next(h, i) }
     }
 
     /// Law of pair `i`, if it is a rigid one.
@@ -72,59 +71,17 @@ impl Solving<'_> {
 
     /// Rigid pairs that touch, at rest but for what is no approach: they count as closed.
     pub(super) fn at_rest(&self) -> Vec<usize> {
-        let (slow, reach) = (self.no_approach(), self.no_gap());
+        let nothing = self.nothing();
         let rests = |i: &usize| {
             let pair = &self.state.pairs[*i];
-            pair.gap <= reach && pair.rate.abs() <= slow
+            nothing.is_at_rest(pair.gap, pair.rate)
         };
         self.rigid().into_iter().filter(rests).collect()
     }
 
-    /// Open contacts that would close within the next three quarters of an impact interval; and the one just located, with all others
-    /// that are no farther as gaps can tell, or close within an interval of its instant: which of these is first follows from round-off, and
-    /// impulses last as long, so they close together.
-    fn touching(&self) -> Vec<usize> {
-        let (interval, resolution) = (self.impact_interval(), self.gap_resolution());
-        let near = |i: &usize| {
-            let pair = &self.state.pairs[*i];
-            let way = |intervals: f64| -intervals * interval * pair.rate;
-            // The instant located is the middle of the interval to come.
-            let close = match self.state.located {
-                Some(located) => {
-                    let nearest = self.state.pairs[located].gap;
-                    located == *i || pair.gap < way(1.5).max(nearest + resolution)
-                }
-                None => pair.gap < way(0.75),
-            };
-            !pair.closed && pair.rate < 0.0 && close
-        };
-        self.rigid().into_iter().filter(near).collect()
-    }
-
     /// Approach velocities of pair `i` up to this one do not bounce \[m/s\].
     pub(super) fn stick_velocity(&self, i: usize) -> f64 {
-        (STICK * self.state.pairs[i].approach_max).max(self.no_approach())
-    }
-
-    /// Velocities up to this one are none between things that touch \[m/s\].
-    pub(super) fn no_approach(&self) -> f64 {
-        let creep = CREEP * self.model.gravity() * self.settings.step;
-        creep.max(NO_APPROACH * self.velocity_scale())
-    }
-
-    /// Gaps up to this one are none between things that do not approach \[m\].
-    pub(super) fn no_gap(&self) -> f64 {
-        self.gap_resolution().max(self.no_approach() * self.settings.step)
-    }
-
-    /// Gaps that differ by no more than this one are equal \[m\].
-    pub(super) fn gap_resolution(&self) -> f64 {
-        GAP_RESOLUTION * self.positions
-    }
-
-    /// Velocity that goes with the largest energy of the run so far \[m/s\].
-    fn velocity_scale(&self) -> f64 {
-        (2.0 * self.state.ledger.energy_scale / self.model.total_mass).sqrt()
+        self.nothing().stick_velocity(self.state.pairs[i].approach_max)
     }
 
     /// Contacts that stay closed.

@@ -4,8 +4,7 @@
 //! there as at the release of a support, and the jump is made in an impact interval, a very short step of its own, whose impulses are kept
 //! apart from forces as those of impacts are.
 
-use super::budget::Part;
-use super::contact_status::IMPACT_INTERVAL;
+use super::decider::{IMPACT_INTERVAL, Part};
 use super::solve::Attempt;
 use super::solver::{Solver, Solving};
 use super::trial::{PartKind, Trial};
@@ -69,8 +68,7 @@ impl Solving<'_> {
 
     /// The impact interval in which prescribed velocities jump; what rests on the structure stays closed.
     pub fn jump(&mut self, part: &Part) -> Result<Trial, Failure> {
-        let h = self.impact_interval() * part.share;
-        let mut active = self.resting();
+        let (h, mut active) = (part.interval, part.active.clone());
         self.solve_resting(&Attempt { jumps: true, ..Attempt::free(h) }, &mut active)?;
         Ok(Trial { h, active, fallback_law: false, kind: PartKind::Jump })
     }

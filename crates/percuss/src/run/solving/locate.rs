@@ -5,126 +5,189 @@
 //! in an impact interval, a very short part of its own. That starts half its length before the gap vanishes, so that its middle is the
 //! instant of contact.
 
-use super::budget::Part;
-use super::solve::Attempt;
-use super::solver::Solving;
-use super::trial::{PartKind, Trial};
 use crate::math::hermite::Cubic;
-use crate::math::roots;
-use crate::step::contacts::ActiveContact;
-use crate::step::newton::Failure;
+use crate::math::roots::{self, Bracket};
 
 /// A contact is located to this share of an impact interval.
-pub const LOCATED: f64 = 1e-3;
+const LOCATED: f64 = 1e-3;
 /// Differences of gaps below this share of the size of positions are round-off.
-pub const ROUND_OFF: f64 = 1e-15;
+const ROUND_OFF: f64 = 1e-15;
 
-impl Solving<'_> {
-    /// A part without impacts: of its whole size, or up to the first instant of contact.
-    pub fn advance_to_contact(&mut self, part: &Part) -> Result<Trial, Failure> {
-        let mut active = self.resting();
-        self.solve_resting(&Attempt::free(part.size), &mut active)?;
-        let instant = self.first_contact(part.size, &mut active)?;
-        let located = instant.and_then(|instant| {
-            let nearest = |a: &usize, b: &usize| {
-                self.gap_ahead(instant, *a).total_cmp(&self.gap_ahead(instant, *b))
-            };
-            self.open_contacts().into_iter().min_by(nearest)
-        });
-        let (h, kind) = (instant.unwrap_or(part.size), PartKind::Free { located });
-        Ok(Trial { h, active, fallback_law: false, kind })
+/// What is seen of a rigid contact over a part that stands solved.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    /// The contact.
+    pub contact: usize,
+    /// Gap and its rate at the start, shape (2) \[m, m/s\].
+    pub start: [f64; 2],
+    /// The same at the end, shape (2) \[m, m/s\].
+    pub end: [f64; 2],
+}
+
+impl Seen {
+    /// The gap, as far as it is below zero by round-off where the part begins \[m\].
+    fn floor(&self, no_gap: f64) -> f64 {
+        self.start[0].clamp(-no_gap, 0.0)
+    }
+}
+
+/// What follows from a part that stands solved.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// It is solved once more, by another size or with more contacts.
+    Again,
+    /// It is accepted; it ends where this contact was located, if one was.
+    Ends {
+        /// The contact.
+        located: Option<usize>,
+    },
+    /// One thing has passed through another, and gaps do not tell where: it is to be cut.
+    Passed,
+}
+
+/// Gaps that matter to the search \[m\], and its time scale.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tolerances {
+    /// Length of an impact interval \[s\].
+    pub interval: f64,
+    /// What positions are as large as \[m\].
+    pub positions: f64,
+    /// A gap that is none \[m\].
+    pub no_gap: f64,
+}
+
+/// What was solved last.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+enum Stage {
+    /// The whole part.
+    #[default]
+    Whole,
+    /// Up to where a gap seems to have dipped below zero and out again, or, if `passed`, where something may have passed through.
+    Dip { passed: bool },
+    /// The whole part, in which nothing touches.
+    Clear,
+    /// Up to a trial of the root search.
+    Trial,
+}
+
+/// The search for the first contact within a part in which nothing strikes.
+#[derive(Clone, Debug, Default)]
+pub struct FirstContact {
+    tolerances: Tolerances,
+    stage: Stage,
+    /// Size of the whole part \[s\].
+    whole: f64,
+    /// Size of what is solved next \[s\].
+    pub h: f64,
+    /// Gaps over the whole part, shape (open contacts).
+    paths: Vec<Cubic>,
+    root: Bracket,
+    /// Gaps up to this one are as good as none \[m\].
+    near: f64,
+}
+
+impl FirstContact {
+    /// Begins with a part of the given size.
+    pub fn begin(&mut self, whole: f64, tolerances: Tolerances) {
+        (self.stage, self.whole, self.h, self.tolerances) =
+            (Stage::Whole, whole, whole, tolerances);
     }
 
-    /// Open rigid pairs that could touch within the step solved last.
-    pub(super) fn open_contacts(&self) -> Vec<usize> {
-        let open = |i: &usize| self.rigid_law(*i).is_some() && !self.state.pairs[*i].closed;
-        self.encounters.reached.iter().copied().filter(open).collect()
+    /// Whether the whole part is what was solved last: which contacts are open is known from there.
+    pub fn is_whole(&self) -> bool {
+        self.stage == Stage::Whole
     }
 
-    /// The gap of pair `i` half an impact interval after the end of the step solved last, as [`Self::path`] counts it.
-    fn gap_ahead(&self, h: f64, i: usize) -> f64 {
-        let [gap, rate] = self.gap_next(h, i);
-        gap - self.floor(i) + 0.5 * self.impact_interval() * rate.min(0.0)
-    }
-
-    /// What the gap of pair `i` is below zero by round-off where the step begins.
-    fn floor(&self, i: usize) -> f64 {
-        self.seen(i).gap.clamp(-self.no_gap(), 0.0)
-    }
-
-    /// The gap of pair `i` over the step of size `h` solved last; one that opens from round-off below zero begins at zero.
-    fn path(&self, h: f64, i: usize) -> Cubic {
-        let pair = self.seen(i);
-        let (floor, [gap, rate]) = (self.floor(i), self.gap_next(h, i));
-        Cubic { h, start: [pair.gap - floor, pair.rate], end: [gap - floor, rate] }
-    }
-
-    /// Least gap ahead of the given contacts, and whether the one it belongs to approaches.
-    fn nearest_ahead(&self, h: f64, open: &[usize]) -> (f64, bool) {
-        let nearest =
-            open.iter().map(|i| (self.gap_ahead(h, *i), *i)).min_by(|a, b| a.0.total_cmp(&b.0));
-        nearest.map_or((f64::INFINITY, false), |(ahead, i)| (ahead, self.gap_next(h, i)[1] < 0.0))
-    }
-
-    /// The instant of the first contact within the step of size `size` solved last, if there is one; the step up to it is
-    /// then the one solved last.
-    fn first_contact(
-        &mut self,
-        size: f64,
-        resting: &mut [ActiveContact],
-    ) -> Result<Option<f64>, Failure> {
-        let open = self.open_contacts();
-        if open.is_empty() {
-            return Ok(None);
+    /// What follows from the open contacts as seen over what was solved last; `passed` tells at which share of it the first of them has passed
+    /// through something.
+    pub fn judge(&mut self, open: &[Seen], passed: impl FnOnce() -> Option<f64>) -> Verdict {
+        let clear = Verdict::Ends { located: None };
+        if self.stage == Stage::Clear || open.is_empty() {
+            return clear;
         }
-        let paths: Vec<Cubic> = open.iter().map(|i| self.path(size, *i)).collect();
-        let (mut end, mut ahead) = (size, self.nearest_ahead(size, &open).0);
-        if ahead > 0.0 {
-            // One may have dipped into the other and out again, or passed through it.
-            let dips = |c: &Cubic| c.stationary().find(|t| c.value(*t) < 0.0);
-            let dip = paths.iter().filter_map(dips).reduce(f64::min);
-            let passed = self.first_passage(&open).map(|share| share * size);
-            let Some(dip) = [dip, passed].into_iter().flatten().reduce(f64::min) else {
-                return Ok(None);
-            };
-            self.solve_resting(&Attempt::free(dip), resting)?;
-            (end, ahead) = (dip, self.nearest_ahead(dip, &open).0);
-            if ahead > 0.0 {
-                if passed.is_some() {
-                    return Err(Failure::Passed);
+        let (ahead, nearest) = self.nearest(open);
+        match self.stage {
+            Stage::Clear => return clear,
+            Stage::Whole => {
+                self.note_paths(open);
+                if ahead > 0.0 {
+                    // One may have dipped into the other and out again, or passed through it.
+                    let dips = |c: &Cubic| c.stationary().find(|t| c.value(*t) < 0.0);
+                    let dip = self.paths.iter().filter_map(dips).reduce(f64::min);
+                    let passed = passed().map(|share| share * self.whole);
+                    let Some(first) = [dip, passed].into_iter().flatten().reduce(f64::min) else {
+                        return clear;
+                    };
+                    (self.stage, self.h) = (Stage::Dip { passed: passed.is_some() }, first);
+                } else {
+                    self.open_search(ahead);
                 }
-                self.solve_resting(&Attempt::free(size), resting)?;
-                return Ok(None);
+            }
+            Stage::Dip { passed } => {
+                if ahead <= 0.0 {
+                    self.open_search(ahead);
+                } else if passed {
+                    return Verdict::Passed;
+                } else {
+                    (self.stage, self.h) = (Stage::Clear, self.whole);
+                }
+            }
+            Stage::Trial => {
+                // A contact that has just opened is as near as one about to close, but is not what is sought; one that lies
+                // inside is, even on its way out again.
+                let sought = nearest.end[1] < 0.0 || ahead < -self.near;
+                if self.root.take(if sought { ahead } else { ahead.max(2.0 * self.near) }) {
+                    return Verdict::Ends { located: Some(nearest.contact) };
+                }
+                self.h = self.root.propose();
             }
         }
+        Verdict::Again
+    }
+
+    /// Least gap half an impact interval after the end of what was solved last \[m\], and whose it is.
+    fn nearest<'s>(&self, open: &'s [Seen]) -> (f64, &'s Seen) {
+        let Tolerances { interval, no_gap, .. } = self.tolerances;
+        let ahead = |seen: &'s Seen| {
+            let [gap, rate] = seen.end;
+            (gap - seen.floor(no_gap) + 0.5 * interval * rate.min(0.0), seen)
+        };
+        let nearer = |a: (f64, &'s Seen), b: (f64, &'s Seen)| if b.0 < a.0 { b } else { a };
+        open[1..].iter().map(ahead).fold(ahead(&open[0]), nearer)
+    }
+
+    /// Notes the gaps over the whole part; one that opens from round-off below zero begins at zero.
+    fn note_paths(&mut self, open: &[Seen]) {
+        let (h, no_gap) = (self.whole, self.tolerances.no_gap);
+        self.paths.clear();
+        self.paths.extend(open.iter().map(|seen| {
+            let above = |[gap, rate]: [f64; 2]| [gap - seen.floor(no_gap), rate];
+            Cubic { h, start: above(seen.start), end: above(seen.end) }
+        }));
+    }
+
+    /// Begins the root search before the end of what was solved last, where the least gap ahead is `ahead`.
+    fn open_search(&mut self, ahead: f64) {
+        let (end, paths) = (self.h, &self.paths);
+        let Tolerances { interval, positions, .. } = self.tolerances;
         let rate = paths.iter().map(|c| c.start[1].abs().max(c.end[1].abs())).fold(0.0, f64::max);
-        let tolerance = LOCATED * self.impact_interval();
-        let near = (tolerance * rate).max(ROUND_OFF * self.positions);
+        let tolerance = LOCATED * interval;
+        self.near = (tolerance * rate).max(ROUND_OFF * positions);
         let start = paths
             .iter()
-            .map(|c| c.start[0] + 0.5 * self.impact_interval() * c.start[1].min(0.0))
+            .map(|c| c.start[0] + 0.5 * interval * c.start[1].min(0.0))
             .fold(f64::INFINITY, f64::min)
-            .max(near);
+            .max(self.near);
         let guess = end * start / (start - ahead);
         let guess = paths.iter().filter_map(|c| descent(c, end)).reduce(f64::min).unwrap_or(guess);
-        let guess = guess - 0.5 * self.impact_interval();
-        let instant = roots::bracketed((0.0, start), (end, ahead), guess, tolerance, near, |t| {
-            self.solve_resting(&Attempt::free(t), resting)?;
-            let (ahead, approaching) = self.nearest_ahead(t, &open);
-            // A contact that has just opened is as near as one about to close, but is not what is sought; one that lies
-            // inside is, even on its way out again.
-            Ok::<f64, Failure>(if approaching || ahead < -near {
-                ahead
-            } else {
-                ahead.max(2.0 * near)
-            })
-        })?;
-        Ok(Some(instant))
+        let guess = guess - 0.5 * interval;
+        self.root = Bracket::new((0.0, start), (end, ahead), guess, [tolerance, self.near]);
+        (self.stage, self.h) = (Stage::Trial, self.root.propose());
     }
 }
 
 /// Where the gap first falls to zero, if it does before `end`.
-pub fn descent(gap: &Cubic, end: f64) -> Option<f64> {
+fn descent(gap: &Cubic, end: f64) -> Option<f64> {
     let opened = || gap.stationary().find(|t| *t < end && gap.value(*t) > 0.0);
     let from = if gap.value(0.0) > 0.0 { 0.0 } else { opened()? };
     let (a, b) = (gap.value(from), gap.value(end));

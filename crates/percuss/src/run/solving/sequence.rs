@@ -6,11 +6,10 @@
 //! symmetric stays so. Each impact obeys the law of its contact, friction included, and its work enters the balance as that of any other.
 //! What is left, next to nothing, or a sequence that does not end, is settled at once and without restitution.
 
-use super::budget::Part;
-use super::contact_status::STICK;
+use super::decider::{Part, STICK};
 use super::solver::Solving;
 use super::trial::{PartKind, Sequence, Trial};
-use crate::step::contacts::Phase;
+use crate::step::contacts::{ActiveContact, Phase};
 use crate::step::newton::Failure;
 
 /// Impacts in a sequence for each contact that touches: with restitution they die out like a geometric series.
@@ -22,19 +21,22 @@ const COUPLED: f64 = 0.01;
 
 impl Solving<'_> {
     /// The first impact of a sequence: that of the contact which approaches fastest. All at once if nothing bounces.
-    pub fn strike_fastest(&mut self, touching: &[usize], part: &Part) -> Result<Trial, Failure> {
-        let mut members: Vec<usize> = self.resting().iter().map(|c| c.pair).collect();
-        members.extend_from_slice(touching);
-        let fastest = touching.iter().map(|i| -self.state.pairs[*i].rate).fold(0.0, f64::max);
+    pub fn strike_fastest(&mut self, part: &Part) -> Result<Trial, Failure> {
+        let members: Vec<usize> = part.active.iter().map(|c| c.pair).collect();
+        let approach = |c: &ActiveContact| match c.phase {
+            Phase::Impact { .. } => -self.state.pairs[c.pair].rate,
+            Phase::Resting { .. } | Phase::PlasticPostStep { .. } => 0.0,
+        };
+        let fastest = part.active.iter().map(approach).fold(0.0, f64::max);
         let sequence = Sequence {
-            interval: self.impact_interval() * part.share,
+            interval: part.interval,
             least: STICK * fastest,
             left: MOST_IMPACTS.min(IMPACTS_EACH * members.len()),
             members,
         };
         let first = self.fastest(&sequence);
         if first.is_empty() {
-            return self.strike(touching, part);
+            return self.strike(part);
         }
         match self.strike_alone(&first, sequence.clone())? {
             Some(trial) => Ok(trial),
@@ -58,7 +60,7 @@ impl Solving<'_> {
         let approaches = |i: &usize| -rate(i) > self.stick_velocity(*i).max(sequence.least);
         let mut members: Vec<usize> = sequence.members.iter().copied().filter(approaches).collect();
         let fastest = members.iter().map(rate).fold(0.0, f64::min);
-        let alike = self.no_approach();
+        let alike = self.nothing().rate;
         members.retain(|i| rate(i) <= fastest + alike);
         members
     }
@@ -78,7 +80,7 @@ impl Solving<'_> {
 
     /// The end of a sequence: what still approaches comes to rest against what it touches; none if nothing does.
     fn end_of_sequence(&mut self, sequence: &Sequence) -> Result<Option<Trial>, Failure> {
-        let slow = self.no_approach();
+        let slow = self.nothing().rate;
         let approaches = |i: &&usize| -self.state.pairs[**i].rate > slow;
         let left: Vec<usize> = sequence.members.iter().filter(approaches).copied().collect();
         if left.is_empty() {

@@ -1,6 +1,9 @@
 //! Solving a part of a step: with the pairs that could touch, and again where it brought others near.
 
+use super::decider::{Decider, Resolution};
+use super::locate::{Seen, Verdict};
 use super::solver::Solving;
+use super::trial::{PartKind, Trial};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Target};
 use crate::geometry::touch::Reach;
@@ -107,6 +110,28 @@ impl Solving<'_> {
             if !again {
                 return Ok(());
             }
+        }
+    }
+
+    /// A part in which nothing strikes: of its whole size, up to the first instant of contact, or with what closes in it held.
+    pub fn advance_freely(&mut self, decider: &mut Decider) -> Result<Trial, Failure> {
+        let (mut active, mut open) = (decider.part.active.clone(), Vec::new());
+        loop {
+            let h = decider.h();
+            self.solve_resting(&Attempt::free(h), &mut active)?;
+            if decider.looks_anew() {
+                open = self.open_contacts();
+            }
+            let seen: Vec<Seen> = open.iter().map(|i| self.seen_over(h, *i)).collect();
+            let verdict = decider.judge(&seen, |pairs| self.first_passage(pairs));
+            active.extend_from_slice(&decider.part.active[active.len()..]);
+            let kind = match (verdict, decider.part.resolution) {
+                (Verdict::Again, _) => continue,
+                (Verdict::Passed, _) => return Err(Failure::Passed),
+                (Verdict::Ends { .. }, Resolution::Accumulated) => PartKind::Held,
+                (Verdict::Ends { located }, _) => PartKind::Free { located },
+            };
+            return Ok(Trial { h, active, fallback_law: false, kind });
         }
     }
 

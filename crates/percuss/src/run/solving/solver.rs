@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::decider::Moment;
 use super::trial::{Encounters, PartKind, PartSolution, Solved, Trial};
 use crate::contact::search::Search;
 use crate::ledger::Measures;
@@ -124,6 +125,15 @@ impl Solver {
         room.work.beams.sweep.end();
         room.work.tangent.tie(model, ties);
         self.keep(room);
+    }
+
+    /// Where a run stands within a step, as decisions are told of it.
+    pub fn moment(&mut self, at: Standing<'_>) -> Moment {
+        let cut = self.time_to_cut(at.state.time, at.settings.step);
+        let mut room = self.room(at.model);
+        let moment = self.solving(at, &mut room).moment(cut);
+        self.keep(room);
+        moment
     }
 
     /// Pairs that touch at rest where a run stands, shape (such pairs) \[index of a pair\].

@@ -1,6 +1,6 @@
 //! Impacts: impulses that obey the contacts' impact law, over an impact interval or, as in the paper, over a whole step.
 
-use super::budget::Part;
+use super::decider::Part;
 use super::solve::Attempt;
 use super::solver::Solving;
 use super::trial::{PartKind, Trial};
@@ -13,29 +13,16 @@ pub const NO_GAIN: f64 = 1e-12;
 
 impl Solving<'_> {
     /// The impact interval in which all contacts that touch strike; those that rest stay closed.
-    pub fn strike(&mut self, touching: &[usize], part: &Part) -> Result<Trial, Failure> {
-        let h = self.impact_interval() * part.share;
-        let mut active = self.resting();
-        for &i in touching {
-            let sticks = -self.state.pairs[i].rate <= self.stick_velocity(i);
-            active.push(self.striking(i, sticks));
-        }
-        self.solve_impact(h, active, PartKind::Impact)
+    pub fn strike(&mut self, part: &Part) -> Result<Trial, Failure> {
+        self.solve_impact(part.interval, part.active.clone(), PartKind::Impact)
     }
 
     /// A step of the paper's: contacts closed at its start obey the impact law over the whole step.
-    pub fn step_in_time(&mut self, part: &Part, closed: f64) -> Result<Trial, Failure> {
-        // What separates already is not struck: an impulse on its way out would give energy.
-        let strikes = |i: &usize| {
-            let pair = &self.state.pairs[*i];
-            pair.gap <= closed && pair.rate <= self.stick_velocity(*i)
-        };
-        let struck = self.rigid().into_iter().filter(strikes);
-        let active: Vec<_> = struck.map(|i| self.striking(i, false)).collect();
+    pub fn step_in_time(&mut self, part: &Part) -> Result<Trial, Failure> {
         let rests =
             |c: &ActiveContact| -self.state.pairs[c.pair].rate <= self.stick_velocity(c.pair);
-        let persistent = active.iter().map(rests).collect();
-        let trial = self.solve_impact(part.size, active, PartKind::TimeStepping { persistent })?;
+        let kind = PartKind::TimeStepping { persistent: part.active.iter().map(rests).collect() };
+        let trial = self.solve_impact(part.size, part.active.clone(), kind)?;
         let reached = self.encounters.reached.clone();
         match self.first_passage(&reached) {
             Some(_) => Err(Failure::Passed),

@@ -1,0 +1,459 @@
+//! What a part of a step is, and what is solved next: a state machine without physics.
+//!
+//! Single runs, runs in lanes and runs with derivatives go by it alike. It is told where the rigid contacts of a run stand, and what was
+//! seen of their gaps over what was solved; it says what to solve next, when that is accepted, and when the step has ended.
+
+use super::locate::{FirstContact, Seen, Tolerances, Verdict};
+use crate::settings::{ImpactResolution, MultipleImpacts, SAME_INSTANT, Settings};
+use crate::step::contacts::{ActiveContact, GAP_RESOLUTION, Phase};
+
+/// Length of an impact interval as a share of the step.
+pub const IMPACT_INTERVAL: f64 = 1e-6;
+/// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
+pub const STICK: f64 = 1e-6;
+/// Nor does approach slower than this share of the velocity scale, which is round-off.
+const NO_APPROACH: f64 = 1e-12;
+/// Nor does approach slower than this share of what gravity gives in a step: piles at rest would rattle over gaps of a picometre.
+const CREEP: f64 = 1e-5;
+/// More instants located and impacts than this in one step count as accumulated: for the rest of it what touches stays together.
+const MOST_EVENTS: usize = 128;
+/// A step is cut down to this share of its size before the run gives up.
+const SMALLEST_SHARE: f64 = 1e-4;
+
+/// What a part of a step is solved as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Resolution {
+    /// Prescribed velocities jump.
+    Jump,
+    /// Nothing strikes: up to the first contact, or its whole size.
+    Free,
+    /// All that touch strike at once.
+    Impact,
+    /// They strike one after another.
+    Sequence,
+    /// Too many impacts have happened in the step for them to be followed one by one: what closes is held.
+    Accumulated,
+    /// As in the paper, gaps are looked at once, and impulses act over all of it.
+    TimeStepping,
+}
+
+/// A part of a step that is to be solved.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// What it is solved as.
+    pub resolution: Resolution,
+    /// Its size at most \[s\].
+    pub size: f64,
+    /// Length of an impact interval in it \[s\]; where failures have cut the step, these are cut likewise.
+    pub interval: f64,
+    /// Contacts that take part: those that rest or are held, then those that strike, shape (such contacts).
+    pub active: Vec<ActiveContact>,
+}
+
+/// A rigid pair where a run stands.
+#[derive(Clone, Copy, Debug)]
+pub struct RigidPair {
+    /// The contact.
+    pub contact: usize,
+    /// Gap \[m\].
+    pub gap: f64,
+    /// Its rate \[m/s\].
+    pub rate: f64,
+    /// Whether it stays closed while it presses.
+    pub closed: bool,
+    /// Fastest approach so far \[m/s\].
+    pub approach_max: f64,
+    /// Coefficients along normal and tangent, shape (2) \[-\].
+    pub restitution: [f64; 2],
+}
+
+/// Where a run stands within a step.
+#[derive(Clone, Debug)]
+pub struct Moment {
+    /// What is done of the step \[s\].
+    pub offset: f64,
+    /// Time to the next instant at which a part has to end \[s\].
+    pub cut: f64,
+    /// Whether prescribed velocities jump here.
+    pub jumps: bool,
+    /// The contact that was located here.
+    pub located: Option<usize>,
+    /// Rigid contacts near enough to matter, shape (such contacts).
+    pub contacts: Vec<RigidPair>,
+    /// What is as good as nothing there.
+    pub nothing: Negligible,
+}
+
+/// What is as good as nothing between things that touch.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Negligible {
+    /// Velocities up to this one are none \[m/s\].
+    pub rate: f64,
+    /// Gaps up to this one are none between things that do not approach \[m\].
+    pub gap: f64,
+    /// Gaps that differ by no more than this one are equal \[m\].
+    pub gap_difference: f64,
+}
+
+/// What a run is measured by.
+#[derive(Clone, Copy, Debug)]
+pub struct RunScales {
+    /// Size of a step \[s\].
+    pub step: f64,
+    /// What positions are as large as \[m\].
+    pub positions: f64,
+    /// Magnitude of the acceleration of gravity \[m/s^2\].
+    pub gravity: f64,
+    /// Largest energy of the run so far \[J\].
+    pub energy: f64,
+    /// Mass of all there is \[kg\].
+    pub mass: f64,
+}
+
+impl RunScales {
+    /// What is as good as nothing in a run of these scales.
+    pub fn negligible(&self) -> Negligible {
+        let creep = CREEP * self.gravity * self.step;
+        let rate = creep.max(NO_APPROACH * (2.0 * self.energy / self.mass).sqrt());
+        let gap_difference = GAP_RESOLUTION * self.positions;
+        Negligible { rate, gap: gap_difference.max(rate * self.step), gap_difference }
+    }
+}
+
+impl Negligible {
+    /// Approach up to this one does not bounce where the fastest one so far was `approach_max` \[m/s\].
+    pub fn stick_velocity(&self, approach_max: f64) -> f64 {
+        (STICK * approach_max).max(self.rate)
+    }
+
+    /// Whether what has this gap and rate touches and is at rest: then it counts as closed.
+    pub fn is_at_rest(&self, gap: f64, rate: f64) -> bool {
+        gap <= self.gap && rate.abs() <= self.rate
+    }
+}
+
+impl RigidPair {
+    /// It strikes, without restitution where it approaches too slowly to bounce.
+    fn striking(&self, nothing: &Negligible) -> ActiveContact {
+        let sticks = -self.rate <= nothing.stick_velocity(self.approach_max);
+        let [restitution, tangential] = if sticks { [0.0; 2] } else { self.restitution };
+        ActiveContact { pair: self.contact, phase: Phase::Impact { restitution, tangential } }
+    }
+}
+
+/// Size of the step behind so many of the given size: what is left up to the end of the run, if that is less \[s\].
+pub fn step_behind(settings: &Settings, steps: usize) -> f64 {
+    let target = settings.step.min(settings.end - steps as f64 * settings.step);
+    let whole = (target - settings.step).abs() <= SAME_INSTANT * settings.step;
+    if whole { settings.step } else { target }
+}
+
+/// The decisions of one step.
+#[derive(Clone, Debug)]
+pub struct Decider {
+    /// Size of steps, and time of the end \[s\].
+    step: f64,
+    end: f64,
+    impacts: ImpactResolution,
+    sequential: bool,
+    /// What positions are as large as \[m\].
+    positions: f64,
+    /// Size of this step: the one given, or what is left up to the end of the run \[s\].
+    target: f64,
+    /// Size of its next part at most \[s\].
+    size: f64,
+    /// Instants located and impacts that it may still have.
+    events_left: usize,
+    /// The part at hand.
+    pub part: Part,
+    nothing: Negligible,
+    search: FirstContact,
+}
+
+impl Decider {
+    /// Of a step of the given size; what positions are as large as.
+    pub fn new(settings: &Settings, positions: f64, target: f64) -> Self {
+        let part =
+            Part { resolution: Resolution::Free, size: 0.0, interval: 0.0, active: Vec::new() };
+        Self {
+            step: settings.step,
+            end: settings.end,
+            impacts: settings.impacts,
+            sequential: settings.multiple_impacts == MultipleImpacts::Sequential,
+            positions,
+            target,
+            size: target,
+            events_left: MOST_EVENTS,
+            part,
+            nothing: Negligible::default(),
+            search: FirstContact::default(),
+        }
+    }
+
+    /// The same behind as many impacts as are followed one by one.
+    pub fn exhausted(self) -> Self {
+        Self { events_left: 0, ..self }
+    }
+
+    /// Goes on with a step of the given size.
+    pub fn open(&mut self, target: f64) {
+        (self.target, self.size, self.events_left) = (target, target, MOST_EVENTS);
+    }
+
+    /// Whether something is left of the step, `offset` of it done.
+    pub fn remains(&self, offset: f64) -> bool {
+        offset < self.target * (1.0 - SAME_INSTANT)
+    }
+
+    /// Whether impacts accumulate: more of them than are followed one by one.
+    pub fn accumulates(&self) -> bool {
+        self.events_left == 0
+    }
+
+    /// Size of the step \[s\].
+    pub fn target(&self) -> f64 {
+        self.target
+    }
+
+    /// Size of what is to be solved next: of the part, of a trial of it, or an impact interval \[s\].
+    pub fn h(&self) -> f64 {
+        match self.part.resolution {
+            Resolution::Free => self.search.h,
+            Resolution::Accumulated | Resolution::TimeStepping => self.part.size,
+            Resolution::Jump | Resolution::Impact | Resolution::Sequence => self.part.interval,
+        }
+    }
+
+    /// Whether what was solved last tells anew which open contacts are looked at: not while one of them is located.
+    pub fn looks_anew(&self) -> bool {
+        self.part.resolution != Resolution::Free || self.search.is_whole()
+    }
+
+    /// Whether the step goes on where the run stands; then its next part is at hand.
+    pub fn goes_on(&mut self, at: &Moment) -> bool {
+        if !self.remains(at.offset) {
+            return false;
+        }
+        self.nothing = at.nothing;
+        let part = &mut self.part;
+        part.size = self.size.min(self.target - at.offset).min(at.cut);
+        part.interval = IMPACT_INTERVAL * self.step * (self.size / self.target);
+        let resting = at.contacts.iter().filter(|c| c.closed);
+        part.active.clear();
+        part.active.extend(resting.map(|c| ActiveContact::resting(c.contact)));
+        let resolution = match self.impacts {
+            _ if at.jumps => Resolution::Jump,
+            ImpactResolution::TimeStepping { closed_tolerance } => {
+                self.close_in_time_step(at, closed_tolerance);
+                Resolution::TimeStepping
+            }
+            ImpactResolution::Event if self.events_left == 0 => {
+                self.hold_closing(at);
+                Resolution::Accumulated
+            }
+            ImpactResolution::Event => self.strike_touching(at),
+        };
+        self.part.resolution = resolution;
+        let Self { step, positions, .. } = *self;
+        let tolerances =
+            Tolerances { interval: IMPACT_INTERVAL * step, positions, no_gap: at.nothing.gap };
+        self.search.begin(self.part.size, tolerances);
+        true
+    }
+
+    /// Open contacts strike that would close within the next three quarters of an impact interval; and the one just located, with all others
+    /// that are no farther as gaps can tell, or close within an interval of its instant: which of these is first follows from round-off, and
+    /// impulses last as long, so they close together.
+    fn strike_touching(&mut self, at: &Moment) -> Resolution {
+        let interval = IMPACT_INTERVAL * self.step;
+        let located = at.located.and_then(|k| at.contacts.iter().find(|c| c.contact == k));
+        let touches = |c: &&RigidPair| {
+            let way = |intervals: f64| -intervals * interval * c.rate;
+            // The instant located is the middle of the interval to come.
+            let close = match located {
+                Some(one) => {
+                    let farthest = one.gap + at.nothing.gap_difference;
+                    one.contact == c.contact || c.gap < way(1.5).max(farthest)
+                }
+                None => c.gap < way(0.75),
+            };
+            !c.closed && c.rate < 0.0 && close
+        };
+        let resting = self.part.active.len();
+        let touching = at.contacts.iter().filter(touches);
+        self.part.active.extend(touching.map(|c| c.striking(&at.nothing)));
+        match self.sequential {
+            _ if self.part.active.len() == resting => Resolution::Free,
+            true => Resolution::Sequence,
+            false => Resolution::Impact,
+        }
+    }
+
+    /// Contacts are held over the part that would close in it.
+    fn hold_closing(&mut self, at: &Moment) {
+        let closes = |c: &&RigidPair| !c.closed && c.gap + self.part.size * c.rate < 0.0;
+        let held = at.contacts.iter().filter(closes);
+        self.part.active.extend(held.map(|c| ActiveContact::resting(c.contact)));
+    }
+
+    /// In the paper's steps contacts strike that are closed, by this gap. What separates already is not struck: an impulse on its way out would
+    /// give energy.
+    fn close_in_time_step(&mut self, at: &Moment, closed: f64) {
+        let strikes =
+            |c: &&RigidPair| c.gap <= closed && c.rate <= at.nothing.stick_velocity(c.approach_max);
+        self.part.active.clear();
+        self.part.active.extend(at.contacts.iter().filter(strikes).map(|c| {
+            let [restitution, tangential] = c.restitution;
+            ActiveContact { pair: c.contact, phase: Phase::Impact { restitution, tangential } }
+        }));
+    }
+
+    /// What follows from the contacts that could touch, as seen over what was solved last; `passed` tells at which share of it the first of
+    /// those given has passed through something. More contacts may have become active.
+    pub fn judge(
+        &mut self,
+        seen: &[Seen],
+        passed: impl FnOnce(&[usize]) -> Option<f64>,
+    ) -> Verdict {
+        let active = &mut self.part.active;
+        let is_open = |s: &&Seen| active.iter().all(|c| c.pair != s.contact);
+        let open: Vec<Seen> = seen.iter().filter(is_open).copied().collect();
+        let contacts = |open: &[Seen]| -> Vec<usize> { open.iter().map(|s| s.contact).collect() };
+        match self.part.resolution {
+            Resolution::Free => self.search.judge(&open, || passed(&contacts(&open))),
+            Resolution::Accumulated => {
+                let depth = -self.nothing.gap_difference;
+                if open.iter().all(|s| s.end[0] >= depth) {
+                    let passed = passed(&contacts(&open)).is_some();
+                    return if passed { Verdict::Passed } else { Verdict::Ends { located: None } };
+                }
+                // Those that are inside by less than gaps can tell come along: which is deeper is round-off.
+                let inside = open.iter().filter(|s| s.end[0] < 0.0);
+                active.extend(inside.map(|s| ActiveContact::resting(s.contact)));
+                Verdict::Again
+            }
+            _ => Verdict::Ends { located: None },
+        }
+    }
+
+    /// Takes an accepted part off; behind one of its whole size the next may be larger again. That one ends at an instant of contact, or
+    /// is an impact (an event), says nothing of the size that failed before.
+    pub fn spend(&mut self, event: bool) {
+        if event {
+            self.events_left = self.events_left.saturating_sub(1);
+        } else {
+            self.size = (2.0 * self.size).min(self.target);
+        }
+    }
+
+    /// Cuts the part at hand, which has failed, in half; whether that is any use.
+    pub fn halve(&mut self) -> bool {
+        self.size = 0.5 * self.part.size;
+        self.size >= SMALLEST_SHARE * self.step
+    }
+
+    /// Ends the step so long after its beginning at the latest.
+    pub fn end_at(&mut self, target: f64) {
+        if target < self.target {
+            self.target = target;
+            self.size = self.size.min(target);
+        }
+    }
+
+    /// Ends the step, the run's `steps`-th, at `time`, `offset` of it done: both as the next one begins. Its end is on the grid of steps, or
+    /// behind an impact that went beyond.
+    pub fn close(&self, steps: usize, time: f64, offset: f64) -> (f64, f64) {
+        let offset = offset - self.target;
+        let offset = if offset.abs() <= SAME_INSTANT * self.step { 0.0 } else { offset };
+        // Never back, not even by the last bit, behind an impact at the end of the step.
+        let grid = (steps as f64 * self.step).min(self.end) + offset;
+        (if offset > 0.0 { grid.max(time) } else { grid }, offset)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn first_step() -> Decider {
+        let settings = Settings::new(1.0, 0.1);
+        Decider::new(&settings, 1.0, step_behind(&settings, 0))
+    }
+
+    fn standing(contact: usize, gap: f64, rate: f64) -> RigidPair {
+        let (closed, approach_max, restitution) = (false, 0.0, [0.5, 0.0]);
+        RigidPair { contact, gap, rate, closed, approach_max, restitution }
+    }
+
+    fn moment(offset: f64, contacts: &[RigidPair]) -> Moment {
+        Moment {
+            offset,
+            cut: f64::INFINITY,
+            jumps: false,
+            located: None,
+            contacts: contacts.to_vec(),
+            nothing: Negligible { rate: 1e-12, gap: 1e-12, gap_difference: 1e-12 },
+        }
+    }
+
+    #[test]
+    fn a_size_that_failed_is_tried_again_behind_a_whole_part_alone() {
+        let mut decider = first_step();
+        let at = moment(0.0, &[]);
+        assert!(decider.goes_on(&at) && decider.part.size == 0.1);
+        assert!(decider.halve());
+        for _ in 0..2 {
+            decider.spend(true);
+            assert!(decider.goes_on(&at) && decider.part.size == 0.05);
+        }
+        assert_eq!(decider.events_left, MOST_EVENTS - 2);
+        decider.spend(false);
+        assert!(decider.goes_on(&at) && decider.part.size == 0.1);
+    }
+
+    /// A mass in free flight towards a wall: what would be solved is its path.
+    #[test]
+    fn an_instant_of_contact_is_located_and_then_struck_until_impacts_accumulate() {
+        let mut decider = first_step();
+        let (gap, rate) = (0.03, -1.0);
+        assert!(decider.goes_on(&moment(0.0, &[standing(4, gap, rate)])));
+        assert_eq!(decider.part.resolution, Resolution::Free);
+        let end = loop {
+            let h = decider.h();
+            let seen = Seen { contact: 4, start: [gap, rate], end: [gap + h * rate, rate] };
+            match decider.judge(&[seen], |_| None) {
+                Verdict::Again => {}
+                Verdict::Ends { located } => break (h, located),
+                Verdict::Passed => panic!(),
+            }
+        };
+        // The instant is the middle of the impact interval that follows.
+        let interval = 0.1 * IMPACT_INTERVAL;
+        assert!((end.0 + 0.5 * interval - gap).abs() <= 1e-3 * interval, "{end:?}");
+        assert_eq!(end.1, Some(4));
+        decider.spend(true);
+        let near = [standing(4, 0.5 * interval, rate), standing(5, 1.0, rate)];
+        let at = Moment { located: Some(4), ..moment(end.0, &near) };
+        assert!(decider.goes_on(&at));
+        assert_eq!((decider.part.resolution, decider.h()), (Resolution::Impact, interval));
+        let phase = Phase::Impact { restitution: 0.5, tangential: 0.0 };
+        assert_eq!(decider.part.active, [ActiveContact { pair: 4, phase }]);
+        (1..MOST_EVENTS).for_each(|_| decider.spend(true));
+        assert!(decider.accumulates() && decider.goes_on(&at));
+        assert_eq!(decider.part.resolution, Resolution::Accumulated);
+        assert_eq!(decider.part.active, [ActiveContact::resting(4)]);
+        // What ends inside something is held as well.
+        let inside = Seen { contact: 5, start: [1.0, rate], end: [-0.1, rate] };
+        assert_eq!(decider.judge(&[inside], |_| None), Verdict::Again);
+        assert_eq!(decider.part.active[1..], [ActiveContact::resting(5)]);
+    }
+
+    #[test]
+    fn what_approaches_too_slowly_does_not_bounce() {
+        let mut decider = first_step();
+        let slow = RigidPair { approach_max: 1.0, ..standing(0, -1e-9, -0.5 * STICK) };
+        assert!(decider.goes_on(&moment(0.0, &[slow])));
+        let phase = Phase::Impact { restitution: 0.0, tangential: 0.0 };
+        assert_eq!(decider.part.active, [ActiveContact { pair: 0, phase }]);
+    }
+}
