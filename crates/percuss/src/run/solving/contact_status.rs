@@ -27,8 +27,11 @@ pub enum Resolution {
     Sequence(Vec<usize>),
     /// Too many impacts have happened in the step for them to be followed one by one.
     Accumulated,
-    /// As in the paper, gaps are looked at once; those below `closed` are closed \[m\].
-    TimeStepping { closed: f64 },
+    /// As in the paper, gaps are looked at once.
+    TimeStepping {
+        /// Those below this one are closed \[m\].
+        closed: f64,
+    },
 }
 
 impl Solving<'_> {
@@ -72,12 +75,16 @@ impl Solving<'_> {
 
     /// Rigid pairs that touch, at rest but for what is no approach: they count as closed.
     pub(super) fn at_rest(&self) -> Vec<usize> {
+        let rigid = self.rigid();
+        if rigid.is_empty() {
+            return rigid;
+        }
         let (slow, reach) = (self.no_approach(), self.no_gap());
         let rests = |i: &usize| {
             let pair = &self.state.pairs[*i];
             pair.gap <= reach && pair.rate.abs() <= slow
         };
-        self.rigid().into_iter().filter(rests).collect()
+        rigid.into_iter().filter(rests).collect()
     }
 
     /// Open contacts that would close within the next three quarters of an impact interval; and the one just located, with all others
