@@ -20,7 +20,7 @@ use percuss::internals::run::strike::NO_GAIN;
 use percuss::internals::scalar::{Dual, Real};
 use percuss::internals::settings::Settings;
 use percuss::internals::step::contacts::Phase;
-use rest::Deed;
+use rest::ContactPart;
 
 /// Parameters differentiated at once.
 pub const TOGETHER: usize = 4;
@@ -256,7 +256,7 @@ impl<'a> Flight<'a> {
 
     /// Moves the run to the end of the part solved last, and notes what its contact did.
     fn accept(&mut self, pressing: Option<(usize, Strike)>) {
-        let deed = pressing.map(|(k, how)| Deed::before(self, k, how));
+        let deed = pressing.map(|(k, how)| ContactPart::before(self, k, how));
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
         Accept { engine, ledger, log, go: None }.accept();
         if pressing.is_none() {

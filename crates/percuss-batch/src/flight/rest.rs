@@ -8,7 +8,7 @@ use percuss::internals::scalar::Real;
 use percuss::internals::step::contacts::IMPULSIVE;
 
 /// What is known of it before the part is accepted.
-pub(super) struct Deed {
+pub(super) struct ContactPart {
     /// Number of the projectile \[index of a projectile\], and whether it strikes or rests.
     k: usize,
     how: Strike,
@@ -22,7 +22,7 @@ pub(super) struct Deed {
     place: [Derived; 2],
 }
 
-impl Deed {
+impl ContactPart {
     /// Of the projectile that strikes, or stays in contact, in the part solved last.
     pub fn before(flight: &Flight<'_>, k: usize, how: Strike) -> Self {
         let (engine, start) = (&flight.engine, flight.log.time);

@@ -5,6 +5,7 @@ mod angular_rates;
 mod arrays;
 mod audit;
 mod beam_ends;
+mod circles;
 mod common;
 mod contact;
 mod contact_resultant;

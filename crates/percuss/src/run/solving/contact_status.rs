@@ -76,7 +76,7 @@ impl Solving<'_> {
             let pair = &self.state.pairs[*i];
             nothing.is_at_rest(pair.gap, pair.rate)
         };
-        self.rigid().into_iter().filter(rests).collect()
+        rigid.into_iter().filter(rests).collect()
     }
 
     /// Approach velocities of pair `i` up to this one do not bounce \[m/s\].

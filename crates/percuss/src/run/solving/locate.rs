@@ -58,7 +58,7 @@ pub struct Tolerances {
 
 /// What was solved last.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-enum Stage {
+enum SolvedUpTo {
     /// The whole part.
     #[default]
     Whole,
@@ -74,7 +74,7 @@ enum Stage {
 #[derive(Clone, Debug, Default)]
 pub struct FirstContact {
     tolerances: Tolerances,
-    stage: Stage,
+    stage: SolvedUpTo,
     /// Size of the whole part \[s\].
     whole: f64,
     /// Size of what is solved next \[s\].
@@ -90,25 +90,25 @@ impl FirstContact {
     /// Begins with a part of the given size.
     pub fn begin(&mut self, whole: f64, tolerances: Tolerances) {
         (self.stage, self.whole, self.h, self.tolerances) =
-            (Stage::Whole, whole, whole, tolerances);
+            (SolvedUpTo::Whole, whole, whole, tolerances);
     }
 
     /// Whether the whole part is what was solved last: which contacts are open is known from there.
     pub fn is_whole(&self) -> bool {
-        self.stage == Stage::Whole
+        self.stage == SolvedUpTo::Whole
     }
 
     /// What follows from the open contacts as seen over what was solved last; `passed` tells at which share of it the first of them has passed
     /// through something.
     pub fn judge(&mut self, open: &[Seen], passed: impl FnOnce() -> Option<f64>) -> Verdict {
         let clear = Verdict::Ends { located: None };
-        if self.stage == Stage::Clear || open.is_empty() {
+        if self.stage == SolvedUpTo::Clear || open.is_empty() {
             return clear;
         }
         let (ahead, nearest) = self.nearest(open);
         match self.stage {
-            Stage::Clear => return clear,
-            Stage::Whole => {
+            SolvedUpTo::Clear => return clear,
+            SolvedUpTo::Whole => {
                 self.note_paths(open);
                 if ahead > 0.0 {
                     // One may have dipped into the other and out again, or passed through it.
@@ -118,21 +118,21 @@ impl FirstContact {
                     let Some(first) = [dip, passed].into_iter().flatten().reduce(f64::min) else {
                         return clear;
                     };
-                    (self.stage, self.h) = (Stage::Dip { passed: passed.is_some() }, first);
+                    (self.stage, self.h) = (SolvedUpTo::Dip { passed: passed.is_some() }, first);
                 } else {
                     self.open_search(ahead);
                 }
             }
-            Stage::Dip { passed } => {
+            SolvedUpTo::Dip { passed } => {
                 if ahead <= 0.0 {
                     self.open_search(ahead);
                 } else if passed {
                     return Verdict::Passed;
                 } else {
-                    (self.stage, self.h) = (Stage::Clear, self.whole);
+                    (self.stage, self.h) = (SolvedUpTo::Clear, self.whole);
                 }
             }
-            Stage::Trial => {
+            SolvedUpTo::Trial => {
                 // A contact that has just opened is as near as one about to close, but is not what is sought; one that lies
                 // inside is, even on its way out again.
                 let sought = nearest.end[1] < 0.0 || ahead < -self.near;
@@ -182,7 +182,7 @@ impl FirstContact {
         let guess = paths.iter().filter_map(|c| descent(c, end)).reduce(f64::min).unwrap_or(guess);
         let guess = guess - 0.5 * interval;
         self.root = Bracket::new((0.0, start), (end, ahead), guess, [tolerance, self.near]);
-        (self.stage, self.h) = (Stage::Trial, self.root.propose());
+        (self.stage, self.h) = (SolvedUpTo::Trial, self.root.propose());
     }
 }
 
