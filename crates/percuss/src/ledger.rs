@@ -2,6 +2,7 @@
 
 mod audit;
 mod measures;
+mod numbers;
 mod step_work;
 
 use serde::{Deserialize, Serialize};
@@ -12,6 +13,7 @@ use crate::scalar::{Number, array};
 
 pub use audit::Audit;
 pub use measures::Measures;
+use numbers::of_numbers;
 pub use step_work::StepWork;
 
 /// What entered and left since the start of the run.
@@ -119,34 +121,26 @@ impl<S: Copy> RoundOff<S> {
     }
 }
 
+of_numbers! {
+    Ledger: energy_initial work_loads work_supports loss_impacts loss_damping loss_plastic loss_failure angular_initial
+        angular_impulse_loads angular_impulse_supports angular_impulse_damping energy_scale linear_scale angular_scale;
+    linear_initial impulse_loads impulse_supports impulse_damping passed rest negligible
+}
+
 #[doc(hidden)]
 impl<S: Number> Ledger<S> {
     /// Opens the ledger on an initial state, the scales no smaller than those of round-off.
     #[inline(always)]
     pub fn open(measures: &Measures<S>, round_off: &RoundOff<S>) -> Self {
-        let zero = round_off.energy.constant(0.0);
         let mut ledger = Self {
             energy_initial: measures.total(),
-            work_loads: zero,
-            work_supports: zero,
-            loss_impacts: zero,
-            loss_damping: zero,
-            loss_plastic: zero,
-            loss_failure: zero,
             linear_initial: measures.linear,
             angular_initial: measures.angular,
-            impulse_loads: [zero; 2],
-            impulse_supports: [zero; 2],
-            angular_impulse_loads: zero,
-            angular_impulse_supports: zero,
-            impulse_damping: [zero; 2],
-            angular_impulse_damping: zero,
             energy_scale: round_off.energy,
             linear_scale: round_off.momentum,
             angular_scale: round_off.momentum * round_off.size,
-            passed: [zero; 3],
-            rest: [zero; FLOWS],
             negligible: round_off.negligible,
+            ..Self::none(round_off.energy)
         };
         ledger.rescale(measures);
         ledger
@@ -193,30 +187,6 @@ impl<S: Number> Ledger<S> {
         let (impacts, damping) = (&mut self.loss_impacts, &mut self.loss_damping);
         let (plastic, failure) = (&mut self.loss_plastic, &mut self.loss_failure);
         [work_l, work_s, impacts, damping, l1, l2, s1, s2, d1, d2, la, sa, da, plastic, failure]
-    }
-
-    /// All its numbers.
-    pub fn numbers(&mut self) -> impl Iterator<Item = &mut S> {
-        let works = [
-            &mut self.energy_initial,
-            &mut self.work_loads,
-            &mut self.work_supports,
-            &mut self.loss_impacts,
-            &mut self.loss_damping,
-            &mut self.loss_plastic,
-            &mut self.loss_failure,
-        ];
-        let angular = [
-            &mut self.angular_initial,
-            &mut self.angular_impulse_loads,
-            &mut self.angular_impulse_supports,
-            &mut self.angular_impulse_damping,
-        ];
-        let scales = [&mut self.energy_scale, &mut self.linear_scale, &mut self.angular_scale];
-        let linear = self.linear_initial.iter_mut().chain(&mut self.impulse_loads);
-        let linear = linear.chain(&mut self.impulse_supports).chain(&mut self.impulse_damping);
-        let others = self.passed.iter_mut().chain(&mut self.rest).chain(&mut self.negligible);
-        works.into_iter().chain(angular).chain(scales).chain(linear).chain(others)
     }
 
     /// Takes the sums so far aside: what is entered next counts from nothing.

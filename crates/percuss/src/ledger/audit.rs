@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::numbers::of_numbers;
 use super::{Ledger, Measures};
 use crate::scalar::Number;
 
@@ -23,19 +24,6 @@ pub struct Audit<S = f64> {
 }
 
 impl<S: Number> Audit<S> {
-    /// Of no state yet, in as many lanes as a number has.
-    pub fn none(like: S) -> Self {
-        let zero = like.constant(0.0);
-        Self {
-            energy: zero,
-            linear: zero,
-            angular: zero,
-            curvature_drift: zero,
-            membrane_drift: zero,
-            angular_rate_drift: zero,
-        }
-    }
-
     /// Takes in a state.
     #[inline(always)]
     pub fn take(&mut self, ledger: &Ledger<S>, m: &Measures<S>) {
@@ -47,18 +35,10 @@ impl<S: Number> Audit<S> {
         self.membrane_drift = larger(self.membrane_drift, m.membrane_drift);
         self.angular_rate_drift = larger(self.angular_rate_drift, m.angular_rate_drift);
     }
+}
 
-    /// All its numbers, shape (6).
-    pub fn numbers(&mut self) -> [&mut S; 6] {
-        [
-            &mut self.energy,
-            &mut self.linear,
-            &mut self.angular,
-            &mut self.curvature_drift,
-            &mut self.membrane_drift,
-            &mut self.angular_rate_drift,
-        ]
-    }
+of_numbers! {
+    Audit: energy linear angular curvature_drift membrane_drift angular_rate_drift;
 }
 
 /// The larger magnitude; NaN stays, so that a broken balance cannot look closed.

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::numbers::of_numbers;
 use crate::element::motion::ElementMeasures;
 use crate::math::vec2::{add, cross};
 use crate::scalar::Number;
@@ -43,29 +44,6 @@ pub struct Measures<S = f64> {
 }
 
 impl<S: Number> Measures<S> {
-    /// Nothing, in as many lanes as a number has.
-    #[doc(hidden)]
-    #[inline(always)]
-    pub fn none(like: S) -> Self {
-        let zero = like.constant(0.0);
-        Self {
-            kinetic_beams: zero,
-            kinetic_projectiles: zero,
-            strain_axial: zero,
-            strain_bending: zero,
-            hardening: zero,
-            contact: zero,
-            springs: zero,
-            linear: [zero; 2],
-            angular: zero,
-            curvature_drift: zero,
-            membrane_drift: zero,
-            angular_rate_drift: zero,
-            linear_size: zero,
-            angular_size: zero,
-        }
-    }
-
     /// Total energy \[J\].
     #[inline(always)]
     pub fn total(&self) -> S {
@@ -101,30 +79,12 @@ impl<S: Number> Measures<S> {
         self.linear_size += linear[0].hypot(linear[1]);
         self.angular_size += size(x) * size(linear) + turning.abs();
     }
+}
 
-    /// All its numbers, shape (15).
-    #[doc(hidden)]
-    #[inline(always)]
-    pub fn numbers(&mut self) -> [&mut S; 15] {
-        let [l1, l2] = &mut self.linear;
-        [
-            &mut self.kinetic_beams,
-            &mut self.kinetic_projectiles,
-            &mut self.strain_axial,
-            &mut self.strain_bending,
-            &mut self.hardening,
-            &mut self.contact,
-            &mut self.springs,
-            l1,
-            l2,
-            &mut self.angular,
-            &mut self.curvature_drift,
-            &mut self.membrane_drift,
-            &mut self.angular_rate_drift,
-            &mut self.linear_size,
-            &mut self.angular_size,
-        ]
-    }
+of_numbers! {
+    Measures: kinetic_beams kinetic_projectiles strain_axial strain_bending hardening contact springs angular curvature_drift
+        membrane_drift angular_rate_drift linear_size angular_size;
+    linear
 }
 
 /// Sum of the components' magnitudes.

@@ -292,6 +292,7 @@ pub enum ConnectorLaw<S = f64> {
 
 impl<S: Copy> ConnectorLaw<S> {
     /// The same with every number replaced, in a fixed order.
+    #[doc(hidden)]
     #[inline(always)]
     pub fn map<T>(self, f: &mut impl FnMut(S) -> T) -> ConnectorLaw<T> {
         match self {

@@ -4,6 +4,7 @@ use crate::contact::law::{ForceCurve, PowerLaw};
 use crate::model::frozen::ConnectorLaw;
 use crate::scalar::Number;
 
+#[doc(hidden)]
 impl<S: Number> ConnectorLaw<S> {
     /// Potential at a value of the coordinate \[J\].
     #[inline(always)]
