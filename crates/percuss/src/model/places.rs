@@ -22,7 +22,12 @@ enum Acts<'b> {
     /// A support, by what it holds.
     Support(&'b SupportKind),
     /// A force, shape (2) \[N\], in the axes of the plane or, of a follower, along and across the beam.
-    Force { force: [f64; 2], follower: bool },
+    Force {
+        /// The force, shape (2) \[N\].
+        force: [f64; 2],
+        /// Whether it follows the beam.
+        follower: bool,
+    },
 }
 
 impl Acts<'_> {
