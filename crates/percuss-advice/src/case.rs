@@ -41,7 +41,7 @@ pub struct Struck<'a> {
     pub rear: Option<Rear>,
     /// Radius \[m\]; none of a guided projectile.
     pub radius: Option<f64>,
-    /// Unit vector of the motion towards the beam.
+    /// Unit vector of the motion towards the beam, shape (2) \[-\].
     pub direction: [f64; 2],
     /// Speed of approach in the motion both start with \[m/s\].
     pub speed: f64,
@@ -89,11 +89,11 @@ pub struct Bodies {
 pub struct Beams<'a> {
     /// The first beam, at its middle.
     pub place: BeamPlace<'a>,
-    /// Normal of the half-plane it meets, if it meets one.
+    /// Normal of the half-plane it meets, if it meets one, shape (2) \[-\].
     pub wall: Option<[f64; 2]>,
     /// Number of the beam, and of the other one if it meets one.
     pub numbers: (usize, Option<usize>),
-    /// Velocity of the beam's middle at the start \[m/s\].
+    /// Velocity of the beam's middle at the start, shape (2) \[m/s\].
     pub velocity: [f64; 2],
 }
 

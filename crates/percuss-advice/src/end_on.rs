@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::before::{Desk, graded};
 use super::case::{Beams, Struck, force, rigid_blow};
+use super::desk::{Desk, graded};
 use super::formulas::BarOnWall;
 use super::structure::BeamPlace;
 use super::words::{digits, quantity, round_down};

@@ -27,6 +27,7 @@ pub struct Trials<'m> {
     model: &'m Model,
     settings: &'m Settings,
     left: Cell<usize>,
+    /// Previews of runs made so far, shape (trials).
     made: RefCell<Vec<Preview>>,
 }
 

@@ -1,7 +1,7 @@
 //! Beams that meet with faces or flat ends: how stiff their contact is depends on the mesh.
 
-use super::before::Desk;
 use super::case::Beams;
+use super::desk::Desk;
 use super::structure::BeamPlace;
 use super::{Advice, Topic, Verdict};
 use percuss::TouchLaw;

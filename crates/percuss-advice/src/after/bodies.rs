@@ -5,7 +5,7 @@ use super::super::case::{Bodies, Struck, rigid_blow};
 use super::super::formulas::{Span, SpanKind, reduced_mass};
 use super::super::structure::gravity_varies;
 use super::super::words::{digits, quantity};
-use super::{Assumptions, Desk, Formula, Quantity, Touch};
+use super::desk::{Assumptions, Desk, Formula, Quantity, Touch};
 use percuss::TouchLaw;
 
 /// Contacts shorter than this share of a free beam's lowest period are no blow of a rigid piece.

@@ -6,7 +6,7 @@ use super::super::end_on::points_of_end;
 use super::super::formulas::{BarBlow, BarOnWall, UniformBeam, pulse_frequency};
 use super::super::structure::gravity;
 use super::super::words::digits;
-use super::{Assumptions, Desk, Formula, Quantity, against};
+use super::desk::{Assumptions, Desk, Formula, Quantity, against};
 use percuss::ContactRecord;
 use percuss::TouchLaw;
 use percuss::math::vec2::{dot, norm};
