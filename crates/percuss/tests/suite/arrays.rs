@@ -6,7 +6,8 @@
 //! type stand at its own fields. Matrices stored one row after the other have two indices, so an index more than the type is no fault.
 //!
 //! Arrays are Vec, slices and arrays, matrices and vectors of nalgebra, the crate's columns, other names for these, and what
-//! contains one of them, as Option or Box do. What a command documents as its argument is left out. An unnamed field may leave it to the documentation of its type or variant.
+//! contains one of them, as Option or Box do. What a command documents as its argument is left out.
+//! An unnamed field may leave it to the documentation of its type or variant.
 
 use std::collections::BTreeMap;
 use std::fs;
