@@ -13,7 +13,7 @@ use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict, end_on, faces, shear, touch};
 use percuss::Settings;
 use percuss::math::vec2::dot;
-use percuss::{EffectiveMass, HertzBody, Model, Potential, PressedIn, TouchLaw};
+use percuss::{EffectiveMass, HertzBody, Model, Potential, PressedIn};
 
 /// Elements of the shortest wave of weight with which the force is within a per cent, and below which it is off by up to 40 %: thirty
 /// scenes against meshes of 160 elements (docs/results.md).
@@ -195,7 +195,7 @@ impl Desk<'_> {
         let step = self.settings.step;
         let transit = place.shortest_transit();
         let ratio = step / transit;
-        let rigid = matches!(self.case.law, TouchLaw::Rigid(_));
+        let rigid = self.case.law.is_rigid();
         let gentle = contact.is_some_and(|contact| contact >= STEPS[0] * step);
         let (verdict, rest) = match (ratio <= 1.0, lengthwise, rigid) {
             (false, true, false) if gentle => {
@@ -224,7 +224,7 @@ impl Desk<'_> {
     }
 
     fn effective_mass(&self, mass: EffectiveMass) -> Option<Advice> {
-        if !matches!(self.case.law, TouchLaw::Rigid(_)) || mass.on_mesh.is_nan() {
+        if !self.case.law.is_rigid() || mass.on_mesh.is_nan() {
             return None;
         }
         let (verdict, text) = if mass.on_mesh.is_infinite() {

@@ -13,7 +13,7 @@ use super::{Advice, Verdict, millimetres};
 use percuss::Settings;
 use percuss::inspect::{BodyKind, ConnectorCoordinate, ConnectorLaw};
 use percuss::math::vec2::norm;
-use percuss::{Model, Potential, TouchLaw};
+use percuss::{Model, Potential};
 
 /// Densities of solids, foams and the heaviest metals included \[kg/m^3\].
 const DENSITY: [f64; 2] = [1.0, 3e4];
@@ -257,7 +257,7 @@ fn springs(model: &Model, all: &mut Vec<Advice>) {
             Meeting::Beams(beams) => &beams.place,
             Meeting::Bodies(_) => continue,
         };
-        if let TouchLaw::Smooth(law) = case.law
+        if let Some(law) = case.law.smooth()
             && let Potential::Linear { stiffness } = law.potential
         {
             all.extend(spring(case.name, stiffness, place));

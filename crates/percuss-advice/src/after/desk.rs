@@ -5,12 +5,12 @@ use crate::case::{Case, Struck};
 use crate::structure::gravity;
 use crate::surroundings::Surroundings;
 use crate::words::{digits, quantity};
+use percuss::Model;
 use percuss::inspect::MovingPartner;
 use percuss::math::vec2::{dot, norm};
 use percuss::{
     ContactInterval, ContactPlace, ContactRecord, ContactSummary, Impact, Peak, RunSummary,
 };
-use percuss::{Model, TouchLaw};
 use percuss::{Settings, Start};
 
 /// The first touch of a contact.
@@ -316,15 +316,12 @@ impl Desk<'_> {
 
     /// Coefficient of restitution of a set-valued law.
     pub fn restitution(&self) -> Option<f64> {
-        match self.case.law {
-            TouchLaw::Rigid(law) => Some(law.restitution),
-            TouchLaw::Smooth(_) => None,
-        }
+        self.case.law.rigid().map(|law| law.restitution)
     }
 
     /// Whether the contact has friction.
     pub fn rubs(&self) -> bool {
-        matches!(self.case.law, TouchLaw::Rigid(law) if law.friction > 0.0)
+        self.case.law.rigid().is_some_and(|law| law.friction > 0.0)
     }
 
     /// The rows every smooth contact has: largest force, duration.

@@ -8,7 +8,7 @@ use super::super::structure::gravity;
 use super::super::words::digits;
 use super::desk::{Assumptions, Desk, Formula, Quantity, against};
 use percuss::ContactRecord;
-use percuss::TouchLaw;
+
 use percuss::math::vec2::{dot, norm};
 
 /// What changes the force by less than this share is negligible.
@@ -174,7 +174,7 @@ fn bar_blow(
     section: &UniformBeam,
     length: f64,
 ) -> Option<(BarBlow, &'static str)> {
-    let TouchLaw::Smooth(law) = desk.case.law else {
+    let Some(law) = desk.case.law.smooth() else {
         let source = "Saint-Venant: one wave runs up and down the bar";
         return Some((section.bar_blow(length, desk.speed), source));
     };
