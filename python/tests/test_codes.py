@@ -91,7 +91,7 @@ def test_codes_travel_between_processes(elastic):
     assert (again.code, str(again)) == ("E209", str(missing.value))
 
 
-def test_what_the_audit_warns_of_is_raised_as_a_warning_with_its_code(elastic):
+def test_warnings_of_the_audit_are_raised_with_their_codes(elastic):
     with pytest.warns(percuss.PercussWarning, match=r"energy does not close.*\[W105\]$") as caught:
         result = percuss.run(midpoint(elastic))
     assert [one.message.code for one in caught] == ["W105"] * len(caught)

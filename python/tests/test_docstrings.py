@@ -163,7 +163,7 @@ def test_nothing_public_is_forgotten():
     assert not [name for name, item in vars(percuss).items() if callable(item) and not name.startswith("_") and name not in percuss.__all__]
 
 
-def test_what_is_missing_is_found():
+def test_missing_parts_of_docstrings_are_found():
     def bare(mass: float, speed: float) -> float:
         """Momentum.
 

@@ -111,7 +111,7 @@ def test_a_value_without_a_place_is_refused(elastic):
         elastic["time.end"] = object()
 
 
-def test_what_is_written_out_is_the_same_scenario(elastic):
+def test_a_scenario_written_out_is_the_same(elastic):
     again = percuss.Scenario.from_toml(elastic.to_toml())
     assert percuss.run(again).summary["energy"] == percuss.run(elastic).summary["energy"]
 

@@ -29,7 +29,7 @@ def test_a_spectrum_has_the_larger_of_its_parts(elastic):
     assert data.frequency.values[[0, -1]] == pytest.approx([50.0, 500.0])
 
 
-def test_what_is_no_acceleration_is_refused_with_its_code(elastic):
+def test_channels_without_acceleration_are_refused_with_their_code(elastic):
     run = percuss.run(elastic)
     name = accelerations(run)[0]
     for ask in (

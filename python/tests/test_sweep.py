@@ -51,7 +51,7 @@ def test_an_executor_gives_the_same_bytes(study, tmp_path, kind):
     assert table(tmp_path / "there") == table(tmp_path / "here")
 
 
-def test_what_is_done_is_not_done_again(study, tmp_path):
+def test_finished_shards_are_not_run_again(study, tmp_path):
     class Counting(ThreadPoolExecutor):
         calls = 0
 

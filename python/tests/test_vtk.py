@@ -207,7 +207,7 @@ def test_scenes_of_all_kinds_can_be_read(name, tmp_path):
         assert np.linalg.norm(rim - moved, axis=1) == pytest.approx(discs[0]["radius"], rel=1e-4)
 
 
-def test_what_is_not_an_export_stays(elastic, tmp_path):
+def test_folders_that_are_no_exports_stay(elastic, tmp_path):
     result = percuss.run(elastic)
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "beams.vtkhdf").write_text("mine")

@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::case::{Beams, Case, Meeting, Struck, rigid_blow};
+use super::desk::{Desk, STEPS, graded};
 use super::duration::{From, Lasting, Modes};
 use super::expected::{Expected, Trials};
 use super::formulas::{pulse_frequency, reduced_mass};
@@ -12,10 +13,8 @@ use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict, end_on, faces, shear, touch};
 use percuss::Settings;
 use percuss::math::vec2::dot;
-use percuss::{EffectiveMass, HertzBody, Model, Potential, PressedIn, TouchLaw};
+use percuss::{EffectiveMass, HertzBody, Model, Potential, PressedIn};
 
-/// Steps of a contact (or a period) that resolve it, and that hardly show it.
-pub(super) const STEPS: [f64; 2] = [20.0, 8.0];
 /// Elements of the shortest wave of weight with which the force is within a per cent, and below which it is off by up to 40 %: thirty
 /// scenes against meshes of 160 elements (docs/results.md).
 const ELEMENTS: [f64; 2] = [2.0, 1.0];
@@ -67,13 +66,6 @@ const OF_STEPS: [Topic; 5] = [
     Topic::Recording,
     Topic::ForceRise,
 ];
-
-/// A contact and how it is to be run.
-pub(super) struct Desk<'a> {
-    pub model: &'a Model,
-    pub settings: &'a Settings,
-    pub case: &'a Case<'a>,
-}
 
 impl Desk<'_> {
     /// Whether an estimate holds without a trial, and if not, why.
@@ -203,7 +195,7 @@ impl Desk<'_> {
         let step = self.settings.step;
         let transit = place.shortest_transit();
         let ratio = step / transit;
-        let rigid = matches!(self.case.law, TouchLaw::Rigid(_));
+        let rigid = self.case.law.is_rigid();
         let gentle = contact.is_some_and(|contact| contact >= STEPS[0] * step);
         let (verdict, rest) = match (ratio <= 1.0, lengthwise, rigid) {
             (false, true, false) if gentle => {
@@ -232,7 +224,7 @@ impl Desk<'_> {
     }
 
     fn effective_mass(&self, mass: EffectiveMass) -> Option<Advice> {
-        if !matches!(self.case.law, TouchLaw::Rigid(_)) || mass.on_mesh.is_nan() {
+        if !self.case.law.is_rigid() || mass.on_mesh.is_nan() {
             return None;
         }
         let (verdict, text) = if mass.on_mesh.is_infinite() {
@@ -376,16 +368,5 @@ impl Desk<'_> {
         }
         let values = [period, self.settings.step];
         Some(self.finding(Topic::RearMass, values, "s", verdict, text))
-    }
-}
-
-/// Fine from the first number on, a warning below the second.
-pub(super) fn graded(value: f64, [fine, poor]: [f64; 2]) -> Verdict {
-    if value >= fine {
-        Verdict::Fine
-    } else if value >= poor {
-        Verdict::Note
-    } else {
-        Verdict::Warning
     }
 }

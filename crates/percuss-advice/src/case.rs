@@ -41,7 +41,7 @@ pub struct Struck<'a> {
     pub rear: Option<Rear>,
     /// Radius \[m\]; none of a guided projectile.
     pub radius: Option<f64>,
-    /// Unit vector of the motion towards the beam.
+    /// Unit vector of the motion towards the beam, shape (2) \[-\].
     pub direction: [f64; 2],
     /// Speed of approach in the motion both start with \[m/s\].
     pub speed: f64,
@@ -89,11 +89,11 @@ pub struct Bodies {
 pub struct Beams<'a> {
     /// The first beam, at its middle.
     pub place: BeamPlace<'a>,
-    /// Normal of the half-plane it meets, if it meets one.
+    /// Normal of the half-plane it meets, if it meets one, shape (2) \[-\].
     pub wall: Option<[f64; 2]>,
     /// Number of the beam, and of the other one if it meets one.
     pub numbers: (usize, Option<usize>),
-    /// Velocity of the beam's middle at the start \[m/s\].
+    /// Velocity of the beam's middle at the start, shape (2) \[m/s\].
     pub velocity: [f64; 2],
 }
 
@@ -282,13 +282,9 @@ const SHORTEST: f64 = 0.25;
 
 /// Stiffness of a linear spring without losses.
 pub fn linear_stiffness(law: &TouchLaw) -> Option<f64> {
-    match law {
-        TouchLaw::Smooth(law) if law.dissipation == 0.0 && law.unloading.is_none() => {
-            match law.potential {
-                Potential::Linear { stiffness } => Some(stiffness),
-                _ => None,
-            }
-        }
+    let law = law.smooth().filter(|law| law.dissipation == 0.0 && law.unloading.is_none())?;
+    match law.potential {
+        Potential::Linear { stiffness } => Some(stiffness),
         _ => None,
     }
 }
@@ -296,7 +292,7 @@ pub fn linear_stiffness(law: &TouchLaw) -> Option<f64> {
 /// The blow of a mass on a rigid target under a smooth law, its losses left out, while the force `pressed` \[N\] presses it on; none
 /// under a set-valued law, or at no speed where the speed matters.
 pub fn rigid_blow(law: &TouchLaw, mass: f64, speed: f64, pressed: f64) -> Option<Blow> {
-    let TouchLaw::Smooth(law) = law else { return None };
+    let law = law.smooth()?;
     if law.unloading.is_some() {
         return None; // what crushes opens otherwise than it closes
     }

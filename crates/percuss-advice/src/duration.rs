@@ -75,7 +75,7 @@ impl<'m> Modes<'m> {
 
     /// The first contact of a case.
     pub fn lasting(&self, case: &Case<'_>) -> Option<Lasting> {
-        let TouchLaw::Smooth(law) = case.law else { return None };
+        let law = case.law.smooth()?;
         match &case.meeting {
             Meeting::Struck(struck) => self.struck(struck, case.law, law),
             Meeting::Bodies(two) => bodies(two, law),

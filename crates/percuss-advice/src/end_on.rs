@@ -2,14 +2,14 @@
 
 use std::f64::consts::PI;
 
-use super::before::{Desk, graded};
 use super::case::{Beams, Struck, force, rigid_blow};
+use super::desk::{Desk, graded};
 use super::formulas::BarOnWall;
 use super::structure::BeamPlace;
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
 use percuss::math::vec2::dot;
-use percuss::{FirstTouches, Model, TouchLaw};
+use percuss::{FirstTouches, Model};
 
 /// Elements, or steps, in which the force of a bar rises: those that follow it, and those that make it too large by half.
 const RISES: [f64; 2] = [1.0, 0.3];
@@ -26,7 +26,7 @@ pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>, expected: Option<f64>) -> Vec
     }
     let (section, length) = (place.section(), place.beam.length());
     let wave = section.bar_blow(length, speed);
-    let TouchLaw::Smooth(law) = desk.case.law else {
+    let Some(law) = desk.case.law.smooth() else {
         return vec![Some(stays(desk, wave.duration)), strut_under(desk, place, wave.force)];
     };
     let points = points_of_end(desk.model, desk.case.index);
@@ -85,9 +85,9 @@ fn stays(desk: &Desk<'_>, duration: f64) -> Advice {
         quantity(duration, "s"),
         digits(steps)
     );
-    let points = match desk.case.law {
-        TouchLaw::Smooth(_) => points_of_end(desk.model, desk.case.index),
-        TouchLaw::Rigid(_) => 1.0,
+    let points = match desk.case.law.is_rigid() {
+        false => points_of_end(desk.model, desk.case.index),
+        true => 1.0,
     };
     if points > 1.0 {
         text += &format!(

@@ -4,8 +4,8 @@ use std::cell::{Cell, RefCell};
 
 use super::case::{Case, Meeting, rigid_blow};
 use super::duration::{From, Lasting};
+use percuss::Model;
 use percuss::Settings;
-use percuss::{Model, TouchLaw};
 use percuss::{Preview, preview};
 
 /// Elements times iterations of all trials of a model together: some tenths of a second.
@@ -27,6 +27,7 @@ pub struct Trials<'m> {
     model: &'m Model,
     settings: &'m Settings,
     left: Cell<usize>,
+    /// Previews of runs made so far, shape (trials).
     made: RefCell<Vec<Preview>>,
 }
 
@@ -78,7 +79,7 @@ impl<'m> Trials<'m> {
         lasting: Option<&'a Lasting>,
         certain: Result<(), String>,
     ) -> Option<Expected<'a>> {
-        if !matches!(case.law, TouchLaw::Smooth(_)) {
+        if case.law.is_rigid() {
             return None;
         }
         let guess = lasting.map(|lasting| lasting.duration);

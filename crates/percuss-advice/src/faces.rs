@@ -1,10 +1,10 @@
 //! Beams that meet with faces or flat ends: how stiff their contact is depends on the mesh.
 
-use super::before::Desk;
 use super::case::Beams;
+use super::desk::Desk;
 use super::structure::BeamPlace;
 use super::{Advice, Topic, Verdict};
-use percuss::TouchLaw;
+
 use percuss::math::vec2::{cross, dot, sub};
 
 /// Beams whose directions are parallel or at right angles but for this sine meet with more than a corner.
@@ -12,7 +12,9 @@ const ALIGNED: f64 = 0.1;
 
 /// Every point that lies in the contact presses under the law, and finer meshes have more of them.
 pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
-    let TouchLaw::Smooth(_) = desk.case.law else { return None };
+    if desk.case.law.is_rigid() {
+        return None;
+    }
     let (first, second) = (beams.numbers.0, beams.numbers.1?);
     let [one, other] = [first, second].map(|number| desk.model.beam(number));
     let opposite = BeamPlace::in_the_middle(desk.model, second);

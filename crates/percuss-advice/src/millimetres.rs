@@ -1,6 +1,6 @@
 //! Scenarios in millimetres and newtons, whose numbers are read as metres and pascals.
 
-use super::slips::slip;
+use super::advice::slip;
 use super::structure::BeamPlace;
 use super::words::{digits, quantity};
 use super::{Advice, Verdict};
@@ -25,9 +25,9 @@ impl Numbers {
         let row = place.beam.spans().next()?.gauss_points(0)[1].section;
         let depth = match row.half_depth > 0.0 {
             true => 2.0 * row.half_depth,
-            false => (12.0 * row.bending / row.axial).sqrt(),
+            false => 12_f64.sqrt() * row.gyration(),
         };
-        Some(Self { young: row.axial / row.area, length: place.beam.length(), depth })
+        Some(Self { young: row.young, length: place.beam.length(), depth })
     }
 
     /// Whether they make sense in millimetres and newtons alone.

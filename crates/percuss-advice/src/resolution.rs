@@ -1,7 +1,7 @@
 //! Whether steps and rows show a contact.
 
-use super::before::{Desk, STEPS, graded};
 use super::case::Meeting;
+use super::desk::{Desk, STEPS, graded};
 use super::duration::{From, Lasting};
 use super::expected::{Expected, Stays};
 use super::words::{digits, quantity, round_down};
@@ -105,7 +105,7 @@ impl Desk<'_> {
         let (place, section) = (&struck.place, struck.place.section());
         let stiffens = place.is_held_lengthwise() || !place.is_uniform();
         let limit = match stiffens {
-            true => SMALL * (section.bending / section.axial).sqrt(),
+            true => SMALL * section.gyration(),
             false => SMALL_SLIDING * place.beam.length(),
         };
         let limit = limit.min(self.nearest_stop());

@@ -1,6 +1,6 @@
 //! Findings after a run: what its results must not be taken for.
 
-use super::before::{STEPS, graded};
+use super::desk::{STEPS, graded};
 use super::structure::BeamPlace;
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};

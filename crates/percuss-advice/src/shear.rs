@@ -1,7 +1,7 @@
 //! What shear deformation, which beams here leave out, would do.
 
-use super::before::{Desk, graded};
 use super::case::Struck;
+use super::desk::{Desk, graded};
 use super::duration::{From, Lasting};
 use super::formulas::shear_stiffness;
 use super::words::digits;

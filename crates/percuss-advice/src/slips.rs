@@ -5,14 +5,15 @@
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
+use super::advice::slip;
 use super::case::{self, Meeting};
 use super::structure::{BeamPlace, gravity};
 use super::words::{digits, quantity};
-use super::{Advice, Topic, Verdict, millimetres};
+use super::{Advice, Verdict, millimetres};
 use percuss::Settings;
 use percuss::inspect::{BodyKind, ConnectorCoordinate, ConnectorLaw};
 use percuss::math::vec2::norm;
-use percuss::{Model, Potential, TouchLaw};
+use percuss::{Model, Potential};
 
 /// Densities of solids, foams and the heaviest metals included \[kg/m^3\].
 const DENSITY: [f64; 2] = [1.0, 3e4];
@@ -63,16 +64,6 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
     all
 }
 
-pub(super) fn slip(
-    part: &str,
-    values: [f64; 2],
-    unit: &'static str,
-    verdict: Verdict,
-    text: String,
-) -> Advice {
-    Advice::new(part, Topic::Slip, values, unit, verdict, text)
-}
-
 /// For each beam whether it is tied to another one that is longer than deep. Where they meet both are given in the same unit, so that a
 /// short one is meant: a stub that carries a hinge, say.
 fn stubs(model: &Model) -> Vec<bool> {
@@ -104,7 +95,7 @@ fn beam(place: &BeamPlace<'_>, stub: bool, settings: &Settings, all: &mut Vec<Ad
     let (name, length) = (format!("beam {}", data.name()), data.length());
     let mut told = [false; 4];
     for row in each {
-        let gyration = (row.bending / row.axial).sqrt();
+        let gyration = row.gyration();
         let depth =
             if row.half_depth > 0.0 { 2.0 * row.half_depth } else { 12_f64.sqrt() * gyration };
         let found = [
@@ -266,7 +257,7 @@ fn springs(model: &Model, all: &mut Vec<Advice>) {
             Meeting::Beams(beams) => &beams.place,
             Meeting::Bodies(_) => continue,
         };
-        if let TouchLaw::Smooth(law) = case.law
+        if let Some(law) = case.law.smooth()
             && let Potential::Linear { stiffness } = law.potential
         {
             all.extend(spring(case.name, stiffness, place));

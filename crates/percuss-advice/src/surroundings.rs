@@ -10,7 +10,7 @@ const SAME: f64 = 1e-9;
 /// The beams that move together with one.
 #[derive(Clone, Debug)]
 pub struct Surroundings {
-    /// Whether each of the model's beams is one of them.
+    /// Whether each of the model's beams is one of them, shape (beams).
     pub beams: Vec<bool>,
     /// Whether a support, or a spring to the ground, holds any of them.
     pub held: bool,
@@ -82,6 +82,7 @@ fn is_distance(coordinate: ConnectorCoordinate, rest: f64) -> bool {
 
 /// Something that ties beams to each other or to the ground.
 struct Tie {
+    /// Beams that it ties, shape (beams of it) \[index of a beam\].
     beams: Vec<usize>,
     to_ground: bool,
 }

@@ -1,8 +1,8 @@
 //! When a contact is touched first: by free flight where nothing else moves the two before, by a short trial of the model else, and by
 //! the run once there is one.
 
-use super::before::Desk;
 use super::case::Struck;
+use super::desk::Desk;
 use super::expected::{Expected, Stays};
 use super::structure::{gravity, gravity_varies};
 use super::surroundings::Surroundings;

@@ -29,7 +29,7 @@ pub struct Excerpt {
 pub struct Standing {
     /// Its declaration.
     pub table: &'static str,
-    /// Keys and kinds that are there, `kind=elastic/stiffness`, each with its path in the file.
+    /// Keys and kinds that are there, `kind=elastic/stiffness`, each with its path in the file, shape (keys).
     pub keys: Vec<(String, String)>,
     /// The lines that show it.
     pub excerpt: Excerpt,
@@ -82,7 +82,9 @@ pub fn standings(sample: &Sample, format: &[TableReference]) -> Vec<Standing> {
 /// The way through a file.
 struct Walk<'w> {
     sample: &'w Sample,
+    /// Tables of the format, shape (tables).
     format: &'w [TableReference],
+    /// What was found so far, shape (files and tables).
     found: Vec<Standing>,
 }
 

@@ -14,9 +14,9 @@ pub enum Part {
 pub struct Fence {
     /// Its language.
     pub language: String,
-    /// What else stands behind the fence, separated by commas.
+    /// What else stands behind the fence, separated by commas, shape (marks).
     pub marks: Vec<String>,
-    /// Its lines.
+    /// Its lines, shape (lines).
     pub lines: Vec<String>,
 }
 

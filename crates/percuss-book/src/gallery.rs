@@ -19,7 +19,7 @@ pub struct Scene {
     pub file: String,
     /// What it teaches, in a line; formulas in braces over its summary.
     pub lesson: String,
-    /// What must hold of its summary for that.
+    /// What must hold of its summary for that, shape (conditions).
     pub holds: Vec<String>,
     /// Options of `percuss animate` for its film.
     pub film: String,
@@ -30,7 +30,7 @@ pub struct Scene {
 pub struct Room {
     /// The heading.
     pub title: String,
-    /// The scenarios, in their order.
+    /// The scenarios, in their order, shape (scenes).
     pub scenes: Vec<Scene>,
 }
 

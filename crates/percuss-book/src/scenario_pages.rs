@@ -71,7 +71,9 @@ fn root(place: &str) -> &str {
 /// What writes the pages of a format.
 struct Writer<'w> {
     folder: &'w str,
+    /// Tables of the format, shape (tables).
     format: &'w [TableReference],
+    /// What stands in the files of the book, shape (files and tables).
     standings: &'w [Standing],
     bounds: &'w Bounds,
 }

@@ -11,8 +11,8 @@ use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 
 use percuss_output::{Extent, Results, RunDirectory, RunUpdate};
 
+use crate::kept;
 use crate::outcome::{Failure, Status};
-use crate::replacing;
 
 /// Tries to remove what a command is still writing into.
 const TRIES: usize = 200;
@@ -137,7 +137,7 @@ pub fn protect<const N: usize>(unfinished: [&Path; N]) {
 /// If something cannot be moved.
 pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percuss_output::Error> {
     let placed = undisturbed(|| directory.commit_as(extent))?;
-    replacing::tell_all(&placed.kept);
+    kept::tell_all(&placed.kept);
     Ok(placed.place)
 }
 
@@ -146,7 +146,7 @@ pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percus
 /// # Errors
 /// If something cannot be moved.
 pub fn commit_update(update: RunUpdate) -> Result<(), percuss_output::Error> {
-    replacing::tell_all(&undisturbed(|| update.commit())?);
+    kept::tell_all(&undisturbed(|| update.commit())?);
     Ok(())
 }
 

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use percuss_codes::{Code, FileCode};
 use percuss_scenario::{visible, visible_line};
 
-use crate::outcome::Failure;
+use crate::failure::Failure;
 
 /// Where a style begins in a text on its way to the terminal: a number of this process stands in it, so that no file can hold it.
 static STYLE: LazyLock<String> =

@@ -25,7 +25,7 @@ pub struct Group {
     pub name: &'static str,
     /// What that means for whoever reads one.
     pub about: &'static str,
-    /// The codes.
+    /// The codes, shape (codes).
     pub codes: Vec<Code>,
 }
 

@@ -15,6 +15,7 @@ struct Keeps {
     asked: usize,
     at: usize,
     steps: usize,
+    /// The checkpoint kept last, shape (bytes) \[-\].
     kept: Vec<u8>,
 }
 

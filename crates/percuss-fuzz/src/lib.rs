@@ -3,6 +3,7 @@
 
 mod checkpoints;
 mod files;
+mod input;
 mod runs;
 mod texts;
 
@@ -27,11 +28,3 @@ pub const TARGETS: [(&str, Target); 10] = [
     ("run", run),
     ("checkpoint", checkpoint),
 ];
-
-/// Longest input that is looked at \[bytes\]: what a person writes is shorter, and longer ones find nothing else.
-const LONGEST: usize = 1 << 15;
-
-/// The input as text, if it is one and not too long.
-fn text(data: &[u8]) -> Option<&str> {
-    std::str::from_utf8(data.get(..data.len().min(LONGEST))?).ok()
-}

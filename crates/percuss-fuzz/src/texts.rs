@@ -2,7 +2,7 @@
 
 use percuss_scenario::{StudyFile, apply_overrides, read, templates, units};
 
-use super::text;
+use super::input::text;
 
 /// A scenario: what can be read is written out and read again, to the same content; what can be built is looked at by the advisor.
 pub fn scenario(data: &[u8]) {

@@ -19,9 +19,9 @@ const BINS: usize = 2000;
 pub struct ComparisonSeries {
     /// What distinguishes it, for instance `restitution 0.5`.
     pub label: String,
-    /// Times \[s\].
+    /// Times, shape (rows) \[s\].
     pub time: Vec<f64>,
-    /// Total energy at these times \[J\].
+    /// Total energy at these times, shape (rows) \[J\].
     pub energy: Vec<f64>,
 }
 

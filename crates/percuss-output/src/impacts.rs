@@ -25,15 +25,16 @@ const HEADER: &str = "contact,first,second,kind,start_s,end_s,impulse_N_s,fricti
 struct Row<'a> {
     /// The contact, or the stop, and the two between which it is: of a stop none.
     name: &'a str,
+    /// Names of both partners, shape (2).
     between: [&'a str; 2],
     kind: &'static str,
     start: f64,
-    /// Numbers between `start_s` and the places.
+    /// Numbers between `start_s` and the places, shape (8) \[unit of the column\].
     numbers: [f64; 8],
     place: ContactPlace,
     energy: EnergySplit,
     fallback_law: Option<bool>,
-    /// Points of an impact, steps of an interval.
+    /// Points of an impact, steps of an interval, shape (2) \[-\].
     counts: [Option<usize>; 2],
     /// Why there is no coefficient of restitution.
     why: Option<NoRestitution>,

@@ -29,6 +29,7 @@ pub struct PathShapes {
     stride: usize,
     offered: usize,
     limits: usize,
+    /// Equilibria kept so far, shape (equilibria).
     kept: Vec<Along>,
 }
 

@@ -25,7 +25,7 @@ pub(crate) struct Panel<'a> {
     pub title: String,
     /// Index of the colour.
     pub style: usize,
-    /// Nodal displacements and slopes, of any size; shape (n_node).
+    /// Nodal displacements and slopes, of any size, shape (nodes, 4) \[m, 1\].
     pub shape: &'a [[f64; 4]],
 }
 

@@ -9,11 +9,11 @@ use crate::request::{Look, Plan, PrintFormat, Told};
 
 /// A scene that can be drawn at any time; there is none in this build.
 pub struct Film {
-    /// Width and height, even numbers \[pixels\].
+    /// Width and height, even numbers, shape (2) \[pixels\].
     pub size: [u32; 2],
-    /// First and last time \[s\].
+    /// First and last time, shape (2) \[s\].
     pub whole: [f64; 2],
-    /// The time in which anything touches, with some room; none where nothing does or that is all the time.
+    /// The time in which anything touches, with some room; none where nothing does or that is all the time, shape (2) \[s\].
     pub impact: Option<[f64; 2]>,
     /// How long the page takes to show all of it \[s\].
     pub seconds: f64,

@@ -18,11 +18,11 @@ const STACK: usize = 1 << 19;
 /// A scene that can be drawn at any time.
 pub struct Film {
     context: Context,
-    /// Width and height, even numbers \[pixels\].
+    /// Width and height, even numbers, shape (2) \[pixels\].
     pub size: [u32; 2],
-    /// First and last time \[s\].
+    /// First and last time, shape (2) \[s\].
     pub whole: [f64; 2],
-    /// The time in which anything touches, with some room; none where nothing does or that is all the time.
+    /// The time in which anything touches, with some room; none where nothing does or that is all the time, shape (2) \[s\].
     pub impact: Option<[f64; 2]>,
     /// How long the page takes to show all of it \[s\].
     pub seconds: f64,

@@ -21,7 +21,9 @@ const SAMPLING: i32 = 3;
 
 /// Colours that stand for all colours of a film.
 pub(crate) struct Palette {
+    /// Red, green and blue of each colour, shape (colours, 3) \[-\].
     colours: Vec<[u8; 3]>,
+    /// Colours looked up before, with their numbers, shape (3) \[-\].
     known: HashMap<[u8; 3], u8>,
 }
 
@@ -64,11 +66,13 @@ impl Palette {
 pub(crate) struct Gif<W: Write> {
     encoder: Encoder<W>,
     palette: Palette,
+    /// Width and height, shape (2) \[pixels\].
     size: [u32; 2],
-    /// Indices of the frame that is shown now.
+    /// Indices of the frame that is shown now, shape (pixels) \[index of a colour\].
     shown: Vec<u8>,
     /// The frame that waits for what it lasts, and how long that is so far \[1/100 s\].
     waiting: Option<(Frame<'static>, u64)>,
+    /// Where each frame ends in the file, shape (frames) \[bytes\].
     ends: Vec<u64>,
     count: usize,
 }

@@ -243,7 +243,7 @@ mod tests {
     }
 
     #[test]
-    fn what_surrounds_a_text_lies_below_it() {
+    fn surroundings_of_a_text_lie_below_it() {
         let text = |order: &str| {
             format!(
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"96\" height=\"48\"><text x=\"5\" y=\"20\" fill=\"#000\" \

@@ -9,8 +9,9 @@ use crate::font;
 /// An opaque picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Pixels {
+    /// Width and height, shape (2) \[pixels\].
     pub size: [u32; 2],
-    /// Red, green, blue; row by row.
+    /// Red, green, blue; row by row, shape (height, width, 3) \[-\].
     pub rgb: Vec<u8>,
 }
 
@@ -64,7 +65,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_changed_is_enclosed() {
+    fn changed_pixels_are_enclosed() {
         let blank = Pixels { size: [7, 5], rgb: vec![255; 105] };
         let mut other = blank.clone();
         assert_eq!(blank.change(&other), None);

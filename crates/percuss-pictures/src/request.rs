@@ -47,7 +47,7 @@ impl Format {
 pub struct Plan {
     /// File format.
     pub format: Format,
-    /// First and last time of the run \[s\].
+    /// First and last time of the run, shape (2) \[s\].
     pub span: [f64; 2],
     /// Number of frames, at least 2.
     pub frames: usize,

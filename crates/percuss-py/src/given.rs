@@ -13,6 +13,7 @@ type Raised = Arc<Mutex<Option<PyErr>>>;
 #[derive(Debug)]
 pub struct Given {
     functions: HashMap<String, Arc<Py<PyAny>>>,
+    /// Potential and its derivative, by the path of the law, shape (2).
     potentials: HashMap<String, [Arc<Py<PyAny>>; 2]>,
     raised: Raised,
 }

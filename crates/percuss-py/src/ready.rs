@@ -8,7 +8,7 @@ use crate::error::scenario_error;
 use crate::given::Given;
 
 /// What a Python scenario hands over: its text, its name in messages (files that it names lie where it lies), changes of the form
-/// `path=value`, functions behind paths, whether it may name files outside its folder.
+/// `path=value`, functions behind paths, whether it may name files outside its folder, shape (changes).
 #[derive(Debug, FromPyObject)]
 pub struct Source(String, String, Vec<String>, Given, bool);
 

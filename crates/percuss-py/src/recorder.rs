@@ -15,12 +15,15 @@ const LOOK: Duration = Duration::from_millis(50);
 /// Rows as columns, each in memory of its own.
 #[derive(Debug, Default)]
 pub struct Columns {
+    /// The columns' names and units, shape (channels).
     pub channels: Vec<Channel>,
+    /// Values, column by column, shape (channels, rows) \[unit of the channel\].
     pub values: Vec<Vec<f64>>,
 }
 
 /// Receives a run for Python.
 pub struct RunRecorder<'a> {
+    /// What is recorded, shape (channels, rows) \[unit of the channel\].
     pub columns: Columns,
     /// How the scene moves.
     pub frames: FrameStore,

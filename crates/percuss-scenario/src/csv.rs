@@ -6,12 +6,12 @@ use serde_json::{Value as Json, json};
 
 use crate::code::FaultCode;
 use crate::files::{FileAccess, WITHIN, has_sha256, is_within, sha256};
-use crate::format::{Format, Inline, List};
+use crate::format::{self, Format, Inline, List};
 use crate::header::{self, Column};
 use crate::measure::{self, Length};
 use crate::node::{Node, Reader, count};
 use crate::quantity::Vector;
-use crate::reach::{self, Reached};
+use crate::reach::Reached;
 
 /// Two numbers and the line they stand on.
 pub(crate) type Row = (usize, [f64; 2]);
@@ -181,7 +181,7 @@ impl Format for Points {
 
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
         match path {
-            [] => reach::end::<Self>(value, path),
+            [] => format::end::<Self>(value, path),
             _ => Listed::reach(value, path),
         }
     }

@@ -78,6 +78,7 @@ impl fmt::Display for Diagnostic {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Diagnostics {
     source: Source,
+    /// The faults, in the order of the file, shape (faults).
     all: Vec<Diagnostic>,
 }
 

@@ -161,7 +161,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_gives_nothing_is_given_up() {
+    fn a_file_that_gives_nothing_is_given_up() {
         let waits = || {
             thread::sleep(Duration::from_secs(2));
             Ok(std::io::empty())
@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_end_is_given_up() {
+    fn a_file_without_end_is_given_up() {
         let error = read_in_time(|| Ok(std::io::repeat(b' ')), PATIENCE).unwrap_err();
         assert_eq!(error.kind(), ErrorKind::FileTooLarge);
         let text = read_in_time(|| Ok("all".as_bytes()), PATIENCE).unwrap();

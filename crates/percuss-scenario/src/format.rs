@@ -1,13 +1,17 @@
 //! How the value of a key is written in a file: one type per form, for reader, writer and schema.
 
+mod plain;
+
 use std::marker::PhantomData;
 
 use serde_json::{Value as Json, json};
 
+use crate::layout::Described;
 use crate::node::{Node, Reader};
-use crate::reach::{self, Lost, Reached};
-use crate::reference::Described;
-use crate::write::{self, Writer};
+use crate::reach::{self, Lost, Reached, Slot};
+use crate::write::Writer;
+
+pub(crate) use plain::{Count, Flag, Text};
 
 /// A form in which a value stands behind a key.
 pub(crate) trait Format: Sized + 'static {
@@ -31,7 +35,7 @@ pub(crate) trait Format: Sized + 'static {
     }
     /// What stands at the end of a path that begins at the value.
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
-        reach::end::<Self>(value, path)
+        end::<Self>(value, path)
     }
     /// The value as a number with its SI unit, where it is one.
     fn number(_: &Self::Value) -> Option<(f64, &'static str)> {
@@ -78,6 +82,41 @@ impl<F: Inline> Written for F {
     }
 }
 
+/// A value of a form.
+struct At<'c, F: Format>(&'c mut F::Value);
+
+impl<F: Format> Slot for At<'_, F> {
+    fn unit(&self) -> Option<&'static str> {
+        F::number(self.0).map(|number| number.1)
+    }
+
+    fn number(&self) -> Option<f64> {
+        F::number(self.0).map(|number| number.0)
+    }
+
+    fn set(&mut self, number: f64) -> Result<(), String> {
+        F::set_number(self.0, number)
+    }
+
+    fn read(&mut self, node: &Node<'_>, reader: &mut Reader<'_>) -> bool {
+        match F::read_over(self.0, node, reader) {
+            Some(value) => {
+                *self.0 = value;
+                true
+            }
+            None => false,
+        }
+    }
+}
+
+/// The value itself, if the path ends here.
+pub(crate) fn end<'c, F: Format>(value: &'c mut F::Value, path: &[String]) -> Reached<'c> {
+    match path {
+        [] => Ok(Box::new(At::<F>(value))),
+        [step, ..] => Err(Lost::behind(step)),
+    }
+}
+
 /// Any number of values.
 pub(crate) struct List<F>(PhantomData<F>);
 
@@ -112,7 +151,7 @@ impl<F: Inline> Format for List<F> {
 
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
         if path.is_empty() {
-            return reach::end::<Self>(value, path);
+            return end::<Self>(value, path);
         }
         let (entry, rest) = reach::entry(value, path)?;
         F::reach(entry, rest).map_err(Lost::deeper)
@@ -165,7 +204,7 @@ impl<F: Inline> Format for Pair<F> {
 
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
         if path.is_empty() {
-            return reach::end::<Self>(value, path);
+            return end::<Self>(value, path);
         }
         let (entry, rest) = reach::entry(value, path)?;
         F::reach(entry, rest).map_err(Lost::deeper)
@@ -215,7 +254,7 @@ impl<F: Inline, G: Inline<Value = F::Value>> Format for Couple<F, G> {
 
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
         if path.is_empty() {
-            return reach::end::<Self>(value, path);
+            return end::<Self>(value, path);
         }
         let second = path[0] == "1";
         let (entry, rest) = reach::entry(value, path)?;
@@ -270,117 +309,5 @@ impl<F: Inline> Inline for Maybe<F> {
 
     fn text(value: &Self::Value) -> Option<String> {
         F::text(value.as_ref()?)
-    }
-}
-
-/// A whole number of zero or above.
-pub(crate) struct Count;
-
-impl Format for Count {
-    type Value = usize;
-
-    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<usize> {
-        let number = node.value.as_integer();
-        let count = number.and_then(|n| usize::from_str_radix(n.as_str(), n.radix()).ok());
-        if count.is_none() {
-            reader.wrong(node, node.found(), Self::expected());
-        }
-        count
-    }
-
-    fn placeholder() -> usize {
-        1
-    }
-
-    fn expected() -> String {
-        "a whole number above zero, such as 6".into()
-    }
-
-    fn schema() -> Json {
-        json!({ "type": "integer", "minimum": 1 })
-    }
-
-    fn number(value: &usize) -> Option<(f64, &'static str)> {
-        Some((*value as f64, ""))
-    }
-
-    fn set_number(value: &mut usize, number: f64) -> Result<(), String> {
-        if number.fract() != 0.0 || !(0.0..1e9).contains(&number) {
-            return Err(Self::expected());
-        }
-        *value = number as usize;
-        Ok(())
-    }
-}
-
-impl Inline for Count {
-    fn text(value: &usize) -> Option<String> {
-        Some(value.to_string())
-    }
-}
-
-/// `true` or `false`.
-pub(crate) struct Flag;
-
-impl Format for Flag {
-    type Value = bool;
-
-    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<bool> {
-        let flag = node.value.as_bool();
-        if flag.is_none() {
-            reader.wrong(node, node.found(), Self::expected());
-        }
-        flag
-    }
-
-    fn placeholder() -> bool {
-        false
-    }
-
-    fn expected() -> String {
-        "true or false".into()
-    }
-
-    fn schema() -> Json {
-        json!({ "type": "boolean" })
-    }
-}
-
-impl Inline for Flag {
-    fn text(value: &bool) -> Option<String> {
-        Some(value.to_string())
-    }
-}
-
-/// Free text.
-pub(crate) struct Text;
-
-impl Format for Text {
-    type Value = String;
-
-    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<String> {
-        let text = node.value.as_str().map(str::to_string);
-        if text.is_none() {
-            reader.wrong(node, node.found(), Self::expected());
-        }
-        text
-    }
-
-    fn placeholder() -> String {
-        String::new()
-    }
-
-    fn expected() -> String {
-        "a text in quotes".into()
-    }
-
-    fn schema() -> Json {
-        json!({ "type": "string" })
-    }
-}
-
-impl Inline for Text {
-    fn text(value: &String) -> Option<String> {
-        Some(write::text(value))
     }
 }

@@ -6,7 +6,7 @@ use crate::units::{self, Dimension};
 /// What a column holds.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Column {
-    /// Headers that say so without a unit: its values are in SI.
+    /// Headers that say so without a unit: its values are in SI, shape (names).
     pub names: &'static [&'static str],
     /// What it measures.
     pub dimension: Dimension,

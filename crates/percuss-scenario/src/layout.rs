@@ -4,7 +4,6 @@ use serde_json::Value as Json;
 
 use crate::code::FaultCode;
 use crate::node::{Body, Reader};
-use crate::reference::Described;
 use crate::source::join;
 use crate::suggest;
 
@@ -37,6 +36,7 @@ pub(crate) struct Kinds {
     pub tag: &'static str,
     pub about: String,
     pub default: Option<&'static str>,
+    /// The kinds, shape (kinds).
     pub variants: Vec<Variant>,
 }
 
@@ -44,11 +44,13 @@ pub(crate) struct Kinds {
 #[derive(Clone, Default)]
 pub(crate) struct Layout {
     pub about: String,
+    /// The keys, shape (keys).
     pub keys: Vec<Key>,
-    /// Sets of keys that may be left out, of which one set must be there; of tables without kinds.
+    /// Sets of keys that may be left out, of which one set must be there; of tables without kinds, shape (sets, keys of one).
     pub either: Vec<Vec<&'static str>>,
-    /// Keys that people look for here in vain, and what stands here instead.
+    /// Keys that people look for here in vain, and what stands here instead, shape (keys).
     pub refused: Vec<(&'static str, &'static str)>,
+    /// Choices of kinds, shape (choices).
     pub choices: Vec<Kinds>,
 }
 
@@ -195,4 +197,39 @@ impl Layout {
             reader.misplaced_as(FaultCode::UnknownKey, &path, span, (found, expected));
         }
     }
+}
+
+/// What the form of a value says of itself.
+#[derive(Clone, Default)]
+pub(crate) struct Described {
+    /// What is expected, with an example.
+    pub expected: String,
+    /// SI unit of a bare number.
+    pub unit: &'static str,
+    /// Words that may stand here, and what they mean, shape (words).
+    pub words: Vec<(&'static str, &'static str)>,
+    /// The table that stands behind the key.
+    pub table: Option<Inner>,
+}
+
+/// A table that stands behind a key.
+#[derive(Clone)]
+pub(crate) struct Inner {
+    /// Name of its declaration.
+    pub name: &'static str,
+    pub stands: Stands,
+    pub layout: fn() -> Layout,
+}
+
+/// How a table stands in the file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stands {
+    /// The file itself.
+    File,
+    /// Once, under its header: `[time]`.
+    Once,
+    /// As often as wanted, with names of the user's: `[beam.NAME]`.
+    Named,
+    /// In braces behind a key of another table.
+    Braces,
 }

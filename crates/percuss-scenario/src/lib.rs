@@ -29,15 +29,18 @@ mod format;
 mod given;
 mod header;
 mod layout;
+mod load;
 mod measure;
 mod name;
 mod node;
 mod overrides;
+mod parse;
 mod partner;
 mod point;
 mod preset;
 mod quantity;
 mod reach;
+mod reading;
 mod reference;
 mod scenario;
 mod schema;
@@ -60,13 +63,14 @@ pub use content::Content;
 pub use diagnostic::{Diagnostic, Diagnostics};
 pub use files::{FileAccess, read_bytes, read_in_time};
 pub use given::Given;
+pub use layout::Stands;
 pub use overrides::apply_overrides;
 pub use point::{Anchor, Point};
+pub use reading::{load, load_whole, load_with, read, read_whole, read_with};
 pub use reference::{
-    BodyReference, KeyReference, KindsReference, Stands, TableReference, reference, study_reference,
+    BodyReference, KeyReference, KindsReference, TableReference, reference, schema, study_reference,
 };
-pub use scenario::{Scenario, load, load_whole, load_with, read, read_whole, read_with};
-pub use schema::schema;
+pub use scenario::Scenario;
 pub use study::{StudyFile, is_study, study_schema};
 pub use suggest::one_of;
 pub use table::Named;

@@ -121,7 +121,7 @@ pub(crate) struct Raw {
 pub(crate) struct Reader<'s> {
     /// The text, to look at values as they were written.
     pub text: &'s str,
-    /// Faults so far.
+    /// Faults so far, shape (faults).
     pub faults: Vec<Raw>,
     /// Paths at which a placeholder stands for a value that could not be read.
     pub tainted: BTreeSet<String>,
@@ -141,7 +141,7 @@ pub(crate) struct Reader<'s> {
 /// Names under a kind of table.
 #[derive(Debug, Default)]
 struct Names<'s> {
-    /// In the order of the file.
+    /// In the order of the file, shape (names).
     list: Vec<&'s str>,
     all: HashSet<&'s str>,
 }

@@ -9,7 +9,7 @@ use toml_edit::{DocumentMut, InlineTable, Item, Table, TableLike, Value};
 use crate::code::FaultCode;
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::reach;
-use crate::schema::schema;
+use crate::reference::schema;
 use crate::source::Source;
 use crate::suggest;
 use crate::syntax;

@@ -98,7 +98,7 @@ impl Inline for PartnerName {
 pub struct Strikes {
     /// The point it flies at; its beam is struck.
     pub point: Option<Point>,
-    /// What is struck besides.
+    /// What is struck besides, shape (partners).
     pub partners: Vec<Partner>,
 }
 

@@ -216,7 +216,7 @@ impl Inline for Place {
 pub enum Anchor {
     /// A point of a beam.
     Point(Point),
-    /// A point fixed in space (m).
+    /// A point fixed in space (m), shape (2) \[m\].
     Ground([f64; 2]),
 }
 

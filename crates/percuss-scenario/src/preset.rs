@@ -20,7 +20,7 @@ pub struct Preset {
     pub strength: Option<Strength>,
     /// Yield stress (Pa) of one that yields: what `yield = "preset"` stands for.
     pub yields: Option<f64>,
-    /// Constants C (1/s) and q of Cowper and Symonds, shape (2), where they have been measured: what `rate = "preset"` stands for.
+    /// Constants C (1/s) and q of Cowper and Symonds, shape (2) \[1/s, -\], where they have been measured: what `rate = "preset"` stands for.
     pub rate: Option<[f64; 2]>,
 }
 

@@ -6,11 +6,11 @@ use serde_json::{Value as Json, json};
 use toml::de::{DeInteger, DeValue};
 
 use crate::code::FaultCode;
-use crate::format::{Format, Inline};
+use crate::format::{self, Format, Inline};
+use crate::layout::Described;
 use crate::measure::{self, Measure};
 use crate::node::{Node, Reader};
 use crate::reach::{self, Lost, Reached};
-use crate::reference::Described;
 use crate::units;
 use crate::write;
 
@@ -175,7 +175,7 @@ impl<M: Measure> Format for Vector<M> {
 
     fn reach<'c>(value: &'c mut [f64; 2], path: &[String]) -> Reached<'c> {
         if path.is_empty() {
-            return reach::end::<Self>(value, path);
+            return format::end::<Self>(value, path);
         }
         let (entry, rest) = reach::entry(value, path)?;
         Quantity::<M>::reach(entry, rest).map_err(Lost::deeper)

@@ -2,7 +2,6 @@
 //!
 //! The declarations that read a file also lead to its values, so a value set here passes the reader the file's own value would.
 
-use crate::format::Format;
 use crate::node::{Node, Reader};
 use crate::suggest;
 
@@ -25,7 +24,14 @@ pub(crate) trait Slot {
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Lost {
     /// So many steps were right, the next one is not known.
-    Unknown { depth: usize, found: String, known: Vec<String> },
+    Unknown {
+        /// Steps that were right.
+        depth: usize,
+        /// The next one, in words.
+        found: String,
+        /// Steps that would be right, shape (steps).
+        known: Vec<String>,
+    },
     /// The path ends at a table.
     Table,
     /// The value decides what else stands in its table, or its table is not in the file: the file has to be read anew.
@@ -68,41 +74,6 @@ impl Lost {
 pub(crate) fn steps(path: &str) -> Vec<String> {
     let parts = path.split(['.', '[']);
     parts.map(|part| part.trim_end_matches(']').trim().to_string()).collect()
-}
-
-/// A value of a form.
-struct At<'c, F: Format>(&'c mut F::Value);
-
-impl<F: Format> Slot for At<'_, F> {
-    fn unit(&self) -> Option<&'static str> {
-        F::number(self.0).map(|number| number.1)
-    }
-
-    fn number(&self) -> Option<f64> {
-        F::number(self.0).map(|number| number.0)
-    }
-
-    fn set(&mut self, number: f64) -> Result<(), String> {
-        F::set_number(self.0, number)
-    }
-
-    fn read(&mut self, node: &Node<'_>, reader: &mut Reader<'_>) -> bool {
-        match F::read_over(self.0, node, reader) {
-            Some(value) => {
-                *self.0 = value;
-                true
-            }
-            None => false,
-        }
-    }
-}
-
-/// The value itself, if the path ends here.
-pub(crate) fn end<'c, F: Format>(value: &'c mut F::Value, path: &[String]) -> Reached<'c> {
-    match path {
-        [] => Ok(Box::new(At::<F>(value))),
-        [step, ..] => Err(Lost::behind(step)),
-    }
 }
 
 /// The entry of a list that the path leads to, and the rest of the path.

@@ -1,44 +1,12 @@
 //! The reference of the file formats, from the declarations that also read them.
 
 use crate::content::Content;
-use crate::layout::{Key, Kinds, Layout, Variant};
+use serde_json::{Value as Json, json};
+
+use crate::layout::{Described, Inner, Key, Kinds, Layout, Stands, Variant};
+use crate::schema::of_table;
 use crate::study::StudyContent;
 use crate::table::Part;
-
-/// What the form of a value says of itself.
-#[derive(Clone, Default)]
-pub(crate) struct Described {
-    /// What is expected, with an example.
-    pub expected: String,
-    /// SI unit of a bare number.
-    pub unit: &'static str,
-    /// Words that may stand here, and what they mean.
-    pub words: Vec<(&'static str, &'static str)>,
-    /// The table that stands behind the key.
-    pub table: Option<Inner>,
-}
-
-/// A table that stands behind a key.
-#[derive(Clone)]
-pub(crate) struct Inner {
-    /// Name of its declaration.
-    pub name: &'static str,
-    pub stands: Stands,
-    pub layout: fn() -> Layout,
-}
-
-/// How a table stands in the file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stands {
-    /// The file itself.
-    File,
-    /// Once, under its header: `[time]`.
-    Once,
-    /// As often as wanted, with names of the user's: `[beam.NAME]`.
-    Named,
-    /// In braces behind a key of another table.
-    Braces,
-}
 
 /// A table of a format.
 #[derive(Clone, Debug)]
@@ -47,7 +15,7 @@ pub struct TableReference {
     pub name: &'static str,
     /// How it stands in the file.
     pub stands: Stands,
-    /// Where it stands: `beam`, `support.motion`; several keys may hold the same kind of table.
+    /// Where it stands: `beam`, `support.motion`; several keys may hold the same kind of table, shape (places).
     pub places: Vec<String>,
     /// What may stand in it.
     pub body: BodyReference,
@@ -58,11 +26,11 @@ pub struct TableReference {
 pub struct BodyReference {
     /// What it is.
     pub about: String,
-    /// Its keys.
+    /// Its keys, shape (keys).
     pub keys: Vec<KeyReference>,
-    /// Sets of keys of which one must be given.
+    /// Sets of keys of which one must be given, shape (sets, keys of one).
     pub either: Vec<Vec<&'static str>>,
-    /// Its choices of kinds.
+    /// Its choices of kinds, shape (choices).
     pub kinds: Vec<KindsReference>,
 }
 
@@ -75,7 +43,7 @@ pub struct KindsReference {
     pub about: String,
     /// The kind if nothing is said.
     pub default: Option<&'static str>,
-    /// Each kind by its word, with what it brings.
+    /// Each kind by its word, with what it brings, shape (kinds).
     pub variants: Vec<(&'static str, BodyReference)>,
 }
 
@@ -90,7 +58,7 @@ pub struct KeyReference {
     pub expected: String,
     /// SI unit of a bare number; empty where there is none.
     pub unit: &'static str,
-    /// Words that may stand here, and what they mean.
+    /// Words that may stand here, and what they mean, shape (words).
     pub words: Vec<(&'static str, &'static str)>,
     /// Whether it must be given.
     pub required: bool,
@@ -144,15 +112,6 @@ fn within(layout: &Layout, see: &mut impl FnMut(&Key)) {
     }
 }
 
-impl Inner {
-    /// The declaration of `T`.
-    pub fn of<T: Part>(stands: Stands) -> Self {
-        let path = std::any::type_name::<T>();
-        let name = path.rsplit("::").next().unwrap_or(path);
-        Self { name, stands, layout: T::layout }
-    }
-}
-
 impl BodyReference {
     fn of(layout: &Layout) -> Self {
         Self {
@@ -195,4 +154,12 @@ impl KeyReference {
             table: table.map(|inner| inner.name),
         }
     }
+}
+
+/// JSON Schema of the scenario file, for completion in editors.
+pub fn schema() -> Json {
+    let mut schema = of_table(Content::layout());
+    schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
+    schema["title"] = json!("Percuss scenario");
+    schema
 }

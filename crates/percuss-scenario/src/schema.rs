@@ -2,21 +2,10 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use crate::content::Content;
 use crate::layout::{Key, Kinds, Layout, Variant};
-use crate::table::Part;
-
-/// JSON Schema of the scenario file, for completion in editors.
-pub fn schema() -> Json {
-    let mut schema = of_table::<Content>();
-    schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
-    schema["title"] = json!("Percuss scenario");
-    schema
-}
 
 /// Schema of a table; one that comes in kinds is one of several objects.
-pub(crate) fn of_table<T: Part>() -> Json {
-    let mut layout = T::layout();
+pub(crate) fn of_table(mut layout: Layout) -> Json {
     if !layout.choices.is_empty() {
         let about = std::mem::take(&mut layout.about);
         let objects = alternatives(&layout).into_iter().map(Object::finish);
@@ -31,8 +20,8 @@ pub(crate) fn of_table<T: Part>() -> Json {
 }
 
 /// Schema of tables with the user's names.
-pub(crate) fn of_collection<T: Part>() -> Json {
-    json!({ "type": "object", "additionalProperties": of_table::<T>() })
+pub(crate) fn of_collection(layout: Layout) -> Json {
+    json!({ "type": "object", "additionalProperties": of_table(layout) })
 }
 
 /// A table in the making, of one kind.
@@ -40,6 +29,7 @@ pub(crate) fn of_collection<T: Part>() -> Json {
 struct Object {
     about: String,
     properties: Map<String, Json>,
+    /// Keys that must be there, shape (keys).
     required: Vec<&'static str>,
 }
 

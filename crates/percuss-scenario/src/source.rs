@@ -2,19 +2,15 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::Path;
 
 use toml::de::{DeTable, DeValue};
-
-use crate::code::FaultCode;
-use crate::diagnostic::{Diagnostic, Diagnostics};
 
 /// A scenario file as text, with its name for messages.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Source {
     pub name: String,
     pub text: String,
-    /// Byte at which each line begins.
+    /// Byte at which each line begins, shape (lines) \[bytes\].
     lines: Vec<usize>,
 }
 
@@ -23,39 +19,6 @@ impl Source {
         let starts = text.match_indices('\n').map(|(i, _)| i + 1);
         let lines = [0].into_iter().chain(starts).collect();
         Self { name: name.into(), text: text.into(), lines }
-    }
-
-    /// Reads a file from disk.
-    pub fn load(path: &Path) -> Result<Self, Diagnostics> {
-        let name = path.display().to_string();
-        let whole = |found: &str, expected: &str| {
-            let empty = Self::new(&name, "");
-            Diagnostics::new(empty, vec![Diagnostic::of_file(found, expected)])
-        };
-        if path.is_dir() {
-            return Err(whole("a directory", "a scenario file"));
-        }
-        let bytes = crate::files::read_bytes(path).map_err(|error| match error.kind() {
-            std::io::ErrorKind::NotFound => whole("no such file", "a scenario file"),
-            _ => whole(&format!("a file that cannot be read ({error})"), "a readable file"),
-        })?;
-        Self::decode(&name, bytes)
-    }
-
-    /// Takes bytes for text.
-    pub fn decode(name: &str, bytes: Vec<u8>) -> Result<Self, Diagnostics> {
-        let error = match String::from_utf8(bytes) {
-            Ok(text) => return Ok(Self::new(name, &text)),
-            Err(error) => error,
-        };
-        let at = error.utf8_error().valid_up_to();
-        let bad = error.as_bytes().get(at).copied().unwrap_or_default();
-        let source = Self::new(name, &String::from_utf8_lossy(error.as_bytes()));
-        let found = format!("the byte 0x{bad:02x}, which is not UTF-8");
-        let end = at + char::REPLACEMENT_CHARACTER.len_utf8();
-        let one =
-            Diagnostic::at(FaultCode::File, &source, at..end, "", found, "a text saved as UTF-8");
-        Err(Diagnostics::new(source, vec![one]))
     }
 
     /// Line and column of a byte, both from 1; the column counts characters.

@@ -6,10 +6,9 @@ use serde_json::Value as Json;
 
 use crate::code::FaultCode;
 use crate::format::{Format, Inline, Written};
-use crate::layout::{Key, Layout};
+use crate::layout::{Described, Inner, Key, Layout, Stands};
 use crate::node::{Body, Node, Reader};
 use crate::reach::{Lost, Reached};
-use crate::reference::{Described, Inner, Stands};
 use crate::schema;
 use crate::source::join;
 use crate::write::Writer;
@@ -142,7 +141,7 @@ impl<T: Declared> Format for Single<T> {
     }
 
     fn schema() -> Json {
-        schema::of_table::<T>()
+        schema::of_table(T::layout())
     }
 
     fn described() -> Described {
@@ -195,7 +194,7 @@ impl<T: Declared> Format for Braces<T> {
     }
 
     fn schema() -> Json {
-        schema::of_table::<T>()
+        schema::of_table(T::layout())
     }
 
     fn described() -> Described {
@@ -277,7 +276,7 @@ impl<T: Declared> Format for Collection<T> {
     }
 
     fn schema() -> Json {
-        schema::of_collection::<T>()
+        schema::of_collection(T::layout())
     }
 
     fn described() -> Described {
@@ -313,4 +312,13 @@ impl<T: Declared> Written for Collection<T> {
 /// Names appear between dots in the names of results.
 pub(crate) fn is_name(name: &str) -> bool {
     !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '_' || c == '-')
+}
+
+impl Inner {
+    /// The declaration of `T`.
+    pub fn of<T: Part>(stands: Stands) -> Self {
+        let path = std::any::type_name::<T>();
+        let name = path.rsplit("::").next().unwrap_or(path);
+        Self { name, stands, layout: T::layout }
+    }
 }

@@ -54,7 +54,7 @@ impl Columns for Characteristic {
 pub struct TableFile {
     /// Its absolute path, links followed; as given while it has not been read.
     pub path: String,
-    /// Its columns, in SI units; empty while it has not been read.
+    /// Its columns, in SI units; empty while it has not been read, shape (2, rows) \[SI unit of the column\].
     pub columns: [Vec<f64>; 2],
 }
 
@@ -129,7 +129,7 @@ impl Inline for Sum {
 pub(crate) struct Given<'t> {
     pub file: &'t mut Option<TableFile>,
     pub sum: &'t mut Option<String>,
-    /// Names and values of the lists.
+    /// Names and values of the lists, shape (2, rows) \[SI unit of the list\].
     pub lists: [(&'static str, &'t mut Option<Vec<f64>>); 2],
 }
 

@@ -8,13 +8,15 @@ use crate::diagnostic::Diagnostics;
 use crate::node::{Node, Reader};
 use crate::overrides::apply_overrides;
 use crate::reach::{Lost, Reached, steps};
-use crate::scenario::{Scenario, read};
+use crate::reading::read;
+use crate::scenario::Scenario;
 use crate::table::Part;
 
 /// A value of a scenario, by its path: `projectile.mass.velocity[1]`, `beam.girder.points[1][0]`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Field {
     path: String,
+    /// Steps of its path, shape (steps).
     steps: Vec<String>,
     anew: bool,
 }

@@ -57,7 +57,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_a_terminal_would_obey_is_written_out() {
+    fn control_characters_are_written_out() {
         assert_eq!(visible("a\u{1b}[2Jb\u{9b}31m"), "a\\u{1b}[2Jb\\u{9b}31m");
         assert_eq!(visible("one\n\ttwo\rthree"), "one\n\ttwo\\rthree");
         assert_eq!(visible_line("one\ntwo"), "one\\ntwo");

@@ -10,12 +10,11 @@ use serde_json::{Value as Json, json};
 use toml::de::DeValue;
 
 use crate::code::FaultCode;
-use crate::content::TableStress;
 use crate::format::{Format, Inline};
+use crate::layout::Described;
 use crate::measure::{Length, LineInertia, Measure, Pressure, Time};
 use crate::node::{Node, Reader};
 use crate::quantity::Quantity;
-use crate::reference::Described;
 use crate::suggest;
 use crate::write;
 
@@ -84,25 +83,6 @@ impl Words for Strain {
     const WORDS: &'static [(&'static str, StrainMeasure, &'static str)] = &[
         ("green", StrainMeasure::Green, "eps = (|x'|^2 - 1) / 2, the paper's"),
         ("engineering", StrainMeasure::Engineering, "eps = |x'| - 1"),
-    ];
-}
-
-/// Which stress and strain a table of a material tells.
-pub(crate) struct TableStresses;
-
-impl Words for TableStresses {
-    type Value = TableStress;
-    const WORDS: &'static [(&'static str, TableStress, &'static str)] = &[
-        (
-            "nominal",
-            TableStress::Nominal,
-            "force over the area of the free bar, elongation over its length",
-        ),
-        (
-            "true",
-            TableStress::True,
-            "force over the area that is left, logarithm of the stretch; plastic flow keeps the volume",
-        ),
     ];
 }
 

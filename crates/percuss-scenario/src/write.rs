@@ -6,7 +6,7 @@ pub(crate) struct Writer {
     text: String,
     /// Header of the table begun; written with its first key.
     header: Option<String>,
-    /// `key = value` one by one, for a table in braces.
+    /// `key = value` one by one, for a table in braces, shape (keys).
     inline: Option<Vec<String>>,
 }
 

@@ -23,11 +23,11 @@ pub enum Role {
 /// What stands in a column.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Values {
-    /// Whole numbers.
+    /// Whole numbers, shape (runs) \[-\].
     Whole(Vec<i64>),
-    /// Numbers; NaN where a run has none.
+    /// Numbers; NaN where a run has none, shape (runs) \[SI unit of the column\].
     Number(Vec<f64>),
-    /// Texts.
+    /// Texts, shape (runs).
     Text(Vec<String>),
 }
 
@@ -47,9 +47,9 @@ pub struct Column {
 /// Rows of a study, a column at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
-    /// The columns.
+    /// The columns, shape (columns).
     pub columns: Vec<Column>,
-    /// Their values, one entry a column.
+    /// Their values, one entry a column, shape (columns).
     pub values: Vec<Values>,
 }
 

@@ -30,9 +30,9 @@ pub(crate) struct Design {
     /// Number of parameters.
     pub dimension: usize,
     pub seed: u64,
-    /// Lower triangle L of the correlation matrix L L' of the Gaussian variables behind the parameters.
+    /// Lower triangle L of the correlation matrix L L' of the Gaussian variables behind the parameters, shape (variables, variables) \[-\].
     pub correlation: Option<DMatrix<f64>>,
-    /// Numbers of values of each parameter, of a grid.
+    /// Numbers of values of each parameter, of a grid, shape (parameters) \[-\].
     pub levels: Vec<u64>,
     tables: OnceLock<Tables>,
 }
@@ -43,10 +43,12 @@ enum Tables {
     None,
     /// Direction numbers and random shift of every dimension, 53 bits in the upper part of 64.
     Sobol {
+        /// Direction numbers, shape (dimensions, bits) \[-\].
         directions: Vec<Vec<u64>>,
+        /// Digital shifts, shape (dimensions) \[-\].
         shifts: Vec<u64>,
     },
-    /// The part of its range that each run falls into, by dimension.
+    /// The part of its range that each run falls into, by dimension, shape (dimensions, runs) \[index of a part\].
     Latin(Vec<Vec<u32>>),
 }
 

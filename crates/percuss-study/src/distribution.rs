@@ -40,9 +40,9 @@ pub struct Gauss {
 /// The values to which a distribution is cut.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Truncation {
-    /// Shares of all values below the smallest and the largest one, shape (2).
+    /// Shares of all values below the smallest and the largest one, shape (2) \[-\].
     pub shares: [f64; 2],
-    /// The smallest and the largest value, shape (2).
+    /// The smallest and the largest value, shape (2) \[SI unit of the parameter\].
     pub values: [f64; 2],
 }
 

@@ -23,9 +23,9 @@ pub struct Function<'s> {
 /// Results at a point and their derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Jacobian {
-    /// Results, shape (n_result), in SI units.
+    /// Results, shape (n_result) \[SI unit of the result\].
     pub values: Vec<f64>,
-    /// Derivatives, shape (n_result, n_parameter), in SI units of both.
+    /// Derivatives, shape (n_result, n_parameter) \[SI unit of the result by that of the parameter\].
     pub derivatives: Vec<Vec<f64>>,
 }
 
@@ -251,7 +251,7 @@ step = 2e-4
     }
 
     #[test]
-    fn what_is_no_point_is_told() {
+    fn points_outside_a_study_are_refused() {
         let study = study();
         let mut function = study.function().expect("numbers");
         let told =

@@ -22,9 +22,9 @@ pub struct Parameter {
 /// How a parameter varies; numbers are in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Variation {
-    /// These numbers.
+    /// These numbers, shape (values) \[SI unit of the parameter\].
     Numbers(Vec<f64>),
-    /// These words or other values, as TOML.
+    /// These words or other values, as TOML, shape (values).
     Words(Vec<String>),
     /// From one number to another.
     Range {

@@ -21,7 +21,6 @@ use serde_json::{Value, json};
 use crate::column::{Column, Table, Values};
 use crate::error::Error;
 use crate::seal;
-use crate::shard::Shard;
 use crate::study::Study;
 
 /// Writes the rows of a study, a row group at a time.
@@ -131,25 +130,28 @@ fn properties(
     builder.build()
 }
 
-/// A shard as a file, sealed.
-pub(crate) fn shard_bytes(shard: &Shard, study: &Study) -> std::result::Result<Vec<u8>, Error> {
+/// The table of the shard of a number as a file, sealed.
+pub(crate) fn shard_bytes(
+    index: u64,
+    table: &Table,
+    study: &Study,
+) -> std::result::Result<Vec<u8>, Error> {
     let mut out = Vec::new();
     // The seal comes last, so that it is the last one found.
-    let more = vec![("percuss.shard", shard.index.to_string()), ("percuss.seal", seal::open())];
+    let more = vec![("percuss.shard", index.to_string()), ("percuss.seal", seal::open())];
     let write = |out: &mut Vec<u8>| -> Result<()> {
         let mut writer = Writer::new(out, study, more)?;
-        writer.write(&shard.table.values)?;
+        writer.write(&table.values)?;
         writer.close()
     };
-    let fault =
-        |e: ParquetError| Error::system(format!("shard {} cannot be written: {e}", shard.index));
+    let fault = |e: ParquetError| Error::system(format!("shard {index} cannot be written: {e}"));
     write(&mut out).map_err(fault)?;
     seal::close(&mut out);
     Ok(out)
 }
 
-/// The shard in a file, if it is whole and of this study.
-pub(crate) fn shard_from(bytes: &[u8], study: &Study) -> std::result::Result<Shard, Error> {
+/// The number and the table of the shard in a file, if it is whole and of this study.
+pub(crate) fn shard_from(bytes: &[u8], study: &Study) -> std::result::Result<(u64, Table), Error> {
     if !seal::holds(bytes) {
         return Err(unfit("the shard is damaged"));
     }
@@ -169,7 +171,7 @@ pub(crate) fn shard_from(bytes: &[u8], study: &Study) -> std::result::Result<Sha
     let index = index.map_err(|_| unfit("the shard has no number"))?;
     let rows = study.runs_of(index).count();
     match values.iter().all(|column| column.len() == rows) {
-        true => Ok(Shard { index, table: Table { columns, values } }),
+        true => Ok((index, Table { columns, values })),
         false => Err(unfit("the shard has another number of rows")),
     }
 }

@@ -14,6 +14,7 @@ use crate::study::Study;
 /// Numbers are set in a scenario kept for the purpose; only where words change is the text read anew, once for each combination.
 pub(crate) struct Preparer<'s> {
     study: &'s Study,
+    /// Scenarios read so far, by the words that a run sets, shape (words of a run).
     scenarios: HashMap<Vec<&'s str>, Result<Scenario, String>>,
 }
 

@@ -8,7 +8,7 @@ use std::path::Path;
 use percuss::{Fault, NoRecorder, RunSummary};
 use percuss_output::SummaryPath;
 use percuss_scenario::study::StudyContent;
-use percuss_scenario::{Diagnostics, Scenario, StudyFile, one_of};
+use percuss_scenario::{Diagnostics, FileAccess, Scenario, StudyFile, one_of};
 
 use self::design::design;
 use self::variation::parameter;
@@ -18,11 +18,45 @@ use crate::study::{ResultColumn, Study};
 /// Names that columns of every study have.
 const TAKEN: [&str; 3] = ["run", "status", "reason"];
 
+impl Study {
+    /// Reads a study from a file.
+    ///
+    /// # Errors
+    /// Every fault of the study, or those of its base scenario.
+    pub fn load(path: impl AsRef<Path>) -> Result<Self, Diagnostics> {
+        Self::load_with(path, FileAccess::OwnFolder)
+    }
+
+    /// The same, with a say in which files its scenario may name.
+    ///
+    /// # Errors
+    /// As [`Study::load`].
+    pub fn load_with(path: impl AsRef<Path>, access: FileAccess) -> Result<Self, Diagnostics> {
+        resolve(StudyFile::load_with(path, access)?)
+    }
+
+    /// Reads a study; `name` stands for the file in messages, and the scenario it names lies where it lies.
+    ///
+    /// # Errors
+    /// Every fault of the study, or those of its base scenario.
+    pub fn from_toml(text: &str, name: &str) -> Result<Self, Diagnostics> {
+        Self::from_toml_with(text, name, FileAccess::OwnFolder)
+    }
+
+    /// The same, with a say in which files its scenario may name.
+    ///
+    /// # Errors
+    /// As [`Study::from_toml`].
+    pub fn from_toml_with(text: &str, name: &str, access: FileAccess) -> Result<Self, Diagnostics> {
+        resolve(StudyFile::read_with(text, name, access)?)
+    }
+}
+
 /// Checks a study and makes it self-contained.
 ///
 /// # Errors
 /// Every fault of the study, or those of its base scenario.
-pub(crate) fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
+fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
     let mut faults = names(&file.content);
     let base = match base(&file) {
         Ok(scenario) => Some(scenario),

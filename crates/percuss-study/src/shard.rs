@@ -169,7 +169,7 @@ impl Shard {
     /// # Errors
     /// If the table cannot be encoded.
     pub fn to_parquet(&self, study: &Study) -> Result<Vec<u8>, Error> {
-        parquet::shard_bytes(self, study)
+        parquet::shard_bytes(self.index, &self.table, study)
     }
 
     /// Reads the shard from a file.
@@ -177,7 +177,8 @@ impl Shard {
     /// # Errors
     /// If it is damaged, or of another study.
     pub fn from_parquet(bytes: &[u8], study: &Study) -> Result<Self, Error> {
-        parquet::shard_from(bytes, study)
+        let (index, table) = parquet::shard_from(bytes, study)?;
+        Ok(Self { index, table })
     }
 }
 

@@ -1,16 +1,13 @@
 //! A study: everything that its runs follow from.
 
-use std::path::Path;
-
 use percuss_output::SummaryPath;
+use percuss_scenario::Scenario;
 use percuss_scenario::study::StudyContent;
-use percuss_scenario::{Diagnostics, FileAccess, Scenario, StudyFile};
 use sha2::{Digest, Sha256};
 
 use crate::column::{Column, Role, Values};
 use crate::design::{Design, Kind};
 use crate::parameter::{Input, Parameter, Variation};
-use crate::resolve::resolve;
 
 /// Runs of a shard at most.
 const SHARD_RUNS: u64 = 256;
@@ -29,7 +26,9 @@ pub(crate) const OPEN: &str = "open.";
 pub struct Study {
     pub(crate) content: StudyContent,
     pub(crate) scenario: Scenario,
+    /// Its parameters, shape (parameters).
     pub(crate) parameters: Vec<Parameter>,
+    /// Its results, shape (results).
     pub(crate) results: Vec<ResultColumn>,
     pub(crate) design: Design,
     fingerprint: String,
@@ -45,38 +44,6 @@ pub struct ResultColumn {
 }
 
 impl Study {
-    /// Reads a study from a file.
-    ///
-    /// # Errors
-    /// Every fault of the study, or those of its base scenario.
-    pub fn load(path: impl AsRef<Path>) -> Result<Self, Diagnostics> {
-        Self::load_with(path, FileAccess::OwnFolder)
-    }
-
-    /// The same, with a say in which files its scenario may name.
-    ///
-    /// # Errors
-    /// As [`Study::load`].
-    pub fn load_with(path: impl AsRef<Path>, access: FileAccess) -> Result<Self, Diagnostics> {
-        resolve(StudyFile::load_with(path, access)?)
-    }
-
-    /// Reads a study; `name` stands for the file in messages, and the scenario it names lies where it lies.
-    ///
-    /// # Errors
-    /// Every fault of the study, or those of its base scenario.
-    pub fn from_toml(text: &str, name: &str) -> Result<Self, Diagnostics> {
-        Self::from_toml_with(text, name, FileAccess::OwnFolder)
-    }
-
-    /// The same, with a say in which files its scenario may name.
-    ///
-    /// # Errors
-    /// As [`Study::from_toml`].
-    pub fn from_toml_with(text: &str, name: &str, access: FileAccess) -> Result<Self, Diagnostics> {
-        resolve(StudyFile::read_with(text, name, access)?)
-    }
-
     pub(crate) fn new(
         content: StudyContent,
         scenario: Scenario,

@@ -51,11 +51,11 @@ impl Check {
 /// What a case comes to: its checks, and what the manual shows beside them.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// Its comparisons.
+    /// Its comparisons, shape (checks).
     pub checks: Vec<Check>,
-    /// Curves with what they are compared with.
+    /// Curves with what they are compared with, shape (figures).
     pub figures: Vec<Figure>,
-    /// Scenario files that it ran, as (name, text).
+    /// Scenario files that it ran, as (name, text), shape (files).
     pub files: Vec<(&'static str, String)>,
 }
 
@@ -64,11 +64,11 @@ pub struct Report {
 pub struct Figure {
     /// What it shows.
     pub title: String,
-    /// The axes, with their units.
+    /// The axes, with their units, shape (2).
     pub axes: [&'static str; 2],
     /// Whether both axes are logarithmic, as for errors over sizes.
     pub logarithmic: bool,
-    /// What is drawn.
+    /// What is drawn, shape (curves).
     pub curves: Vec<Curve>,
 }
 
@@ -77,7 +77,7 @@ pub struct Figure {
 pub struct Curve {
     /// What it is.
     pub name: String,
-    /// Its points, shape (n, 2), in the units of the axes.
+    /// Its points, shape (n, 2) \[unit of either axis\], in the units of the axes.
     pub points: Vec<[f64; 2]>,
     /// Whether it is what Percuss is compared with.
     pub reference: bool,

@@ -18,6 +18,7 @@ struct Cantilever {
     young: f64,
     area: f64,
     inertia: f64,
+    /// Force at the tip, shape (2) \[N\].
     force: [f64; 2],
     moment: f64,
 }

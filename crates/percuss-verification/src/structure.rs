@@ -5,7 +5,7 @@ use percuss::*;
 /// A single beam under construction, with one material and one section.
 #[derive(Clone, Debug)]
 pub struct Single {
-    /// Start and end \[m\].
+    /// Start and end, shape (2, 2) \[m\].
     pub points: [[f64; 2]; 2],
     /// Number of elements.
     pub elements: usize,
@@ -21,11 +21,11 @@ pub struct Single {
     pub rotary: RotaryInertia,
     /// Strain measure.
     pub strain: StrainMeasure,
-    /// Supports as (fraction of the length, kind).
+    /// Supports as (fraction of the length, kind), shape (supports) \[-\].
     pub supports: Vec<(f64, SupportKind)>,
-    /// Projectiles as (fraction of the length, definition).
+    /// Projectiles as (fraction of the length, definition), shape (projectiles).
     pub projectiles: Vec<Shot>,
-    /// Loads; [`LoadKind::Point`] acts at the fraction given.
+    /// Loads; [`LoadKind::Point`] acts at the fraction given, shape (loads) \[-\].
     pub loads: Vec<(f64, Load)>,
 }
 
@@ -38,9 +38,9 @@ pub struct Shot {
     pub kind: ProjectileKind,
     /// Mass \[kg\].
     pub mass: f64,
-    /// Velocity \[m/s\].
+    /// Velocity, shape (2) \[m/s\].
     pub velocity: [f64; 2],
-    /// Line of flight, where the velocity is zero.
+    /// Line of flight, where the velocity is zero, shape (2) \[-\].
     pub direction: Option<[f64; 2]>,
     /// Initial gap \[m\].
     pub standoff: f64,

@@ -21,6 +21,7 @@ fn wall(b: &mut ModelBuilder, normal: [f64; 2]) -> ContactPartner {
 
 /// Time, and what a column holds, of a run.
 struct History {
+    /// Times, shape (rows) \[s\].
     time: Vec<f64>,
     rows: MemoryRecorder,
     summary: RunSummary,

@@ -6,8 +6,8 @@ use crate::element::rotary::spin_of_slope;
 use crate::element::strain::strains;
 use crate::ledger::Measures;
 use crate::math::vec2::{add, dot, scale};
-use crate::model::frozen::{BodyKind, Span};
-use crate::model::{Model, TouchLaw};
+use crate::model::Model;
+use crate::model::frozen::{Behind, Span};
 use crate::state::{PairState, State};
 use crate::step::fibres::energies;
 use crate::step::sweep::Sweep;
@@ -120,7 +120,7 @@ impl Measures {
         for (i, body) in model.bodies.iter().enumerate() {
             let node = model.body_node(i);
             let (u, v) = (&state.displacement[node], &state.velocity[node]);
-            if let BodyKind::Rear { direction, stiffness, .. } = body.kind {
+            if let Some(Behind { direction, stiffness, .. }) = body.kind.behind() {
                 let front = &state.displacement[node - 1];
                 let pressed = dot(direction, [u[0] - front[0], u[1] - front[1]]);
                 self.springs += 0.5 * stiffness * pressed * pressed;
@@ -140,8 +140,8 @@ impl Measures {
     fn add_contacts(&mut self, model: &Model, state: &State, awake: &[usize]) {
         for &i in awake {
             let PairState { gap, deepest, .. } = state.pairs[i];
-            if let (true, TouchLaw::Smooth(law)) =
-                (gap < 0.0, &model.contacts[model.pairs[i].contact].law)
+            if let (true, Some(law)) =
+                (gap < 0.0, model.contacts[model.pairs[i].contact].law.smooth())
             {
                 self.contact += law.stored(-gap, deepest);
             }

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::element::fibre::FibreState;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::dents::Dents;
-use crate::geometry::pair::{Memory, Pair, Target};
+use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::touch::Reach;
 use crate::ledger::Ledger;
 use crate::math::hermite::GAUSS;
@@ -170,9 +170,9 @@ impl State {
         };
         let supports = self.reactions.len();
         let parted = [0, model.beam_node_count()].contains(&self.parted.len());
-        let on_axis = |(pair, state): (&Pair, &PairState)| match &pair.target {
-            Target::Axis { beam, .. } => state.memory.near.element < model.beams[*beam].axis.len(),
-            _ => true,
+        let on_axis = |(pair, state): (&Pair, &PairState)| match pair.target.beam() {
+            Some(beam) => state.memory.near.element < model.beams[beam].axis.len(),
+            None => true,
         };
         shape(self) == shape(other)
             && parted

@@ -5,19 +5,16 @@ use super::super::case::{Bodies, Struck, rigid_blow};
 use super::super::formulas::{Span, SpanKind, reduced_mass};
 use super::super::structure::gravity_varies;
 use super::super::words::{digits, quantity};
-use super::{Assumptions, Desk, Formula, Quantity, Touch};
-use percuss::TouchLaw;
+use super::desk::{Assumptions, Desk, Formula, Quantity, Touch};
 
 /// Contacts shorter than this share of a free beam's lowest period are no blow of a rigid piece.
 const SHORTEST: f64 = 0.5;
 
 /// Adds that a smooth law has no losses.
 pub(super) fn lossless(desk: &Desk<'_>, assumptions: Assumptions) -> Assumptions {
-    match desk.case.law {
-        TouchLaw::Smooth(law) => {
-            assumptions.and("no losses in the contact", law.dissipation == 0.0)
-        }
-        TouchLaw::Rigid(_) => assumptions,
+    match desk.case.law.smooth() {
+        Some(law) => assumptions.and("no losses in the contact", law.dissipation == 0.0),
+        None => assumptions,
     }
 }
 

@@ -7,7 +7,7 @@ use super::super::structure::gravity;
 use super::super::surroundings::Surroundings;
 use super::super::words::digits;
 use super::bodies::lossless;
-use super::{Desk, Formula, Quantity, Touch};
+use super::desk::{Desk, Formula, Quantity, Touch};
 use percuss::Start;
 use percuss::math::vec2::{dot, norm};
 

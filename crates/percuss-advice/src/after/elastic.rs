@@ -3,7 +3,7 @@
 use super::super::case::Meeting;
 use super::super::surroundings::Surroundings;
 use super::super::words::quantity;
-use super::{Assumptions, Desk};
+use super::desk::{Assumptions, Desk};
 
 impl Desk<'_> {
     /// Adds that all stays elastic and whole, where something could do otherwise: up to the end of the first touch, or of the run for what

@@ -4,7 +4,7 @@ use super::super::Comparison;
 use super::super::case::{Struck, linear_stiffness};
 use super::super::formulas::{Span, impact_factor as factor, shear_stiffness};
 use super::super::words::digits;
-use super::{Assumptions, Desk, Formula, Quantity, against};
+use super::desk::{Assumptions, Desk, Formula, Quantity, against};
 use percuss::Start;
 
 /// Deflections below this share of the radius of gyration (or of the span, where its ends can slide) are small.
@@ -20,7 +20,7 @@ const SHEAR: f64 = 0.02;
 fn small(assumptions: Assumptions, struck: &Struck<'_>, deflection: f64) -> Assumptions {
     let section = struck.place.section();
     let (limit, what) = if struck.place.is_held_lengthwise() {
-        let gyration = (section.bending / section.axial).sqrt();
+        let gyration = section.gyration();
         (
             SMALL * gyration,
             "deflection so small that ends that cannot slide do not stiffen the span",

@@ -6,9 +6,9 @@ use super::super::end_on::points_of_end;
 use super::super::formulas::{BarBlow, BarOnWall, UniformBeam, pulse_frequency};
 use super::super::structure::gravity;
 use super::super::words::digits;
-use super::{Assumptions, Desk, Formula, Quantity, against};
+use super::desk::{Assumptions, Desk, Formula, Quantity, against};
 use percuss::ContactRecord;
-use percuss::TouchLaw;
+
 use percuss::math::vec2::{dot, norm};
 
 /// What changes the force by less than this share is negligible.
@@ -174,7 +174,7 @@ fn bar_blow(
     section: &UniformBeam,
     length: f64,
 ) -> Option<(BarBlow, &'static str)> {
-    let TouchLaw::Smooth(law) = desk.case.law else {
+    let Some(law) = desk.case.law.smooth() else {
         let source = "Saint-Venant: one wave runs up and down the bar";
         return Some((section.bar_blow(length, desk.speed), source));
     };

@@ -72,7 +72,7 @@ impl Struck<'_> {
 
     /// The same by the integral equation, with rotary inertia and shear as the softening has them.
     pub fn softened(&self, law: &TouchLaw, speed: f64, softening: f64) -> Option<InfiniteBeamBlow> {
-        let TouchLaw::Smooth(smooth) = law else { return None };
+        let smooth = law.smooth()?;
         if law.crushes() {
             return None;
         }

@@ -75,9 +75,11 @@ pub fn table_blow(penetrations: &[f64], forces: &[f64], mass: f64, speed: f64) -
 
 /// A force given by points.
 struct Lines<'a> {
+    /// Penetrations of the points, shape (points) \[m\].
     penetrations: &'a [f64],
+    /// Forces there, shape (points) \[N\].
     forces: &'a [f64],
-    /// Energy taken up on the way to each point \[J\].
+    /// Energy taken up on the way to each point, shape (points) \[J\].
     energies: Vec<f64>,
 }
 

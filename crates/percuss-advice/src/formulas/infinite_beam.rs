@@ -13,7 +13,7 @@ use nalgebra::Complex;
 /// over the roots of `p^4 + beta p + 1 = 0`, up to the first zero of phi.
 #[derive(Clone, Copy, Debug)]
 pub struct InfiniteBeam {
-    /// One set of partial fractions; beside a double root two, either side of it, for their mean.
+    /// One set of partial fractions; beside a double root two, either side of it, for their mean, shape (2).
     sets: [Fractions; 2],
     beta: f64,
 }
@@ -34,7 +34,9 @@ pub struct InfiniteBeamBlow {
 /// Roots p and residues r of `1 / (p^4 + beta p + 1)`.
 #[derive(Clone, Copy, Debug)]
 struct Fractions {
+    /// Roots of the denominator, shape (4) \[1/s^(1/2)\].
     roots: [Complex<f64>; 4],
+    /// Residues there, shape (4) \[s^(1/2)\].
     residues: [Complex<f64>; 4],
 }
 

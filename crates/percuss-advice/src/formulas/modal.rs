@@ -7,7 +7,7 @@ use super::UniformBeam;
 pub struct Striker {
     /// Mass that touches \[kg\].
     pub mass: f64,
-    /// A mass behind it \[kg\], the stiffness \[N/m\] and the damping \[N s/m\] between.
+    /// A mass behind it \[kg\], the stiffness \[N/m\] and the damping \[N s/m\] between, shape (3) \[kg, N/m, N s/m\].
     pub rear: Option<[f64; 3]>,
     /// Speed of approach \[m/s\].
     pub speed: f64,
@@ -18,8 +18,8 @@ pub struct Striker {
 /// A structure by its modes of unit modal mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModalTarget {
-    /// For each mode the square of its angular frequency \[1/s^2\] and its displacement at the struck point along the blow
-    /// \[kg^-1/2\].
+    /// For each mode the square of its angular frequency and its displacement at the struck point along the blow, shape (modes, 2)
+    /// \[1/s^2, kg^-1/2\].
     pub modes: Vec<[f64; 2]>,
 }
 

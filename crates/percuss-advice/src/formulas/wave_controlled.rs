@@ -37,9 +37,9 @@ pub struct WaveControlled {
 
 /// What a force, linear between the steps, has done by a later one: weights of its values, the later one's own first.
 struct Memory {
-    /// On the penetration.
+    /// On the penetration, shape (steps) \[N/m\].
     way: Vec<f64>,
-    /// On its rate.
+    /// On its rate, shape (steps) \[N s/m\].
     rate: Vec<f64>,
 }
 

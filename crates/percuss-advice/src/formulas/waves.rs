@@ -45,6 +45,11 @@ pub fn shear_stiffness(axial: f64) -> f64 {
 }
 
 impl UniformBeam {
+    /// Radius of gyration, the root of bending over axial stiffness \[m\].
+    pub(crate) fn gyration(&self) -> f64 {
+        (self.bending / self.axial).sqrt()
+    }
+
     /// First order of rotary inertia and shear in what a beam without end gives way to a force across it, D in `(1 + D s)/(C
     /// s^(3/2))` of Laplace space \[s\]; `shear` is the shear stiffness \[N\], infinite for Rayleigh's beam.
     ///

@@ -154,7 +154,7 @@ fn a_contact_that_does_not_end_lasts_at_least_as_long_as_it_was_tried() {
 
 /// Too many elements for a trial, and too far bent for modes: nothing is estimated, and why.
 #[test]
-fn what_is_neither_linear_nor_tried_is_not_estimated() {
+fn contacts_neither_linear_nor_tried_are_not_estimated() {
     let of = |speed: f64| {
         let mut b = ModelBuilder::new();
         let beam = bar(&mut b, 2.0, 2900, [0.1, 0.01]);
@@ -325,7 +325,7 @@ fn rows_too_far_apart_for_a_contact_are_told() {
 
 /// After the run: a contact still closed, one that never closed, reactions of rigid impacts.
 #[test]
-fn what_a_run_leaves_open_is_told_after_it() {
+fn contacts_left_open_by_a_run_are_told_after_it() {
     let of = |kind: ProjectileKind, mass: f64, standoff: f64| {
         let mut b = ModelBuilder::new();
         let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);

@@ -249,7 +249,7 @@ fn laws_and_slender_inclined_beams_agree_too() {
 }
 
 #[test]
-fn what_no_ensemble_knows_runs_singly() {
+fn models_unknown_to_lanes_run_singly() {
     let dashed = SmoothLaw { dissipation: 0.1, ..linear() };
     let (known, other) = (model(USUAL, linear(), 0.0, 6), model(USUAL, dashed, 0.0, 6));
     let settings = Settings::new(0.02, 1e-4);
@@ -272,7 +272,7 @@ fn what_no_ensemble_knows_runs_singly() {
 
 /// A contact that never closes has no force, neither alone nor side by side: not one of zero at time zero.
 #[test]
-fn what_never_closed_has_no_peak() {
+fn contacts_that_never_closed_have_no_peak() {
     let far = Variant { standoff: 5.0, ..USUAL };
     let near = Variant { standoff: 0.1, ..USUAL };
     let models = [far, near].map(|v| model(v, linear(), 0.0, 6));

@@ -270,7 +270,7 @@ fn gravity_lays_projectiles_down_in_lanes_too() {
 
 /// More impacts in a step than are followed one by one: such a run is that of a single run to the bit, and disturbs no other.
 #[test]
-fn what_lanes_do_not_know_is_done_singly() {
+fn events_unknown_to_lanes_run_singly() {
     let usual = variants(5, 3)[3];
     let heavy = Variant { restitution: 0.9, standoff: 1e-4, speed: 10.0, mass: 1000.0, ..usual };
     let coarse = Variant { step: 1e-3, end: 0.03, ..heavy };

@@ -238,7 +238,7 @@ fn derivatives_through_joints() {
 }
 
 #[test]
-fn what_cannot_be_differentiated_says_so() {
+fn models_without_derivatives_say_why() {
     let base = PARAMETERS.map(|(_, value)| value);
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("m", 2e9, 3e3));

@@ -11,6 +11,7 @@ use percuss_pictures::{
 
 use super::report::refuse_what_is_no_run;
 use crate::interrupt;
+use crate::kept;
 use crate::number::number;
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Animate;
@@ -70,7 +71,7 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
             Ok(Status::Interrupted)
         }
         Told::Done { kept } => {
-            kept.iter().for_each(|kept| replacing::tell(out, kept));
+            kept.iter().for_each(|kept| kept::tell(out, kept));
             if !arguments.quiet {
                 let [width, height] = film.size;
                 let what = format!(

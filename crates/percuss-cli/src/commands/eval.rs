@@ -1,5 +1,6 @@
 //! `percuss eval`: a study at one point, from a file to a file, for programs that run programs.
 
+mod asked;
 mod dakota;
 mod json;
 
@@ -13,34 +14,10 @@ use percuss_study::{Function, Study};
 use crate::coupling_arguments::Eval;
 use crate::outcome::{Failure, Status};
 use crate::{fresh, scenario, terminal};
+use asked::{Answered, Asked, Wanted};
 
 /// More than any file of parameters needs [bytes].
 const LARGEST_FILE: u64 = 16 << 20;
-
-/// What is asked of the study.
-struct Asked {
-    /// Names and values of the variables.
-    variables: Vec<(String, f64)>,
-    /// The functions, in the order in which they are answered; none for all results of the study.
-    functions: Option<Vec<Wanted>>,
-    /// By which variables derivatives are wanted; none for all of them.
-    by: Option<Vec<String>>,
-}
-
-/// A function that is asked for.
-struct Wanted {
-    name: String,
-    value: bool,
-    gradient: bool,
-}
-
-/// A function as it is answered.
-struct Answered {
-    name: String,
-    value: Option<f64>,
-    /// Derivatives by the variables asked for, with their names.
-    gradient: Option<Vec<(String, f64)>>,
-}
 
 /// Evaluates a study at a point.
 pub fn run(arguments: &Eval) -> Result<Status, Failure> {

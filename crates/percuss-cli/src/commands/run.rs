@@ -5,11 +5,12 @@ mod checkpoints;
 mod comparison;
 mod conclude;
 mod drift;
+mod ended;
 mod equivalent;
 mod recorder;
 mod table;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::{Instant, SystemTime};
 
 use percuss::{Checkpoint, ResumeError, RunSummary, Simulation, Termination};
@@ -34,20 +35,8 @@ use crate::terminal;
 use checkpoints::{Checkpoints, without_end};
 use comparison::Comparison;
 use conclude::conclude;
+use ended::{Ended, shown};
 use recorder::{EnergySeries, RunRecorder};
-
-/// A run that has ended, one way or the other.
-struct Ended {
-    summary: RunSummary,
-    value: Value,
-    comparisons: Vec<percuss_advice::Comparison>,
-    energy: EnergySeries,
-    checkpoints: Option<Checkpoints>,
-    /// What its audit warns of.
-    warnings: Vec<AuditWarning>,
-    /// What was found after it whose code is denied.
-    denied: Vec<String>,
-}
 
 /// Where a run begins, and its checkpoints.
 struct Beginning {
@@ -196,12 +185,6 @@ fn go(
     );
     ended.denied.extend(advisor::warn(Caution::Incomplete, &text, &arguments.deny));
     conclude(&ended, arguments, &place, report)
-}
-
-/// A path as short as the working directory allows.
-fn shown(path: &Path) -> PathBuf {
-    let here = std::env::current_dir().and_then(|dir| dir.canonicalize()).unwrap_or_default();
-    path.strip_prefix(here).unwrap_or(path).to_owned()
 }
 
 /// A scenario inside the directory of results would be replaced by its own echo.

@@ -1,35 +1,20 @@
 //! `percuss verify`.
 
 mod book;
+mod done;
 mod figure;
 mod table;
 
 use std::time::Instant;
 
-use percuss_verification::{CASES, Case, Check, Report, Tolerance};
+use percuss_verification::{CASES, Case, Check, Tolerance};
 use serde_json::{Value, json};
 
 use crate::arguments::Verify;
-use crate::number::count;
 use crate::outcome::{Failure, Status};
 use crate::progress::Progress;
 use crate::terminal;
-
-/// A case that was run.
-struct Done {
-    case: &'static Case,
-    checks: Vec<Check>,
-    /// What the manual shows beside them.
-    report: Report,
-    seconds: f64,
-}
-
-impl Done {
-    /// Whether every check holds; a case that checks nothing shows nothing.
-    fn holds(&self) -> bool {
-        !self.checks.is_empty() && self.checks.iter().all(Check::holds)
-    }
-}
+use done::{Done, verdict};
 
 /// Runs the verification cases.
 pub fn run(arguments: &Verify) -> Result<Status, Failure> {
@@ -72,17 +57,6 @@ fn list(cases: &[&Case], as_json: bool) -> Result<(), Failure> {
         format!("{:width$}  {}\n{:width$}  expected from: {}\n", c.id, c.title, "", c.source)
     };
     terminal::print(&cases.iter().map(line).collect::<String>())
-}
-
-fn verdict(all: &[Done]) -> String {
-    let checks = count(all.iter().map(|done| done.checks.len()).sum(), "check");
-    let seconds: f64 = all.iter().map(|done| done.seconds).sum();
-    let failing: Vec<&str> = all.iter().filter(|d| !d.holds()).map(|d| d.case.id).collect();
-    let cases = count(all.len(), "case");
-    match failing.as_slice() {
-        [] => format!("{cases}, {checks}: all hold ({seconds:.1} s)"),
-        _ => format!("{cases}, {checks}: not holding: {} ({seconds:.1} s)", failing.join(", ")),
-    }
 }
 
 fn value(all: &[Done]) -> Value {

@@ -189,7 +189,7 @@ fn files_of_others_stay() {
 }
 
 #[test]
-fn what_cannot_be_had_is_told_with_its_cure() {
+fn unavailable_outputs_are_told_with_their_cure() {
     let desk = desk();
     let refused = |arguments: &[&str], text: &str| {
         desk.percuss(&[&["animate"][..], arguments].concat()).ends_with(2).tells(text);

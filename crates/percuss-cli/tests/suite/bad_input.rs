@@ -146,7 +146,7 @@ fn every_fault_is_reported_at_once() {
 }
 
 #[test]
-fn what_is_no_text_is_no_scenario() {
+fn binary_files_are_no_scenarios() {
     let desk = Desk::empty();
     desk.put("latin.toml", b"# one\ntitle = \"\xfcber\"\n");
     desk.put("empty.toml", "");
@@ -197,7 +197,7 @@ fn free(keys: &str) -> String {
 }
 
 #[test]
-fn what_belongs_to_a_free_projectile_says_so() {
+fn keys_of_free_projectiles_say_so() {
     let old = "standoff = \"2 cm\"";
     for bad in ["radius = \"5 cm\"", "position = [1, 1]", "friction = 0.3", "spin = 2"] {
         let key = bad.split(' ').next().expect("a key");

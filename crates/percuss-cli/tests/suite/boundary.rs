@@ -28,7 +28,7 @@ fn meanwhile(desk: &Desk, arguments: &[&str], at: &str, act: impl FnOnce()) -> O
 }
 
 #[test]
-fn what_is_edited_while_a_run_computes_is_kept_and_told() {
+fn files_edited_while_a_run_computes_are_kept_and_told() {
     let desk = Desk::new();
     let run = &RUN[..];
     desk.percuss(run).ends_with(0);

@@ -119,7 +119,7 @@ fn of_very_many_messages_the_rest_is_counted() {
 /// What `ulimit -v` leaves is what there is.
 #[test]
 #[cfg(target_os = "linux")]
-fn what_does_not_fit_into_memory_is_refused_with_an_estimate() {
+fn scenes_beyond_memory_are_refused_with_an_estimate() {
     let desk = Desk::empty();
     let fine =
         |elements: usize| stack(1).replace("elements = 4", &format!("elements = {elements}"));

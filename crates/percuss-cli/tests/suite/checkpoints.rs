@@ -133,7 +133,7 @@ fn an_extension_that_was_killed_goes_on_where_it_was() {
 }
 
 #[test]
-fn what_is_no_checkpoint_of_the_run_is_refused_and_left_alone() {
+fn files_that_are_no_checkpoint_of_the_run_are_refused_and_left_alone() {
     let desk = Desk::new();
     let resume =
         |more: &[&str]| desk.percuss(&arguments(&[&["--out", "out", "--resume"], more].concat()));

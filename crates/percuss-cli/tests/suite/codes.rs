@@ -107,7 +107,7 @@ fn warnings_of_the_audit_are_denied_and_allowed_like_findings() {
 }
 
 #[test]
-fn what_tells_how_a_command_went_cannot_be_allowed() {
+fn codes_of_how_a_command_went_cannot_be_allowed() {
     let desk = Desk::new();
     let text = std::fs::read_to_string(desk.path("elastic.toml")).unwrap();
     for caution in Caution::ALL.into_iter().filter(|one| !one.is_of_the_audit()) {

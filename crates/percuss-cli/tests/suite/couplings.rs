@@ -96,7 +96,7 @@ fn a_point_is_evaluated_in_every_form() {
 }
 
 #[test]
-fn what_cannot_be_evaluated_is_told_and_nothing_is_lost() {
+fn failed_evaluations_are_told_and_nothing_is_lost() {
     let desk = desk();
     desk.put("params.in", DAKOTA);
     desk.put("results.out", "earlier");

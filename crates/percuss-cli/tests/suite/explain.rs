@@ -179,7 +179,7 @@ fn every_code_can_be_provoked_and_is_explained() {
 }
 
 #[test]
-fn what_is_denied_ends_a_run_before_it_or_fails_it_after() {
+fn denied_findings_end_a_run_before_it_or_fail_it_after() {
     let desk = desk();
     let run = |more: &[&str]| {
         desk.percuss(&[&["run", "elastic.toml", "--no-report", "--out", "out"], more].concat())
@@ -198,7 +198,7 @@ fn what_is_denied_ends_a_run_before_it_or_fails_it_after() {
 }
 
 #[test]
-fn what_the_scenario_allows_is_told_with_its_reason_and_not_denied() {
+fn allowed_findings_are_told_with_their_reason_and_not_denied() {
     let desk = desk();
     let text = std::fs::read_to_string(desk.path("elastic.toml")).unwrap();
     let allow =

@@ -58,7 +58,7 @@ fn another_directory_keeps_what_is_not_an_export() {
 }
 
 #[test]
-fn what_has_no_frames_says_so() {
+fn runs_without_frames_say_so() {
     let desk = Desk::new();
     let set = ["--set", "record.shapes=0", "--no-report", "-q"];
     desk.percuss(&[&["run", "rigid.toml", "--out", "hit"][..], &set].concat()).ends_with(0);

@@ -121,7 +121,7 @@ fn runs_and_analyses_follow_no_link() {
 }
 
 #[test]
-fn what_works_on_a_run_follows_no_link() {
+fn commands_on_a_run_follow_no_link() {
     let bare = [&RUN[..], &["--no-report", "--checkpoint", "1 h"]].concat();
     let other = ["run", "../rigid.toml", "--quiet", "--out", "other", "--no-report"];
     let commands: [&[&str]; 4] = [

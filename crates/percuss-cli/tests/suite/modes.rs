@@ -117,7 +117,7 @@ fn a_column_beyond_eulers_load_is_unstable() {
 }
 
 #[test]
-fn what_is_wrong_is_told_and_nothing_written() {
+fn wrong_input_is_told_and_nothing_written() {
     let desk = Desk::empty();
     desk.put("arm.toml", format!("{BEAM}{CLAMP}"));
     desk.percuss(&["modes", "arm.toml", "--count", "0"]).ends_with(2).tells("--count");

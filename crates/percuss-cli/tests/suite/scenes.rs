@@ -162,7 +162,7 @@ fn results_without_derivatives_are_named() {
 
 /// What crushed is told where the run ends, and what it took stands with its name; an accuracy in place of a step is told likewise.
 #[test]
-fn what_stays_pushed_in_and_how_long_steps_were_is_told() {
+fn permanent_penetration_and_lengths_of_steps_are_told() {
     let desk = Desk::empty();
     let post = include_str!("../../../../scenarios/guard-rail-post.toml");
     let post = post.replace("end = \"0.3 s\"", "end = \"20 ms\"");
@@ -188,7 +188,7 @@ fn what_stays_pushed_in_and_how_long_steps_were_is_told() {
 
 /// The sentence on springs and hinges that yield is about the one that dissipated most, and what they dissipated makes the whole.
 #[test]
-fn what_springs_and_hinges_took_is_told() {
+fn energy_taken_by_springs_and_hinges_is_told() {
     let desk = Desk::empty();
     desk.put("barrier.toml", include_str!("../../../../docs/book/examples/yielding-barrier.toml"));
     let run = desk.percuss(&["run", "barrier.toml", "--no-report"]);

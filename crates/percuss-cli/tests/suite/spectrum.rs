@@ -46,7 +46,7 @@ fn a_spectrum_is_written_and_told_and_foreign_files_stay() {
 }
 
 #[test]
-fn what_cannot_be_judged_is_refused_with_what_would_do() {
+fn results_that_cannot_be_judged_are_refused_with_a_cure() {
     let (desk, column) = desk();
     let velocity = column.replace("acceleration", "velocity");
     desk.percuss(&["spectrum", "hit", &velocity]).ends_with(2).tells("is no acceleration");

@@ -298,7 +298,7 @@ fn a_stress_beyond_the_strength_of_a_known_material_is_told() {
 
 /// What fails is told with its load factor, and so is that nothing is left.
 #[test]
-fn what_fails_on_the_way_is_told_with_its_load_factor() {
+fn failures_on_the_way_are_told_with_their_load_factor() {
     let desk = Desk::empty();
     let spring = |load: &str| {
         let spring = "between = [\"arm.end\", [\"2 m\", \"1 m\"]]\nstiffness = \"100 kN/m\"\nyield_force = \"60 N\"\n";

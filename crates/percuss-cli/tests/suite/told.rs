@@ -229,7 +229,7 @@ start = "static"
 
 /// What the preload dissipated and what the run did are told apart: the second is that of the balance of energy.
 #[test]
-fn what_a_preload_dissipated_is_told_apart_from_the_run() {
+fn energy_dissipated_by_a_preload_is_told_apart_from_the_run() {
     let desk = Desk::empty();
     let (summary, out, _) = run(&desk, PRELOADED, &[]);
     let number = |path: &str| summary.pointer(path).and_then(Value::as_f64).unwrap();
@@ -244,7 +244,7 @@ fn what_a_preload_dissipated_is_told_apart_from_the_run() {
 
 /// Without a damper nothing is said of damping: the contact's own dissipation took what is missing.
 #[test]
-fn what_contacts_dissipate_is_not_called_damping() {
+fn energy_dissipated_in_contacts_is_not_called_damping() {
     let desk = Desk::empty();
     let dissipates = BLAST.replace("\"1e6 N/m\"", "\"1e6 N/m\"\ndissipation = \"0.3 s/m\"");
     let dissipates = dissipates.replace("-6 kN/m", "0 kN/m");

@@ -27,7 +27,7 @@ const CHECKSUM: usize = 32;
 pub(super) struct RowsMark {
     /// Number of columns.
     pub columns: usize,
-    /// Length of the file of rows, and the SHA-256 of that part of it; none where rows are those of the history.
+    /// Length of the file of rows, and the SHA-256 of that part of it; none where rows are those of the history, shape (32) \[bytes, -\].
     pub bytes: Option<(u64, [u8; CHECKSUM])>,
 }
 

@@ -33,7 +33,7 @@ pub struct Placed {
     /// Their directory: partial results stand beside complete ones.
     pub place: PathBuf,
     /// What was changed since it was looked at, or came to stand in a place meanwhile: that place, and where it is kept,
-    /// `NAME.changed-1` beside it.
+    /// `NAME.changed-1` beside it, shape (files).
     pub kept: Vec<(PathBuf, PathBuf)>,
 }
 
@@ -47,9 +47,9 @@ pub struct RunDirectory {
     staging: Staging,
     results: Results,
     lock: Lock,
-    /// What earlier processes that died had found changed.
+    /// What earlier processes that died had found changed, shape (files).
     kept: Vec<Kept>,
-    /// Files that are described, and put on the disk, while others are written.
+    /// Files that are described, and put on the disk, while others are written, shape (files).
     finished: Vec<(String, JoinHandle<Result<Value, Error>>)>,
 }
 
@@ -180,6 +180,7 @@ pub struct RunUpdate {
     target: PathBuf,
     staging: Staging,
     lock: Lock,
+    /// What was kept of files that were changed meanwhile, shape (files).
     kept: Vec<Kept>,
 }
 

@@ -26,7 +26,7 @@ pub(crate) const DIRECTORY: &str = "fields";
 pub struct Fields {
     /// What stands there, as in `scene.json`.
     pub scene: Value,
-    /// Frames in the order of time.
+    /// Frames in the order of time, shape (frames).
     pub frames: Vec<StoredFrame>,
 }
 
@@ -74,6 +74,6 @@ pub struct StoredFrame {
     pub section_forces: Vec<f32>,
     /// Number of the contact, position, force on its second partner, and 1 where that is an impulse; shape (n, 6) \[1, m, N or N s, 1\].
     pub contact_forces: Vec<f32>,
-    /// Factors of the loads, shape (n_load).
+    /// Factors of the loads, shape (n_load) \[-\].
     pub load_factors: Vec<f32>,
 }

@@ -8,9 +8,9 @@ use super::StoredFrame;
 /// What of a model a scene is drawn from.
 #[derive(Clone, Debug)]
 pub(crate) struct Places {
-    /// Nodes of the scene.
+    /// Nodes of the scene, shape (nodes of the scene) \[index of a node\].
     nodes: Vec<usize>,
-    /// Elements whose start and end bound each interval between stations.
+    /// Elements whose start and end bound each interval between stations, shape (intervals, 2) \[index of an element\].
     intervals: Vec<[usize; 2]>,
     /// Loads of the scene.
     loads: usize,

@@ -17,7 +17,7 @@ struct Kind {
     /// Every so manieth frame offered is kept.
     stride: usize,
     offered: usize,
-    /// Number among those offered, and the frame.
+    /// Number among those offered, and the frame, shape (frames) \[index of a frame\].
     kept: Vec<(usize, StoredFrame)>,
     most: usize,
 }
@@ -46,7 +46,7 @@ impl Kind {
 pub struct KeptFrames {
     calm: Kind,
     touching: Kind,
-    /// Frames of the largest force and the largest impulse.
+    /// Frames of the largest force and the largest impulse, shape (2) \[N, N s\].
     peaks: [Option<(f64, StoredFrame)>; 2],
 }
 

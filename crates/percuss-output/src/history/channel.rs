@@ -33,9 +33,9 @@ impl From<&percuss::Channel> for Channel {
 /// A history in memory.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct History {
-    /// The columns' names and units.
+    /// The columns' names and units, shape (channels).
     pub channels: Vec<Channel>,
-    /// Values, shape (n_channels, n_rows), column by column.
+    /// Values, shape (n_channels, n_rows) \[unit of the channel\], column by column.
     pub columns: Vec<Vec<f64>>,
     /// Name of the file it was read from; empty if it never was in one.
     pub source: String,

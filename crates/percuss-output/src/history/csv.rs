@@ -17,6 +17,7 @@ const ROWS_PER_PIECE: usize = 4096;
 #[derive(Debug)]
 pub(super) struct CsvSink {
     out: BufWriter<File>,
+    /// The line being written, shape (bytes) \[-\].
     line: Vec<u8>,
     columns: usize,
 }

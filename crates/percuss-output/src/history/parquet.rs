@@ -29,9 +29,9 @@ const ROWS_PER_PIECE: usize = 1 << 13;
 /// Writes rows.
 pub(super) struct ParquetSink {
     writer: SerializedFileWriter<File>,
-    /// Rows put aside, shape (up to ROWS_ASIDE, n_columns).
+    /// Rows put aside, shape (up to ROWS_ASIDE, n_columns) \[unit of the column\].
     aside: Vec<f64>,
-    /// Row group being filled, one entry a column.
+    /// Row group being filled, one entry a column, shape (columns, rows) \[unit of the column\].
     columns: Vec<Vec<f64>>,
     rows_per_group: usize,
 }

@@ -82,6 +82,7 @@ impl HistorySource {
 pub struct HistoryReader {
     path: PathBuf,
     format: HistoryFormat,
+    /// The columns' names and units, shape (channels).
     pub(super) channels: Vec<Channel>,
     rows: usize,
 }

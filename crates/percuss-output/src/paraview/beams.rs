@@ -46,7 +46,7 @@ pub(super) fn series(placed: &Placed<'_>) -> Option<PolySeries> {
 
 /// What acts in a section, and its shape.
 struct Section {
-    /// Axial force, shear force, moment.
+    /// Axial force, shear force, moment, shape (3) \[N, N, N m\].
     forces: [f64; 3],
     half_depth: f64,
     area: f64,
@@ -92,6 +92,7 @@ impl Section {
 
 struct Arrays {
     displacement: Array,
+    /// Arrays of axial force, shear force and moment, shape (3).
     forces: [Array; 3],
     stress: Array,
     largest: Array,

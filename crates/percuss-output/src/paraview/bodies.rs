@@ -54,8 +54,11 @@ pub(super) fn series(placed: &Placed<'_>) -> Option<PolySeries> {
 /// A body in a frame: the corners of its area, then points of a line.
 struct Shape {
     corners: usize,
+    /// Points of its outline, shape (points, 2) \[m\].
     points: Vec<[f64; 2]>,
+    /// Their velocities, shape (points, 2) \[m/s\].
     velocities: Vec<[f64; 2]>,
+    /// The point that leads, shape (2) \[m\].
     front: [f64; 2],
 }
 

@@ -8,31 +8,39 @@ use crate::fields::{Fields, StoredFrame};
 #[derive(Clone, Debug)]
 pub(super) struct Beam {
     pub name: String,
+    /// Arc lengths of the stations, shape (stations) \[m\].
     pub s: Vec<f64>,
+    /// Positions of the stations, shape (2, stations) \[m\].
     position: [Vec<f64>; 2],
+    /// Unit tangents there, shape (2, stations) \[-\].
     tangent: [Vec<f64>; 2],
-    /// Not finite where it is not known.
+    /// Not finite where it is not known, shape (stations) \[m\].
     pub half_depth: Vec<f64>,
+    /// Areas there, shape (stations) \[m^2\].
     pub area: Vec<f64>,
+    /// Second moments of area there, shape (stations) \[m^4\].
     pub inertia: Vec<f64>,
     /// Number of its first station among all nodes.
     first: usize,
-    /// Stations at which an interval begins, and the interval's number among those of all beams.
+    /// Stations at which an interval begins, and the interval's number among those of all beams, shape (intervals, 2)
+    /// \[index of a station, index of an interval\].
     pub intervals: Vec<(usize, usize)>,
 }
 
 /// A point of a beam's axis.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct OnAxis {
+    /// Position, shape (2) \[m\].
     pub place: [f64; 2],
-    /// Displacement from the reference configuration.
+    /// Displacement from the reference configuration, shape (2) \[m\].
     pub displacement: [f64; 2],
-    /// Unit normal, to the left of the tangent.
+    /// Unit normal, to the left of the tangent, shape (2) \[-\].
     pub normal: [f64; 2],
+    /// Velocity, shape (2) \[m/s\].
     pub velocity: [f64; 2],
     /// Angular rate of the section.
     pub spin: f64,
-    /// Normal in the reference configuration.
+    /// Normal in the reference configuration, shape (2) \[-\].
     pub rest_normal: [f64; 2],
 }
 
@@ -40,12 +48,14 @@ pub(super) struct OnAxis {
 #[derive(Debug)]
 pub(super) struct Placed<'a> {
     pub scene: &'a Value,
+    /// The frames, shape (frames).
     pub frames: &'a [StoredFrame],
+    /// The beams, shape (beams).
     pub beams: Vec<Beam>,
     /// Nodes of all beams; behind them stand the bodies.
     pub stations: usize,
     pub intervals: usize,
-    /// Corners of what the beams and discs pass through.
+    /// Corners of what the beams and discs pass through, shape (2, 2) \[m\].
     pub bounds: [[f64; 2]; 2],
 }
 

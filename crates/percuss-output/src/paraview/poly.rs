@@ -11,6 +11,7 @@ pub(super) struct Array {
     pub unit: &'static str,
     /// Numbers of one point.
     pub width: usize,
+    /// Values, one point or cell after the other, shape (points or cells, numbers of each) \[unit of the array\].
     pub values: Vec<f32>,
 }
 
@@ -32,26 +33,30 @@ impl Array {
 /// Cells that are the same in all frames.
 #[derive(Debug, Default)]
 pub(super) struct Cells {
-    /// Points of each line.
+    /// Points of each line, shape (lines, points of one) \[index of a point\].
     pub lines: Vec<Vec<usize>>,
+    /// Points of each polygon, shape (polygons, points of one) \[index of a point\].
     pub polygons: Vec<Vec<usize>>,
-    /// Number of the thing that each cell belongs to: lines, then polygons.
+    /// Number of the thing that each cell belongs to: lines, then polygons, shape (lines) \[index of a thing\].
     pub line_of: Vec<i32>,
+    /// Number of the thing that each polygon belongs to, shape (polygons) \[index of a thing\].
     pub polygon_of: Vec<i32>,
 }
 
 /// Poly data over time.
 #[derive(Debug)]
 pub(super) struct PolySeries {
+    /// Times of the frames, shape (frames) \[s\].
     pub times: Vec<f64>,
-    /// Points of all frames, one frame behind the other.
+    /// Points of all frames, one frame behind the other, shape (points of all frames, 2) \[m\].
     pub points: Vec<[f64; 2]>,
-    /// Points of each frame.
+    /// Points of each frame, shape (frames) \[-\].
     pub counts: Vec<usize>,
     /// Cells; `None` where every point is a cell of its own.
     pub cells: Option<Cells>,
+    /// Arrays on points and cells, shape (arrays).
     pub arrays: Vec<Array>,
-    /// What cells' numbers count, and the names they stand for.
+    /// What cells' numbers count, and the names they stand for, shape (things).
     pub of: (&'static str, Vec<String>),
 }
 

@@ -89,6 +89,7 @@ pub(super) fn file_name(frame: usize) -> String {
 /// Arrays as bytes behind the markup.
 #[derive(Default)]
 struct Appended {
+    /// Bytes of the arrays so far, shape (bytes) \[-\].
     bytes: Vec<u8>,
 }
 

@@ -8,7 +8,7 @@ use crate::history::HistorySource;
 /// What the figures of a page have in common.
 pub(super) struct Canvas<'a> {
     pub history: &'a HistorySource,
-    /// Some rows of the motion, the first and the last among them; shape (n_channels, n_sampled or 0).
+    /// Some rows of the motion, the first and the last among them; shape (n_channels, n_sampled or 0) \[unit of the channel\].
     pub sample: &'a [Vec<f64>],
     /// Scale of the time axis.
     pub time_scale: Scale,

@@ -21,9 +21,9 @@ pub struct ReportData {
     pub summary: Value,
     /// The text of `scenario.toml`; may be empty.
     pub scenario: String,
-    /// Total energies of other restitution coefficients; may be empty.
+    /// Total energies of other restitution coefficients; may be empty, shape (coefficients).
     pub comparison: Vec<ComparisonSeries>,
-    /// Section forces along the beams; may be empty.
+    /// Section forces along the beams; may be empty, shape (beams).
     pub envelopes: Vec<BeamEnvelope>,
     /// How the scene moved, if that was kept.
     pub fields: Option<Fields>,

@@ -66,7 +66,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_is_no_extreme() {
+    fn nan_is_no_extreme() {
         assert_eq!(extremes(&[f64::NAN, 2.0, f64::NAN, -1.0, 5.0, 5.0, -1.0]), [3, 4]);
         assert_eq!(extremes(&[f64::NAN; 3]), [0, 0]);
         assert_eq!(extremes(&[3.0]), [0, 0]);

@@ -15,7 +15,7 @@ pub(super) struct Curve {
     pub weight: f64,
     pub dashed: bool,
     pub shape: Shape,
-    /// Channels by number, with their factors.
+    /// Channels by number, with their factors, shape (terms) \[index of a channel, -\].
     pub terms: Vec<(usize, f64)>,
     pub constant: f64,
     /// A channel and its largest value at which the curve is drawn.
@@ -58,6 +58,7 @@ pub(super) struct Draft {
     pub figure: Figure,
     /// Unit as channels spell it.
     pub unit: &'static str,
+    /// Its curves, shape (curves).
     pub curves: Vec<Curve>,
     pub omit: Omit,
     /// Size beside which round-off is told, where it is larger than the curves \[SI\].

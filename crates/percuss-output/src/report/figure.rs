@@ -74,13 +74,16 @@ pub(crate) struct Series {
     /// Whether the dash pattern of the style is used where curves are told apart by it.
     pub dashed: bool,
     pub shape: Shape,
+    /// Ordinates, shape (points) \[unit of the axis\].
     pub y: Vec<f64>,
 }
 
 /// Curves over common abscissae.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Table {
+    /// Abscissae, shape (points) \[unit of the axis\].
     pub x: Vec<f64>,
+    /// Curves over these abscissae, shape (series).
     pub series: Vec<Series>,
 }
 
@@ -105,6 +108,7 @@ pub(crate) struct Figure {
     /// What several small figures beside each other have in common; empty for a figure of its own.
     pub group: String,
     pub note: String,
+    /// Its curves, those with the same abscissae together, shape (tables).
     pub tables: Vec<Table>,
     /// What made it of channels, if it was: with it values are SI again.
     pub scaled: Option<Scaled>,
@@ -113,7 +117,7 @@ pub(crate) struct Figure {
 /// How the values of a figure came from SI units.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Scaled {
-    /// Factors of the abscissa and of the ordinate.
+    /// Factors of the abscissa and of the ordinate, shape (2) \[-\].
     pub factors: [f64; 2],
     /// Unit of the ordinate as channels spell it.
     pub unit: &'static str,

@@ -53,6 +53,7 @@ pub(crate) fn table_of_cells(caption: &str, header: &[&str], rows: &[Vec<Cell>])
 /// A row of a table.
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
+    /// Its cells, shape (cells).
     pub cells: Vec<Cell>,
     /// Attributes of its element, markup of our own.
     pub attributes: String,

@@ -65,10 +65,11 @@ impl Frame<'_> {
 
 /// A projectile along its line of flight. Displacements and velocities along it are sums of channels.
 struct Flight {
-    /// Unit vector of the line of flight.
+    /// Unit vector of the line of flight, shape (2) \[-\].
     direction: [f64; 2],
-    /// Channels of position, velocity and gap.
+    /// Channels of position, velocity and gap, shape (2) \[index of a channel\].
     position: [usize; 2],
+    /// Channels of the velocity, shape (2) \[index of a channel\].
     velocity: [usize; 2],
     gap: usize,
     /// Where it starts, along the line of flight.

@@ -89,7 +89,7 @@ fn translation(transform: &str) -> Option<(f64, f64)> {
 struct Picture {
     width: usize,
     height: usize,
-    /// Red, green, blue; shape (height, width).
+    /// Red, green, blue; shape (height, width) \[-\].
     pixels: Vec<[u8; 3]>,
 }
 

@@ -30,7 +30,7 @@ pub struct Sheet {
     pub status: String,
     /// Whether that line is a warning.
     pub alarming: bool,
-    /// What stands on it.
+    /// What stands on it, shape (blocks).
     pub blocks: Vec<Block>,
 }
 
@@ -47,30 +47,30 @@ pub enum Block {
     Links {
         /// What they are.
         caption: String,
-        /// Text and relative address of each.
+        /// Text and relative address of each, shape (links).
         links: Vec<(String, String)>,
     },
     /// Rows of texts below a header; the first column heads its row.
     Table {
         /// What it shows.
         caption: String,
-        /// One entry a column.
+        /// One entry a column, shape (columns).
         header: Vec<String>,
-        /// The rows.
+        /// The rows, shape (rows, columns).
         rows: Vec<Vec<String>>,
     },
     /// Shares from 0 to 1 drawn as bars, with intervals.
     Bars {
         /// What they show.
         caption: String,
-        /// One entry a column of bars.
+        /// One entry a column of bars, shape (columns).
         header: Vec<String>,
-        /// Name of the row, and its shares.
+        /// Name of the row, and its shares, shape (rows, columns).
         rows: Vec<(String, Vec<Bar>)>,
     },
-    /// Figures beside each other.
+    /// Figures beside each other, shape (figures).
     Charts(Vec<Chart>),
-    /// Coloured maps beside each other.
+    /// Coloured maps beside each other, shape (maps).
     Maps(Vec<Map>),
     /// A text behind a summary that opens it.
     Listing {
@@ -86,7 +86,7 @@ pub enum Block {
 pub struct Bar {
     /// The share.
     pub value: f64,
-    /// The interval.
+    /// The interval, shape (2) \[-\].
     pub interval: [f64; 2],
 }
 
@@ -119,9 +119,9 @@ pub struct Curve {
     pub style: usize,
     /// How it is drawn.
     pub mark: Mark,
-    /// Abscissae.
+    /// Abscissae, shape (points) \[unit of the axis\].
     pub x: Vec<f64>,
-    /// Ordinates.
+    /// Ordinates, shape (points) \[unit of the axis\].
     pub y: Vec<f64>,
 }
 
@@ -140,7 +140,7 @@ pub struct Chart {
     pub y: Quantity,
     /// Whether the y axis starts at zero.
     pub from_zero: bool,
-    /// The curves.
+    /// The curves, shape (curves).
     pub curves: Vec<Curve>,
 }
 
@@ -155,7 +155,7 @@ pub struct Map {
     pub y: Quantity,
     /// What the colour shows.
     pub value: Quantity,
-    /// Abscissa, ordinate and value of the points.
+    /// Abscissa, ordinate and value of the points, shape (points, 3) \[units of both axes, unit of the value\].
     pub points: Vec<[f64; 3]>,
 }
 
@@ -316,9 +316,11 @@ fn map(map: &Map) -> String {
 
 /// Values over two abscissae.
 struct Grid {
+    /// Abscissae of the columns, shape (n_x) \[unit of the axis\].
     x: Vec<f64>,
+    /// Ordinates of the rows, shape (n_y) \[unit of the axis\].
     y: Vec<f64>,
-    /// Row by row, shape (n_y, n_x).
+    /// Row by row, shape (n_y, n_x) \[unit of the value\].
     z: Vec<Vec<f64>>,
 }
 

@@ -8,7 +8,7 @@ const HELD: usize = 4096;
 /// Bins of consecutive rows: even ones, and finer ones while anything touches.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bins {
-    /// Row behind the last one of each bin, ascending; the last is the number of rows.
+    /// Row behind the last one of each bin, ascending; the last is the number of rows, shape (bins) \[index of a row\].
     ends: Vec<usize>,
     /// As many bins as were asked for.
     asked: usize,
@@ -72,8 +72,9 @@ pub(super) struct Thinner<'a> {
     /// Bin being filled, and rows seen so far.
     bin: usize,
     seen: usize,
-    /// Rows of the bin, and rows kept for good; shape (1 + n_curves, ..), abscissa first.
+    /// Rows of the bin, and rows kept for good; shape (1 + n_curves, ..) \[unit of the curve\], abscissa first.
     held: Vec<Vec<f64>>,
+    /// Rows kept for good, abscissa first, shape (1 + n_curves, rows kept) \[unit of the curve\].
     kept: Vec<Vec<f64>>,
 }
 

@@ -176,8 +176,9 @@ fn free_extreme([value, rate]: [f64; 2], w: f64, zeta: f64) -> f64 {
 
 /// An oscillator over a step on which the base's acceleration is a straight line.
 struct Exact {
+    /// Answers to displacement and velocity at the start of the step, shape (2, 2) \[m, m/s by these\].
     free: [[f64; 2]; 2],
-    /// Answers to the acceleration at the start and at the end of the step.
+    /// Answers to the acceleration at the start and at the end of the step, shape (2, 2) \[m, m/s by m/s^2\].
     forced: [[f64; 2]; 2],
 }
 
@@ -305,7 +306,7 @@ mod tests {
     }
 
     #[test]
-    fn what_makes_no_sense_is_refused() {
+    fn senseless_requests_of_spectra_are_refused() {
         let signal = pulse(|t| t);
         assert!(shock_spectrum(&signal, 1.0, &Band::default()).is_err());
         assert!(shock_spectrum(&signal, 0.05, &Band { from: 0.0, ..Band::default() }).is_err());

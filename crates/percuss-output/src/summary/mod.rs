@@ -40,11 +40,11 @@ pub struct RunInfo<'a> {
     pub settings: &'a Settings,
     /// Time the run took \[s\].
     pub wall_seconds: f64,
-    /// What the advisor said before it.
+    /// What the advisor said before it, shape (findings).
     pub advice: &'a [Advice],
-    /// What its audit warns of.
+    /// What its audit warns of, shape (warnings).
     pub warnings: &'a [AuditWarning],
-    /// Its results beside hand formulas.
+    /// Its results beside hand formulas, shape (comparisons).
     pub comparisons: &'a [Comparison],
 }
 

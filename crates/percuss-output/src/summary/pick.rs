@@ -39,7 +39,7 @@ pub struct SummaryPath {
     pub(super) part: String,
     /// Name of the projectile, contact, ...; empty for other parts.
     pub(super) name: String,
-    /// Keys and indices within the part.
+    /// Keys and indices within the part, shape (keys).
     pub(super) keys: Vec<String>,
 }
 

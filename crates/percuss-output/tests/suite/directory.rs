@@ -131,7 +131,7 @@ fn one_process_at_a_time_fills_a_directory() -> Outcome {
 }
 
 #[test]
-fn what_dead_processes_left_is_put_in_order() -> Outcome {
+fn leftovers_of_dead_processes_are_put_in_order() -> Outcome {
     let parent = tempfile::tempdir()?;
     let target = parent.path().join("run");
     run(&target, "old")?;
@@ -251,7 +251,7 @@ fn a_link_keeps_pointing_to_the_run() -> Outcome {
 }
 
 #[test]
-fn what_is_described_early_stands_in_the_manifest_as_anything_else() -> Outcome {
+fn files_described_early_stand_in_the_manifest_like_others() -> Outcome {
     let parent = tempfile::tempdir()?;
     let written = |name: &str, early: bool| -> Result<String, Box<dyn Error>> {
         let target = parent.path().join(name);
@@ -329,7 +329,7 @@ fn links_at_names_that_can_be_foreseen_are_not_followed() -> Outcome {
 
 /// Files edited while a run computes, between its start and its end.
 #[test]
-fn what_is_changed_meanwhile_is_kept_beside_and_told() -> Outcome {
+fn files_changed_meanwhile_are_kept_beside_and_told() -> Outcome {
     let parent = tempfile::tempdir()?;
     let target = parent.path().canonicalize()?.join("run");
     let edited = |within: bool| -> Outcome {
@@ -362,7 +362,7 @@ fn what_is_changed_meanwhile_is_kept_beside_and_told() -> Outcome {
 }
 
 #[test]
-fn what_is_changed_before_something_is_added_is_kept_too() -> Outcome {
+fn files_changed_before_an_addition_are_kept_too() -> Outcome {
     let parent = tempfile::tempdir()?;
     let target = parent.path().canonicalize()?.join("run");
     run(&target, "old")?;
@@ -401,7 +401,7 @@ fn a_single_file_that_came_to_stand_there_meanwhile_is_kept() -> Outcome {
 /// Permissions and the group's bit, folders without files, names that only look like this program's.
 #[cfg(unix)]
 #[test]
-fn what_is_the_user_s_stays() -> Outcome {
+fn files_of_the_user_stay() -> Outcome {
     use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
     let parent = tempfile::tempdir()?;
     let target = parent.path().join("run");

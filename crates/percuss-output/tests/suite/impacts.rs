@@ -102,7 +102,7 @@ fn rows_come_in_the_order_of_time_and_say_where_and_with_what_energies()
 
 /// Persistent contact of rigid bodies has an impulse and no force.
 #[test]
-fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
+fn columns_that_do_not_apply_are_empty() -> Result<(), Box<dyn Error>> {
     let interval = ContactInterval {
         start: 0.1,
         end: 0.2,
@@ -141,7 +141,7 @@ fn what_does_not_apply_is_empty() -> Result<(), Box<dyn Error>> {
 
 /// A coefficient of restitution that the step does not resolve is left out, with the reason.
 #[test]
-fn what_the_step_does_not_resolve_has_a_reason_instead_of_a_number() -> Result<(), Box<dyn Error>> {
+fn unresolved_quantities_have_a_reason_instead_of_a_number() -> Result<(), Box<dyn Error>> {
     let ContactRecord::Smooth { peak_force, intervals } = synthetic::smooth() else { panic!() };
     let closed = ContactInterval { end: 0.02, separation_velocity: 2.35, ..intervals[0] };
     for (steps, steady, separation, found, why) in [

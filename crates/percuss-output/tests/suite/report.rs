@@ -331,7 +331,7 @@ fn contacts_that_never_closed_share_a_line() -> Outcome {
 }
 
 #[test]
-fn what_is_left_out_and_why_is_said() -> Outcome {
+fn figures_left_out_are_named_with_the_reason() -> Outcome {
     let mut data = rigid()?;
     assert!(!page(&data)?.contains("are not compared here"));
     data.comparison.clear();

@@ -122,7 +122,7 @@ fn a_contact_lasts_from_touch_to_release_or_is_not_over() {
 }
 
 #[test]
-fn what_is_not_a_number_is_null() {
+fn nan_is_written_as_null() {
     let mut run = synthetic::summary("mass", synthetic::smooth());
     run.energy.residual_max = f64::NAN;
     run.contacts[0].effective_mass = Some(EffectiveMass { on_mesh: f64::INFINITY, limit: 1.0 });
@@ -191,7 +191,7 @@ fn every_number_of_a_summary_can_be_picked_by_its_path() {
 }
 
 #[test]
-fn what_no_summary_has_cannot_be_picked() {
+fn unknown_paths_of_a_summary_are_refused() {
     let run = synthetic::summary("mass", synthetic::smooth());
     for path in
         ["", "energy", "contact.mass", "contact.none.peak_force.value", "status", "settings.step"]

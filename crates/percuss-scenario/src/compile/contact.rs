@@ -206,6 +206,7 @@ struct Wanted<'a> {
     /// Its key that names the partners.
     key: &'a str,
     name: String,
+    /// Both partners, shape (2).
     between: [Partner; 2],
     law: TouchLaw,
     points_per_element: usize,
@@ -215,8 +216,9 @@ struct Wanted<'a> {
 struct Contacts<'b> {
     given: Option<&'b Given>,
     builder: &'b mut ModelBuilder,
+    /// Faults so far, shape (faults).
     faults: &'b mut Vec<Fault>,
-    /// Paths of the tables they come from.
+    /// Paths of the tables they come from, shape (2).
     pairs: HashMap<[percuss::ContactPartner; 2], String>,
     names: HashMap<String, String>,
 }

@@ -39,7 +39,7 @@ pub struct Compiled {
     pub settings: Settings,
     /// How far a static equilibrium path is followed.
     pub path: PathSettings,
-    /// Coefficients of restitution to compare, if the report asks for it.
+    /// Coefficients of restitution to compare, if the report asks for it, shape (coefficients) \[-\].
     pub comparison: Option<Vec<f64>>,
 }
 

@@ -16,6 +16,7 @@ struct Given<'a> {
     over: &'static str,
     isotropic: Option<f64>,
     kinematic: f64,
+    /// Strains and stresses of a table, shape (rows, 2) \[-, Pa\].
     table: Option<&'a [[f64; 2]]>,
     /// The test that the table was measured in; none of springs and hinges.
     test: Option<&'a Material>,

@@ -3,7 +3,6 @@
 use percuss_codes::{Caution, Code, Topic};
 use serde_json::{Map, Value as Json, json};
 
-use super::Content;
 use crate::code::FaultCode;
 use crate::format::{Format, Written};
 use crate::node::{Body, Node, Reader};
@@ -17,18 +16,6 @@ pub struct Allowed {
     pub code: Code,
     /// Why it is no reason to worry, in the author's words.
     pub reason: String,
-}
-
-impl Content {
-    /// Why what has a code is allowed, if it is.
-    pub fn reason_to_allow(&self, code: Code) -> Option<&str> {
-        self.allow.iter().find(|one| one.code == code).map(|one| one.reason.as_str())
-    }
-
-    /// What is allowed, each with its reason.
-    pub fn allowances(&self) -> Vec<(Code, &str)> {
-        self.allow.iter().map(|one| (one.code, one.reason.as_str())).collect()
-    }
 }
 
 /// Codes with reasons: `[allow]`.

@@ -56,7 +56,7 @@ fn settle_damping(damping: &mut Damping, body: &Body<'_>, reader: &mut Reader<'_
 pub enum ModalRatios {
     /// One for every damped mode.
     All(f64),
-    /// One by one, from the lowest mode on.
+    /// One by one, from the lowest mode on, shape (modes) \[-\].
     Each(Vec<f64>),
 }
 

@@ -2,12 +2,12 @@
 
 use serde_json::{Value as Json, json};
 
-use crate::format::{Flag, Format, Inline, List, Maybe};
+use crate::format::{self, Flag, Format, Inline, List, Maybe};
+use crate::layout::Described;
 use crate::measure;
 use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
-use crate::reach::{self, Reached};
-use crate::reference::Described;
+use crate::reach::Reached;
 use crate::suggest;
 use crate::table::{Braces, Declared, Part};
 use crate::tabulated::{self, File, Given, Pulse, Sum, TableFile};
@@ -148,7 +148,7 @@ impl Format for FunctionText {
 
     fn reach<'c>(value: &'c mut Function, path: &[String]) -> Reached<'c> {
         match path {
-            [] => reach::end::<Self>(value, path),
+            [] => format::end::<Self>(value, path),
             _ => Part::reach(value, path),
         }
     }

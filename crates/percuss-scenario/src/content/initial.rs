@@ -4,11 +4,11 @@ use serde_json::Value as Json;
 
 use crate::code::FaultCode;
 use crate::format::{Format, Written};
+use crate::layout::Described;
 use crate::measure;
 use crate::node::{Body, Node, Reader};
 use crate::quantity::{Quantity, Vector};
 use crate::reach::{Lost, Reached};
-use crate::reference::Described;
 use crate::schema;
 use crate::source::join;
 use crate::suggest;
@@ -38,7 +38,7 @@ impl Default for InitialMotion {
 pub struct Initial {
     /// The motion of all that has none of its own.
     pub all: InitialMotion,
-    /// Motions of beams and point masses, by their names.
+    /// Motions of beams and point masses, by their names, shape (motions).
     pub of: Vec<Named<InitialMotion>>,
 }
 
@@ -101,8 +101,8 @@ impl Format for Starts {
     }
 
     fn schema() -> Json {
-        let mut schema = schema::of_table::<InitialMotion>();
-        schema["additionalProperties"] = schema::of_table::<InitialMotion>();
+        let mut schema = schema::of_table(InitialMotion::layout());
+        schema["additionalProperties"] = schema::of_table(InitialMotion::layout());
         schema
     }
 

@@ -32,6 +32,8 @@ pub use crate::partner::{Partner, PartnerKind, Strikes};
 pub use crate::point::Anchor;
 pub use crate::preset::Preset;
 
+use percuss_codes::Code;
+
 use crate::format::Text;
 use crate::node::{Body, Reader};
 use crate::table::{Collection, Named, Single};
@@ -95,5 +97,17 @@ fn anything_moves(content: &mut Content, body: &Body<'_>, reader: &mut Reader<'_
     if !read && !given("beam") && !given("projectile") {
         let expected = "at least one table [beam.NAME], or free projectiles [projectile.NAME] and what they meet";
         reader.missing(body, "beam", "no beam", expected);
+    }
+}
+
+impl Content {
+    /// Why what has a code is allowed, if it is.
+    pub fn reason_to_allow(&self, code: Code) -> Option<&str> {
+        self.allow.iter().find(|one| one.code == code).map(|one| one.reason.as_str())
+    }
+
+    /// What is allowed, each with its reason.
+    pub fn allowances(&self) -> Vec<(Code, &str)> {
+        self.allow.iter().map(|one| (one.code, one.reason.as_str())).collect()
     }
 }

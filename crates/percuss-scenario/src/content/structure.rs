@@ -2,7 +2,7 @@
 
 use percuss::{Along, Curve, Ends, Slack, StrainMeasure};
 
-use super::yielding::{Hardening, RateLaw, RateText, settle_presets, settle_yield};
+use super::yielding::{Hardening, RateLaw, RateText, settle_yield};
 
 use crate::csv::Points;
 use crate::format::{Count, Format, List, Maybe};
@@ -144,5 +144,37 @@ fn settle_change(_: &mut Change, body: &Body<'_>, reader: &mut Reader<'_>) {
     if body.get("section").is_none() && body.get("material").is_none() && !excused {
         let found = "a change of nothing";
         reader.misplaced(&body.path, body.span.clone(), found, "`section`, `material` or both");
+    }
+}
+
+/// Puts the values of the preset in the place of `"preset"`.
+pub(super) fn settle_presets(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
+    let preset = material.preset;
+    // One that could not be read is told of already.
+    let unknown = preset.is_none() && body.get("preset").is_some();
+    let mut refuse = |key: &str, what: &str| {
+        let Some(node) = body.get(key).filter(|_| !unknown) else { return };
+        let found = match preset {
+            Some(known) => format!("\"preset\", and no {what} of {} known", known.name),
+            None => "\"preset\" of a material without one".into(),
+        };
+        let expected = match key {
+            "yield" => Quantity::<measure::Pressure>::expected(),
+            _ => Braces::<RateLaw>::expected(),
+        };
+        reader.misplaced(&node.path, node.span.clone(), found, expected);
+    };
+    if material.r#yield == Some(f64::INFINITY) {
+        material.r#yield = preset.and_then(|known| known.yields);
+        if material.r#yield.is_none() {
+            refuse("yield", "yield stress");
+        }
+    }
+    if material.rate.as_ref().is_some_and(|rate| rate.C == f64::INFINITY) {
+        let known = preset.and_then(|known| known.rate);
+        material.rate = known.map(|[c, q]| RateLaw { C: c, q });
+        if material.rate.is_none() {
+            refuse("rate", "rate constants");
+        }
     }
 }

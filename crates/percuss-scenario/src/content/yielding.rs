@@ -3,15 +3,14 @@
 
 use serde_json::{Value as Json, json};
 
-use super::Material;
 use crate::format::{Couple, Format, Inline, List, Maybe};
+use crate::layout::Described;
 use crate::measure;
 use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
 use crate::reach::Reached;
-use crate::reference::Described;
 use crate::table::{Braces, exclude};
-use crate::words::{Endless, OfPreset, TableStresses, Word};
+use crate::words::{Endless, OfPreset, Word, Words};
 use crate::write::Writer;
 
 table! {
@@ -135,38 +134,6 @@ impl Inline for RateText {
     }
 }
 
-/// Puts the values of the preset in the place of `"preset"`.
-pub(super) fn settle_presets(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
-    let preset = material.preset;
-    // One that could not be read is told of already.
-    let unknown = preset.is_none() && body.get("preset").is_some();
-    let mut refuse = |key: &str, what: &str| {
-        let Some(node) = body.get(key).filter(|_| !unknown) else { return };
-        let found = match preset {
-            Some(known) => format!("\"preset\", and no {what} of {} known", known.name),
-            None => "\"preset\" of a material without one".into(),
-        };
-        let expected = match key {
-            "yield" => Quantity::<measure::Pressure>::expected(),
-            _ => Braces::<RateLaw>::expected(),
-        };
-        reader.misplaced(&node.path, node.span.clone(), found, expected);
-    };
-    if material.r#yield == Some(f64::INFINITY) {
-        material.r#yield = preset.and_then(|known| known.yields);
-        if material.r#yield.is_none() {
-            refuse("yield", "yield stress");
-        }
-    }
-    if material.rate.as_ref().is_some_and(|rate| rate.C == f64::INFINITY) {
-        let known = preset.and_then(|known| known.rate);
-        material.rate = known.map(|[c, q]| RateLaw { C: c, q });
-        if material.rate.is_none() {
-            refuse("rate", "rate constants");
-        }
-    }
-}
-
 /// What goes with a yield force or moment, `keys[0]`, goes nowhere without one.
 pub(super) fn settle_connector_yield(keys: [&str; 3], body: &Body<'_>, reader: &mut Reader<'_>) {
     let [limit, with @ ..] = keys;
@@ -190,4 +157,23 @@ pub(super) fn settle_yield(body: &Body<'_>, reader: &mut Reader<'_>) {
             reader.missing(body, "yield", found, expected);
         }
     }
+}
+
+/// Which stress and strain a table of a material tells.
+pub(crate) struct TableStresses;
+
+impl Words for TableStresses {
+    type Value = TableStress;
+    const WORDS: &'static [(&'static str, TableStress, &'static str)] = &[
+        (
+            "nominal",
+            TableStress::Nominal,
+            "force over the area of the free bar, elongation over its length",
+        ),
+        (
+            "true",
+            TableStress::True,
+            "force over the area that is left, logarithm of the stretch; plastic flow keeps the volume",
+        ),
+    ];
 }

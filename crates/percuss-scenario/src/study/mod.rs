@@ -21,7 +21,7 @@ pub use given::Given;
 use crate::code::{FaultCode, of_path};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::files::{FileAccess, Files, WITHIN, is_within};
-use crate::scenario::{folder, parse, place};
+use crate::parse::{folder, parse, place};
 use crate::source::{Places, Source};
 use crate::table::Part;
 use crate::write::Writer;
@@ -35,6 +35,7 @@ pub struct StudyFile {
     places: Places,
     folder: PathBuf,
     access: FileAccess,
+    /// Faults of the study found by reading, shape (faults).
     faults: Vec<Diagnostic>,
     tainted: BTreeSet<String>,
 }
@@ -155,7 +156,7 @@ impl Distribution {
 
 /// JSON Schema of the study file, for completion in editors.
 pub fn study_schema() -> Json {
-    let mut schema = crate::schema::of_table::<StudyContent>();
+    let mut schema = crate::schema::of_table(StudyContent::layout());
     schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     schema["title"] = json!("Percuss study");
     schema

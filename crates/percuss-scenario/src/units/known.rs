@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::Dimension;
+use super::dimension::Dimension;
 
 /// A unit as `10^power10 * numerator / denominator` of the coherent SI unit.
 #[derive(Clone, Copy)]

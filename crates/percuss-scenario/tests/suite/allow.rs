@@ -39,7 +39,7 @@ fn warnings_of_the_audit_can_be_allowed() {
 }
 
 #[test]
-fn what_cannot_be_allowed_is_refused() {
+fn codes_that_cannot_be_allowed_are_refused() {
     let whole = ["W107\" (interrupted), which tells how a command went", "W101 to W105", "[E008]"];
     refused("W107 = \"x\"", &whole);
     refused("W099 = \"x\"", &["allow.W099", "found the code \"W099\"", "[E007]"]);

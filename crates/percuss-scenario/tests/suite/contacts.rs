@@ -96,7 +96,7 @@ fn a_line_of_flight_meets_the_beam() {
 }
 
 #[test]
-fn what_is_struck_has_a_name() {
+fn struck_things_have_names() {
     let second = projectile("contact = \"surface\"\nkind = \"elastic\"\nstiffness = 1")
         .replace("projectile.p", "projectile.q");
     let with = |strikes: &str| {
@@ -236,7 +236,7 @@ fn an_obstacle_that_nothing_touches_is_a_fault() {
 }
 
 #[test]
-fn what_touches_is_two_things_that_can() {
+fn contacts_are_between_two_things_that_can_touch() {
     let between = |between: &str| {
         let text = contact("stiffness = 1").replace("[\"b\", \"wall\"]", between);
         text + "[contact.d]\nbetween = [\"b\", \"wall\"]\nstiffness = 1\n"

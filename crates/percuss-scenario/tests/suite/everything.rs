@@ -9,7 +9,7 @@ fn everything() -> percuss_scenario::Scenario {
 }
 
 #[test]
-fn it_reads_back_the_same_from_anywhere() {
+fn a_file_with_every_key_reads_back_the_same_from_anywhere() {
     let scenario = everything();
     let written = scenario.to_toml();
     let again = read(&written, "elsewhere.toml").unwrap_or_else(|e| panic!("{written}\n{e}"));
@@ -74,7 +74,7 @@ fn every_key_of_the_schema_stands_in_it() {
 }
 
 #[test]
-fn it_is_valid_by_the_schema_before_and_after() {
+fn a_file_with_every_key_is_valid_by_the_schema_before_and_after() {
     let schema = schema();
     for text in [include_str!("../files/everything.toml").to_string(), everything().to_toml()] {
         let document: toml_edit::DocumentMut = text.parse().unwrap();

@@ -110,7 +110,7 @@ fn two_sources_of_a_value_exclude_each_other() {
 }
 
 #[test]
-fn what_leads_to_a_law_is_checked() {
+fn paths_to_laws_are_checked() {
     bad(
         &elastic("stiffness = 1\nrebound = { restitution = 0, velocity = \"-1 m/s\" }"),
         &[

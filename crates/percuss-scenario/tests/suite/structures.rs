@@ -35,7 +35,7 @@ pub fn bad(text: &str, expected: &[&str]) {
 }
 
 #[test]
-fn what_a_preset_yields_at_is_taken_where_it_is_asked_for() {
+fn presets_give_their_yield_stress_where_asked() {
     let material = |text: &str| {
         file(&[
             "[section.s]\nshape = \"rectangle\"\nwidth = 1\ndepth = 1\n",

@@ -53,7 +53,7 @@ fn a_table_of_a_thousand_rows_is_written_out_and_a_longer_one_named() {
 }
 
 #[test]
-fn what_is_written_is_read_again_from_anywhere_and_is_the_same() {
+fn written_tables_read_back_the_same_from_anywhere() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("pull.csv"), rows(3000)).unwrap();
     let scenario = load(pulled(folder.path(), "pull.csv", "")).unwrap();

@@ -34,7 +34,7 @@ fn an_iteration_that_comes_nearer_slowly_gets_there() {
 }
 
 #[test]
-fn what_has_gone_through_or_lies_at_a_tight_bend_is_not_overlooked() {
+fn overlaps_of_things_gone_through_or_at_tight_bends_are_found() {
     balances_close(&run(include_str!("../violent/knotted.toml")));
 }
 

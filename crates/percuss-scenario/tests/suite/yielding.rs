@@ -34,7 +34,7 @@ fn wrong(parts: &[&str], expected: &str) {
 }
 
 #[test]
-fn what_a_spring_cannot_yield_by_is_one_fault() {
+fn a_spring_with_a_wrong_yield_is_one_fault() {
     let spring = |text: &str, expected: &str| wrong(&[HEAD, BEAM, SPRING, text], expected);
     spring(
         "stiffness = 1\nhardening = { isotropic = 1 }\n",
@@ -65,7 +65,7 @@ fn what_a_spring_cannot_yield_by_is_one_fault() {
 }
 
 #[test]
-fn what_a_spring_cannot_harden_by_is_one_fault() {
+fn a_spring_with_a_wrong_hardening_is_one_fault() {
     let spring = |hardening: &str, expected: &str| {
         let text = format!("stiffness = 10\nyield_force = 1\nhardening = {{ {hardening} }}\n");
         wrong(&[HEAD, BEAM, SPRING, &text], expected);
@@ -93,7 +93,7 @@ fn what_a_spring_cannot_harden_by_is_one_fault() {
 }
 
 #[test]
-fn what_a_hinge_cannot_yield_by_is_one_fault() {
+fn a_hinge_with_a_wrong_yield_is_one_fault() {
     let joint = |text: &str, expected: &str| wrong(&[HEAD, BEAM, OTHER, JOINT, text], expected);
     joint(
         "kind = \"hinge\"\nyield_moment = 1\n",

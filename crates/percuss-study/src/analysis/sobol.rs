@@ -10,9 +10,9 @@ use crate::study::Study;
 /// Sobol indices of a result.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SobolIndices {
-    /// Share of the variance that vanishes if the parameter alone is known, one entry a parameter.
+    /// Share of the variance that vanishes if the parameter alone is known, one entry a parameter, shape (parameters).
     pub first: Vec<Estimate>,
-    /// Share of the variance that remains if all but the parameter are known, one entry a parameter.
+    /// Share of the variance that remains if all but the parameter are known, one entry a parameter, shape (parameters).
     pub total: Vec<Estimate>,
     /// Variance of the result, in its unit squared.
     pub variance: f64,

@@ -11,16 +11,16 @@ pub struct Spread {
     pub mean: f64,
     /// Standard deviation of the sample.
     pub deviation: f64,
-    /// The values in ascending order.
+    /// The values in ascending order, shape (values) \[unit of the values\].
     sorted: Vec<f64>,
 }
 
 /// Counts of values in equal parts of their range.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Histogram {
-    /// Ends of the parts, one more than there are parts.
+    /// Ends of the parts, one more than there are parts, shape (parts + 1) \[unit of the values\].
     pub edges: Vec<f64>,
-    /// Share of the values in each part, divided by its width.
+    /// Share of the values in each part, divided by its width, shape (parts) \[1 by the unit of the values\].
     pub density: Vec<f64>,
 }
 

@@ -2,7 +2,7 @@
 
 use percuss::Section;
 
-use super::{Converged, Sequence};
+use super::converged::{Converged, Sequence};
 
 /// Settings looked at are so many times halved or doubled against the given ones.
 const COARSER: i32 = 2;
@@ -25,7 +25,7 @@ pub struct Cheapest {
     pub fibre_factor: f64,
     /// Steps times elements times fibres over those of the given settings.
     pub cost: f64,
-    /// Results for which no such settings can be told, each with the reason.
+    /// Results for which no such settings can be told, each with the reason, shape (results).
     pub out_of_reach: Vec<String>,
 }
 

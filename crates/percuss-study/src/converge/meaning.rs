@@ -2,7 +2,8 @@
 
 use percuss::{Model, RunSummary};
 
-use super::{Extrapolation, Refined, Sequence, extrapolate};
+use super::converged::{Refined, Sequence};
+use super::sequence::{Extrapolation, extrapolate};
 
 /// Growth from one level to the next that no sequence with a limit keeps up.
 const GROWS: f64 = 1.3;

@@ -2,40 +2,29 @@
 //! the cheapest settings for an accuracy.
 
 mod cheapest;
+mod converged;
 mod meaning;
 mod results;
 mod rungs;
 mod sequence;
 
 pub use cheapest::Cheapest;
+pub use converged::{ConvergeError, Converged, Refined, Sequence};
 pub use sequence::{Extrapolation, extrapolate};
 
 use percuss::{Fault, Flow, Model, Recorder, RunSummary, Settings, Simulation, Termination};
 use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick};
-use percuss_scenario::{Diagnostics, Scenario};
+use percuss_scenario::Scenario;
 
 use meaning::Meaning;
 use results::{compared, paths};
 use rungs::{Rung, Rungs};
 
-/// What is refined.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Refined {
-    /// The step of time.
-    Step,
-    /// The elements of every beam.
-    Mesh,
-    /// The fibres through the depth of every section.
-    Fibres,
-    /// All of these at once.
-    Together,
-}
-
 /// What to look at, and how far.
 #[derive(Clone, Debug)]
 pub struct Ladder {
-    /// Paths in the summary; the usual results if there are none.
+    /// Paths in the summary; the usual results if there are none, shape (paths).
     pub results: Vec<String>,
     /// Levels, each twice as fine as the one before, the given settings first; three at least.
     pub levels: usize,
@@ -43,76 +32,19 @@ pub struct Ladder {
     pub accuracy: Option<f64>,
 }
 
-/// A result on finer steps, meshes, fibres, or all of them.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sequence {
-    /// Values as the runs gave them, coarsest first; NaN where a run lacks the result.
-    pub values: Vec<f64>,
-    /// Values as they are compared: what is largest in magnitude is given the sign of the limit.
-    compared: Vec<f64>,
-    /// Order, limit and uncertainty.
-    pub found: Extrapolation,
-    /// What it means, in plain words.
-    pub words: String,
-    /// Why there can be no limit, where that is known.
-    pub no_limit: bool,
-}
-
-/// A result and what it converges to.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Converged {
-    /// Path in the summary.
-    pub path: String,
-    /// SI unit.
-    pub unit: String,
-    /// Value under the given settings.
-    pub value: f64,
-    /// Limit in step, mesh and fibres together, from `together`; NaN where there is none.
-    pub limit: f64,
-    /// Its uncertainty; more than nine of ten limits lie within it, see [`Extrapolation::uncertainty`].
-    pub uncertainty: f64,
-    /// On finer steps.
-    pub step: Sequence,
-    /// On finer meshes.
-    pub mesh: Sequence,
-    /// On more fibres, where sections yield.
-    pub fibres: Sequence,
-    /// With all of them refined at once, which leaves no term out that mixes them.
-    pub together: Sequence,
-}
-
 /// How the results of a scenario converge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Convergence {
-    /// Steps of the levels \[s\].
+    /// Steps of the levels, shape (levels) \[s\].
     pub steps: Vec<f64>,
-    /// Numbers of elements of the levels.
+    /// Numbers of elements of the levels, shape (levels) \[-\].
     pub elements: Vec<usize>,
-    /// Fibres of the section with the most, of the levels; one where no section yields.
+    /// Fibres of the section with the most, of the levels; one where no section yields, shape (levels) \[-\].
     pub fibres: Vec<usize>,
-    /// Results.
+    /// Results, shape (results).
     pub results: Vec<Converged>,
     /// The cheapest settings for the accuracy wanted, if one is.
     pub cheapest: Option<Cheapest>,
-}
-
-/// Why there is no answer.
-#[derive(Debug)]
-pub enum ConvergeError {
-    /// The scenario, or a path.
-    Faults(Diagnostics),
-    /// What was asked for cannot be done.
-    Refused(String),
-    /// A run did not reach its end: as what, and why.
-    Run(AnalysisCode, String),
-    /// Somebody asked to stop.
-    Interrupted,
-}
-
-impl From<Diagnostics> for ConvergeError {
-    fn from(faults: Diagnostics) -> Self {
-        Self::Faults(faults)
-    }
 }
 
 /// Listens for the wish to stop, and records nothing.
@@ -215,15 +147,6 @@ fn converged(
     };
     let (path, unit) = (path.path().into(), path.unit().into());
     Converged { path, unit, value, limit, uncertainty, step, mesh, fibres, together }
-}
-
-impl Converged {
-    /// Why there is no limit, in words.
-    fn unknown(&self) -> &str {
-        let alone = [&self.step, &self.mesh, &self.fibres];
-        let reason = alone.iter().find(|one| one.no_limit || one.found.limit.is_nan());
-        reason.map_or(&self.together.words, |one| &one.words)
-    }
 }
 
 fn completed(

@@ -4,7 +4,7 @@ use percuss::{Fault, RunSummary};
 use percuss_output::{SummaryPath, pick, summary_paths};
 use percuss_scenario::Scenario;
 
-use super::ConvergeError;
+use super::converged::ConvergeError;
 use crate::resolve::result;
 
 /// Results looked at where none are named: how their paths end.

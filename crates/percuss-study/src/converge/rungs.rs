@@ -3,7 +3,7 @@
 use percuss::{Fault, Model, RunSummary, Section, Settings};
 use percuss_scenario::Scenario;
 
-use super::ConvergeError;
+use super::converged::ConvergeError;
 
 /// Products of steps and elements that one run may have; about a quarter of an hour.
 const MOST_WORK: f64 = 5e8;
@@ -23,9 +23,13 @@ pub(super) struct Rung {
 /// The runs beside the given one, shape (levels but the first) each.
 #[derive(Clone, Debug)]
 pub(super) struct Rungs {
+    /// On finer steps, shape (levels but the first).
     pub step: Vec<Rung>,
+    /// On finer meshes, shape (levels but the first).
     pub mesh: Vec<Rung>,
+    /// On more fibres, shape (levels but the first).
     pub fibres: Vec<Rung>,
+    /// On finer steps and meshes and more fibres at once, shape (levels but the first).
     pub together: Vec<Rung>,
     levels: usize,
     /// Steps times elements of the given run.

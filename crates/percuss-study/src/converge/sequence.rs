@@ -95,7 +95,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_close_in_steadily_has_no_order() {
+    fn sequences_that_do_not_close_in_steadily_have_no_order() {
         for values in [
             [1.0, 2.0, 1.5, 1.7],
             [1.0, 1.1, 1.2, 1.3],
@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_change_is_constant() {
+    fn sequences_without_change_are_constant() {
         let found = extrapolate(&[2.0, 2.0 + 1e-13, 2.0]);
         assert!(found.constant && found.order.is_none() && found.uncertainty < 1e-12);
     }

@@ -20,6 +20,7 @@ const STEPS: usize = 800;
 /// Runs that take the same words.
 struct Group {
     label: String,
+    /// Its rows, shape (rows of it) \[index of a row\].
     rows: Vec<usize>,
 }
 

@@ -1,5 +1,6 @@
 //! Derivatives of a run's results with respect to values of its scenario.
 
+mod differentiated;
 mod one_sided;
 
 use percuss::{Fault, Settings};
@@ -11,6 +12,7 @@ use percuss_scenario::{Compiled, Diagnostics, Scenario};
 use crate::prepare::in_one_line;
 use crate::resolve::result;
 
+pub use differentiated::Differentiated;
 pub use one_sided::OneSided;
 use one_sided::one_sided;
 
@@ -38,33 +40,22 @@ const USUAL: [&str; 8] = [
     ".intervals[0].impulse",
 ];
 
-/// A parameter, where it stands.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Differentiated {
-    /// Path of the parameter, or of the result in the summary.
-    pub path: String,
-    /// Value.
-    pub value: f64,
-    /// SI unit, empty or `1` for a pure number.
-    pub unit: String,
-}
-
 /// Results of a run and their derivatives.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// Parameters.
+    /// Parameters, shape (n_parameter).
     pub parameters: Vec<Differentiated>,
-    /// Results.
+    /// Results, shape (n_result).
     pub results: Vec<Differentiated>,
-    /// Derivatives, shape (n_result, n_parameter), in SI units of both; NaN for those of `without`.
+    /// Derivatives, shape (n_result, n_parameter) \[SI unit of the result by that of the parameter\]; NaN for those of `without`.
     pub derivatives: Vec<Vec<f64>>,
     /// Uncertainty of each derivative from the size of the step, shape and units of `derivatives`: three times what half the
     /// step changes, or what four fifths of it change, if that is more: instants of impacts then lie elsewhere in their steps.
-    /// NaN where other steps do not tell.
+    /// NaN where other steps do not tell, shape (n_result, n_parameter) \[SI unit of the result by that of the parameter\].
     pub uncertainties: Vec<Vec<f64>>,
-    /// Contacts that a small change of a parameter makes or ends.
+    /// Contacts that a small change of a parameter makes or ends, shape (contacts).
     pub one_sided: Vec<OneSided>,
-    /// Derivatives that there are not.
+    /// Derivatives that there are not, shape (derivatives).
     pub without: Vec<Without>,
     /// How far derivatives reach, if not to the end of the run.
     pub horizon: Option<Horizon>,
@@ -155,7 +146,9 @@ pub fn sensitivity(
 /// A run and its derivatives, with what was asked of it.
 pub(crate) struct DifferentiatedRun {
     compiled: Compiled,
+    /// Its parameters, shape (parameters).
     parameters: Vec<Differentiated>,
+    /// How each of them is varied, shape (parameters).
     variations: Vec<percuss_batch::Variation>,
     /// Of the results, shape (n_result).
     paths: Vec<SummaryPath>,
@@ -210,7 +203,7 @@ impl DifferentiatedRun {
         pick(&self.paths, &self.found.summary)
     }
 
-    /// Their derivatives, shape (n_result, n_parameter), in SI units of both; NaN where there is none.
+    /// Their derivatives, shape (n_result, n_parameter); NaN where there is none.
     pub fn derivatives(&self) -> Vec<Vec<f64>> {
         derivatives(&self.paths, &self.found)
     }

@@ -2,7 +2,7 @@
 
 use percuss_batch::{Grazing, Onset};
 
-use super::Differentiated;
+use super::differentiated::Differentiated;
 
 /// Changes below this share of a parameter are told where they make or end a contact, or yielding.
 const NEAR: f64 = 0.01;

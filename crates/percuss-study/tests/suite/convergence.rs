@@ -76,7 +76,7 @@ fn a_rigid_blow_on_a_bare_node_is_said_to_depend_on_the_mesh() {
 }
 
 #[test]
-fn what_would_never_end_is_refused_and_a_wish_to_stop_is_heard() {
+fn endless_convergence_is_refused_and_a_wish_to_stop_is_heard() {
     let scenario = read(&DROP.replace("1e-3", "1e-11"), "drop.toml").unwrap();
     let refused = converge(&scenario, &ladder(&[], None), &|| true, &|_, _| {});
     assert!(matches!(refused, Err(ConvergeError::Refused(_))));

@@ -61,7 +61,7 @@ fn a_grazing_contact_makes_derivatives_one_sided() {
 }
 
 #[test]
-fn what_has_no_derivatives_is_refused_and_no_failure_of_the_run() {
+fn models_without_derivatives_are_refused_without_failing_the_run() {
     let moved = scenario("sweet-spot.toml", &[]);
     let number = ["projectile.ball.mass".to_owned()];
     assert!(matches!(sensitivity(&moved, &number, &[]), Err(SensitivityError::Refused(_))));
@@ -100,7 +100,7 @@ fn the_end_of_the_run_is_a_parameter() {
 
 /// Counts, measures of error and instants that the step does not resolve have no derivative, and say why.
 #[test]
-fn what_has_no_derivative_says_why() {
+fn results_without_derivative_say_why() {
     let elastic = scenario("paper/elastic-clamped.toml", &[]);
     let paths = [
         "steps",

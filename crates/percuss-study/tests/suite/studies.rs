@@ -422,7 +422,7 @@ fn every_study_at_hand_is_sound_and_so_are_its_runs() {
 }
 
 #[test]
-fn what_two_parameters_would_set_is_refused() {
+fn keys_set_by_two_parameters_are_refused() {
     let with = |path: &str| {
         let second = format!("[parameter.again]\npath = \"{path}\"\nvalues = [1]\n[design]");
         read(&SAMPLED.replace("[design]", &second)).expect_err(path).to_string()

@@ -55,7 +55,7 @@ fn study() -> Study {
 }
 
 #[test]
-fn what_yielded_in_a_run_of_a_study_is_what_its_own_summary_tells() {
+fn yielding_in_a_study_agrees_with_the_single_run() {
     let table = study().run_shard(0).table;
     for (run, speed) in ["0.1", "3", "8"].iter().enumerate() {
         let changes = [format!("projectile.p.velocity=[0, {speed}]")];

@@ -268,7 +268,7 @@ fn largest_strain(model: &Model, search: &StaticSearch) -> f64 {
     let mut most = f64::MIN_POSITIVE;
     for (span, k, _, e) in model.each_element() {
         let law = &span.table(k).rows[1].section;
-        let radius = (law.bending / law.axial).sqrt();
+        let radius = law.gyration();
         for [membrane, bending] in search.base.strain[e] {
             most = most.max(membrane.abs()).max(radius * bending.abs());
         }

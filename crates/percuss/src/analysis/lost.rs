@@ -3,8 +3,8 @@
 use super::spectrum::{Layout, free_motions};
 use super::static_search::{StaticSearch, largest};
 use crate::error::Error;
+use crate::model::StrainMeasure;
 use crate::model::frozen::BeamData;
-use crate::model::{StrainMeasure, TouchLaw};
 use crate::state::State;
 
 /// Whether a beam takes part in any of the motions.
@@ -41,8 +41,7 @@ pub(super) fn lost(search: &mut StaticSearch, share: f64) -> Error {
             }
         }
     }
-    let mut laws = search.model.contacts.iter().map(|contact| &contact.law);
-    match laws.any(|law| matches!(law, TouchLaw::Rigid(_))) {
+    match search.model.has_rigid_contact() {
         true => Error::unsettled_contacts(share),
         false => Error::no_equilibrium(share),
     }

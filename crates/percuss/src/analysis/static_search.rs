@@ -16,7 +16,7 @@ use crate::element::membrane::green_or_engineering;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, scale};
 use crate::model::Model;
-use crate::model::frozen::{BodyKind, ConstraintKind};
+use crate::model::frozen::ConstraintKind;
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::constraint::ConstraintStep;
@@ -134,7 +134,7 @@ impl<'m> StaticSearch<'m> {
         self.work.increment[self.model.beam_node_count()..]
             .iter_mut()
             .zip(&self.model.bodies)
-            .filter(|(_, body)| body.kind == BodyKind::Obstacle)
+            .filter(|(_, body)| body.kind.is_obstacle())
             .for_each(|(d, _)| *d = [0.0; 4]);
         self.contacts.begin(Pressing::Exactly);
         self.contacts.slow_discs();

@@ -241,7 +241,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_released_stays_pushed_in() {
+    fn a_released_contact_stays_pushed_in() {
         let law = &laws()[0];
         // F = 1e4 N at 10 mm; back along 4e6 N/m over 2.5 mm.
         assert!((law.permanent(0.01) - 0.0075).abs() < 1e-15);

@@ -97,7 +97,7 @@ impl Pair {
         memory: &Memory,
         gap_0: f64,
     ) -> Option<Touch> {
-        if !matches!(self.target, Target::Axis { .. }) {
+        if !self.target.is_outline() {
             return self.touch_from(model, &at.at(1.0), memory, gap_0, Reach::All);
         }
         let middle = self.touch(model, &at.at(0.5), memory, Reach::Near)?;

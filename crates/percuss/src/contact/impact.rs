@@ -249,7 +249,7 @@ mod tests {
     }
 
     #[test]
-    fn what_was_carried_counts_for_sign_and_friction() {
+    fn carried_impulses_count_for_sign_and_friction() {
         // Leaves at 1 m/s after an impulse of 3; taking back 1 brings it to rest. Friction carried 0.9 of at most 0.3 times 3.
         for (carried, rate, friction) in [(3.0, 0.0, 0.6), (0.4, 0.6, 0.0)] {
             let mut problem = ImpactProblem::default();

@@ -7,7 +7,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::axis::{AxisElements, longest_arc};
-use crate::geometry::pair::{Pair, Target};
+use crate::geometry::pair::Pair;
 use crate::geometry::touch::Reach;
 use crate::math::vec2::norm;
 use crate::model::Model;
@@ -213,7 +213,7 @@ impl Search {
 
     /// Bounds the beams' elements where something is near a face.
     fn measure_arcs(&mut self, model: &Model, state: &State) {
-        let on_face = |i: &usize| matches!(model.pairs[*i].target, Target::Axis { .. });
+        let on_face = |i: &usize| model.pairs[*i].target.is_outline();
         let wanted = self.restless.iter().any(on_face);
         if wanted && !self.arcs.is_empty() && self.loose < LOOSE {
             return;

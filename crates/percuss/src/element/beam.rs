@@ -49,7 +49,7 @@ impl ElementTable {
         let reference = ElementValues { chord, slope_a: a.tangent, slope_b: b.tangent };
         let points = hermite::gauss_points();
         let middle = section(0.5);
-        let gyration = (middle.law.bending / middle.law.axial).sqrt();
+        let gyration = middle.law.gyration();
         let slender = length > MembraneTable::SLENDER * gyration;
         let sampled = slender || fibres;
         let rows = std::array::from_fn(|k| {

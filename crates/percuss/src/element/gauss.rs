@@ -20,7 +20,7 @@ pub struct GaussRow<S = f64> {
     /// Reference configuration.
     pub reference: Reference<S>,
     /// Section constants times the weight, of which the kernels make integrated forces; no axial stiffness where membrane
-    /// strains are those of [`MembraneTable`].
+    /// strains are those of [`MembraneTable`](super::membrane::MembraneTable).
     pub weighed: SectionLaw<S>,
     /// Section constants.
     pub section: SectionLaw<S>,

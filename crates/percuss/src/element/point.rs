@@ -19,6 +19,13 @@ pub struct SectionLaw<S> {
     pub measure: StrainMeasure,
 }
 
+impl SectionLaw<f64> {
+    /// Radius of gyration, the root of bending over axial stiffness \[m\].
+    pub fn gyration(&self) -> f64 {
+        (self.bending / self.axial).sqrt()
+    }
+}
+
 /// The reference configuration at a Gauss point.
 #[derive(Clone, Copy, Debug)]
 pub struct Reference<S = f64> {

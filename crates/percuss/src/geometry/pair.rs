@@ -299,13 +299,51 @@ pub struct Memory {
 impl Pair {
     /// Distance of the source's centre from the target's middle where they touch \[m\].
     pub fn thickness(&self, axes: &impl Axes, memory: &Memory) -> f64 {
-        let Target::Axis { beam, .. } = &self.target else { return self.reach };
-        let element = axes.axis(*beam).get(memory.near.element);
+        let Some(beam) = self.target.beam() else { return self.reach };
+        let element = axes.axis(beam).get(memory.near.element);
         self.reach + element.map_or(0.0, |e| e.half_depth(memory.near.xi))
     }
 }
 
 impl Target {
+    /// Whether it is that of a guided projectile.
+    pub fn is_guided(&self) -> bool {
+        matches!(self, Self::Guided { .. })
+    }
+
+    /// Whether it is the rim of a disc.
+    pub fn is_round(&self) -> bool {
+        matches!(self, Self::Round { .. })
+    }
+
+    /// The beam whose outline it is, if it is one.
+    pub fn beam(&self) -> Option<usize> {
+        match self {
+            Self::Axis { beam, .. } => Some(*beam),
+            _ => None,
+        }
+    }
+
+    /// Whether it is the outline of a beam.
+    pub fn is_outline(&self) -> bool {
+        self.beam().is_some()
+    }
+
+    /// Both ends of the wall that it is, if it is one.
+    pub fn wall(&self) -> Option<&[Centre; 2]> {
+        match self {
+            Self::Segment { ends } => Some(ends),
+            _ => None,
+        }
+    }
+
+    /// Leaves out elements of a beam's outline: from the first of them up to the first behind them.
+    pub fn leave_out(&mut self, elements: [usize; 2]) {
+        if let Self::Axis { skip, .. } = self {
+            *skip = elements;
+        }
+    }
+
     /// Whether it can be touched from two sides.
     pub fn has_sides(&self) -> bool {
         matches!(self, Self::Segment { .. } | Self::Axis { .. })

@@ -140,6 +140,11 @@ pub struct SectionConstants {
 }
 
 impl SectionConstants {
+    /// Radius of gyration, the root of bending over axial stiffness \[m\].
+    pub fn gyration(&self) -> f64 {
+        (self.bending / self.axial).sqrt()
+    }
+
     pub(super) fn of(values: &SectionValues) -> Self {
         let SectionValues { law, mass, area, inertia, young, density, half_depth } = *values;
         let SectionLaw { axial, bending, rotary, .. } = law;

@@ -123,7 +123,7 @@ fn cell(x: f64, near: f64) -> i64 {
 
 /// What is tied, as sets of numbers.
 struct Groups {
-    /// Another member of the same group, or itself, shape (members) \[-\].
+    /// Another member of the same group, or itself, shape (members) \[index of a member\].
     leader: Vec<usize>,
 }
 
@@ -156,7 +156,8 @@ impl Groups {
 /// Ends by the cell of the plane that they lie in, so that each is held against its neighbours alone.
 struct Corners {
     near: f64,
-    /// Lists of ends of one group each, free ones and those that a support holds, by cell, shape (2, groups, ends) \[-\].
+    /// Lists of ends of one group each: free ones, and those that a support holds, shape (cells, 2, lists, ends of one)
+    /// \[index of a cell, index of an end\].
     cells: HashMap<[i64; 2], [Vec<Vec<usize>>; 2]>,
 }
 

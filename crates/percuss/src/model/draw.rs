@@ -56,7 +56,7 @@ impl ModelBuilder {
         let contact = |c: &super::frozen::ContactData| SceneContact {
             name: c.name.clone(),
             between: c.between.clone(),
-            rigid: matches!(c.law, super::definition::TouchLaw::Rigid(_)),
+            rigid: c.law.is_rigid(),
         };
         scene.contacts = model.contacts.iter().map(contact).collect();
         scene

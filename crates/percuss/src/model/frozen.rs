@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 pub use super::acting::*;
-use super::definition::{InitialMotion, StrainMeasure, Strength, TouchLaw};
+use super::definition::{InitialMotion, StrainMeasure, Strength};
 pub use super::point::*;
 pub use super::section_line::SectionLine;
 pub use super::span_fibres::*;
@@ -302,7 +302,7 @@ impl Model {
             || self
                 .bodies
                 .iter()
-                .any(|b| matches!(b.kind, BodyKind::Rear { damping, .. } if damping > 0.0))
+                .any(|b| b.kind.behind().is_some_and(|spring| spring.damping > 0.0))
             || !self.modal_damping.is_empty()
     }
 
@@ -363,20 +363,18 @@ impl Model {
     pub fn projectile_names(&self) -> impl Iterator<Item = (&str, bool)> {
         self.striking_bodies().map(|i| {
             let body = &self.bodies[i];
-            (body.name.as_str(), matches!(body.kind, BodyKind::Disc { .. }))
+            (body.name.as_str(), body.kind.is_disc())
         })
     }
 
     /// Bodies that strike: those of guided projectiles, then discs.
     pub(crate) fn striking_bodies(&self) -> impl Iterator<Item = usize> {
-        let strikes = |b: &Body| matches!(b.kind, BodyKind::Guided | BodyKind::Disc { .. });
-        (0..self.bodies.len()).filter(move |i| strikes(&self.bodies[*i]))
+        (0..self.bodies.len()).filter(|i| self.bodies[*i].kind.strikes())
     }
 
     /// Names of the contacts, those of guided projectiles first, and whether each is set-valued.
     pub fn contact_names(&self) -> impl Iterator<Item = (&str, bool)> {
-        let rigid = |c: &ContactData| matches!(c.law, TouchLaw::Rigid(_));
-        self.contacts.iter().map(move |c| (c.name.as_str(), rigid(c)))
+        self.contacts.iter().map(|c| (c.name.as_str(), c.law.is_rigid()))
     }
 
     /// Whether any contact is set-valued, so that impacts with impulses can occur.

@@ -57,9 +57,9 @@ impl Model {
                 return false;
             }
             last = Some(&pair.target);
-            let other = match &pair.target {
-                Target::Segment { ends } => ends.map(|end| end.place(at)).to_vec(),
-                Target::Axis { beam: onto, .. } if *onto != beam => self.polyline(*onto, at),
+            let other = match (pair.target.wall(), pair.target.beam()) {
+                (Some(ends), _) => ends.map(|end| end.place(at)).to_vec(),
+                (None, Some(onto)) if onto != beam => self.polyline(onto, at),
                 _ => return false,
             };
             if polyline.as_ref().is_none_or(|(of, _)| *of != beam) {
@@ -131,8 +131,8 @@ impl Model {
     }
 
     fn largest_deviation(&self, target: &Target) -> f64 {
-        let Target::Axis { beam, .. } = target else { return 0.0 };
-        let each = self.beams[*beam].axis.iter().map(AxisElement::largest_deviation);
+        let Some(beam) = target.beam() else { return 0.0 };
+        let each = self.beams[beam].axis.iter().map(AxisElement::largest_deviation);
         each.fold(0.0, f64::max)
     }
 
@@ -159,10 +159,10 @@ impl Model {
     }
 
     fn scale_of(&self, pair: &Pair) -> f64 {
-        match &pair.target {
-            Target::Axis { beam, .. } => self.beams[*beam].length.max(pair.reach),
-            Target::Guided { .. } => f64::INFINITY, // its standoff is checked by itself
-            _ => pair.reach.max(1e-3),
+        match pair.target.beam() {
+            Some(beam) => self.beams[beam].length.max(pair.reach),
+            None if pair.target.is_guided() => f64::INFINITY, // its standoff is checked by itself
+            None => pair.reach.max(1e-3),
         }
     }
 }

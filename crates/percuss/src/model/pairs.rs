@@ -159,7 +159,7 @@ impl Pairs<'_> {
         match partner {
             ContactPartner::Beam(_) => Vec::new(),
             ContactPartner::Disc(id) => {
-                let is_disc = |b: &Body| matches!(b.kind, BodyKind::Disc { .. });
+                let is_disc = |b: &Body| b.kind.is_disc();
                 let first = self.model.bodies.iter().position(is_disc).unwrap_or_default();
                 let body = first + id.0 as usize;
                 let disc = &self.builder.discs[id.0 as usize];
@@ -357,9 +357,7 @@ impl Pairs<'_> {
                 axis.partition_point(|e| e.s + e.length <= pair.s - apart),
                 axis.partition_point(|e| e.s < pair.s + apart),
             ];
-            if let Target::Axis { skip: own, .. } = &mut pair.target {
-                *own = skip;
-            }
+            pair.target.leave_out(skip);
             // Of two ends that touch, one is the source.
             pair.skips_ends = pair.s > 0.5 * self.model.beams[beam].length;
         }

@@ -21,10 +21,11 @@ enum Acts<'b> {
     Across,
     /// A support, by what it holds.
     Support(&'b SupportKind),
-    /// A force.
+    /// A force, shape (2) \[N\], in the axes of the plane or, of a follower, along and across the beam.
     Force {
-        /// In the axes of the plane or, of a follower, along and across the beam, shape (2) \[N\].
+        /// The force, shape (2) \[N\].
         force: [f64; 2],
+        /// Whether it follows the beam.
         follower: bool,
     },
 }

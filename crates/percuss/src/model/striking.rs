@@ -45,6 +45,57 @@ pub enum BodyKind {
     Obstacle,
 }
 
+impl BodyKind {
+    /// Whether it is a mass on its line of flight, in front.
+    pub fn is_guided(&self) -> bool {
+        matches!(self, Self::Guided)
+    }
+
+    /// Whether it is a disc.
+    pub fn is_disc(&self) -> bool {
+        self.radius().is_some()
+    }
+
+    /// Radius of a disc \[m\].
+    pub fn radius(&self) -> Option<f64> {
+        match self {
+            Self::Disc { radius } => Some(*radius),
+            _ => None,
+        }
+    }
+
+    /// Whether it moves as prescribed, or stands still.
+    pub fn is_obstacle(&self) -> bool {
+        matches!(self, Self::Obstacle)
+    }
+
+    /// Whether it is a projectile that strikes.
+    pub fn strikes(&self) -> bool {
+        self.is_guided() || self.is_disc()
+    }
+
+    /// The spring and the damper between a mass and the one in front of it; none of what is no rear mass.
+    pub fn behind(&self) -> Option<Behind> {
+        match *self {
+            Self::Rear { direction, stiffness, damping } => {
+                Some(Behind { direction, stiffness, damping })
+            }
+            _ => None,
+        }
+    }
+}
+
+/// What ties a rear mass to the one in front of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Behind {
+    /// Unit vector of the line of flight, shape (2) \[-\].
+    pub direction: [f64; 2],
+    /// Stiffness of the spring between both \[N/m\].
+    pub stiffness: f64,
+    /// Damping between both \[N s/m\].
+    pub damping: f64,
+}
+
 /// An obstacle: those that stand still share one body, the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObstacleData {

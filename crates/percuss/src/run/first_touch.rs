@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::touch::{Reach, Touch};
-use crate::model::{Model, TouchLaw};
+use crate::model::Model;
 use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 use crate::step::tangent::{Singular, Tangent};
 
@@ -46,7 +46,7 @@ impl<'m> FirstTouches<'m> {
         let data = &model.contacts[contact];
         let pairs = &model.pairs[data.pairs.clone()];
         let beams = |pair: &Pair| pair.movers.iter().any(|m| *m < model.beams.len());
-        if !matches!(data.law, TouchLaw::Rigid(_)) || !pairs.first().is_some_and(beams) {
+        if !data.law.is_rigid() || !pairs.first().is_some_and(beams) {
             return None;
         }
         let (rest, velocity) = (&self.rest, &self.velocity);

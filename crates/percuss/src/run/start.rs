@@ -8,7 +8,7 @@ use crate::analysis::{equilibrium, mechanisms};
 use crate::error::Error;
 use crate::geometry::row::Row;
 use crate::math::vec2::{dot, rot90, scale};
-use crate::model::frozen::{BeamData, Body, BodyKind};
+use crate::model::frozen::{BeamData, Body};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
@@ -148,7 +148,7 @@ pub fn initial_acceleration(model: &Model, step: f64, state: &mut State, pressed
         (0..4).for_each(|k| f[k] += a[k]);
     }
     // Bodies fall freely, but for what the contacts of an equilibrium carry: no spring is pressed.
-    let falling = |b: &Body| if b.kind == BodyKind::Obstacle { [0.0; 2] } else { forcing.gravity };
+    let falling = |b: &Body| if b.kind.is_obstacle() { [0.0; 2] } else { forcing.gravity };
     force.extend(model.bodies.iter().map(falling).map(|g| [g[0], g[1], 0.0, 0.0]));
     for (body, (a, f)) in
         model.bodies.iter().zip(force[beams..].iter_mut().zip(&contact_forces[beams..]))

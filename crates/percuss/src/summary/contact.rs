@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::peak::Peak;
 use crate::geometry::dents::CarriedCrush;
-use crate::geometry::pair::Target;
-use crate::model::{Model, TouchLaw};
+
+use crate::model::Model;
 use crate::state::PairState;
 use crate::step::effective_mass::EffectiveMass;
 
@@ -298,8 +298,10 @@ impl PressedIn {
     /// Of a pair that is seen so at a time; `None` if it is open, or touches what has no middle.
     pub(crate) fn of(model: &Model, i: usize, seen: &PairState, time: f64) -> Option<Self> {
         let pair = &model.pairs[i];
-        let TouchLaw::Smooth(law) = &model.contacts[pair.contact].law else { return None };
-        let (Target::Axis { .. } | Target::Round { .. }) = pair.target else { return None };
+        let law = model.contacts[pair.contact].law.smooth()?;
+        if !(pair.target.is_outline() || pair.target.is_round()) {
+            return None;
+        }
         let through = pair.thickness(model, &seen.memory);
         let pressed = Self { penetration: -law.free_gap(seen), through, time };
         (pressed.penetration > 0.0 && through > 0.0).then_some(pressed)

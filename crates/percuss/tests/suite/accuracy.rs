@@ -154,7 +154,7 @@ fn steps_that_were_refused_leave_nothing_in_fibres() {
 }
 
 #[test]
-fn what_an_accuracy_does_not_go_with_is_a_fault() {
+fn settings_that_exclude_an_accuracy_are_faults() {
     let model = soft();
     let good = accurate(&model, 0.1, 0.01);
     let time_stepping = ImpactResolution::TimeStepping { closed_tolerance: 1e-9 };

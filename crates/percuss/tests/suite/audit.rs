@@ -19,7 +19,7 @@ fn cantilever(b: &mut ModelBuilder, from: [f64; 2], to: [f64; 2]) -> BeamId {
 }
 
 #[test]
-fn what_moves_towards_the_origin_has_a_scale_of_angular_momentum() {
+fn motion_towards_the_origin_has_a_scale_of_angular_momentum() {
     // A bar along the first axis, pulled along itself: no part of it has an angular momentum about the origin, of a mass of 20 kg that
     // moves at 0.1 m/s half a metre away from it.
     let mut b = ModelBuilder::new();
@@ -56,7 +56,7 @@ fn a_structure_at_rest_closes_its_balances() {
 }
 
 #[test]
-fn what_passes_through_is_a_scale() {
+fn momentum_passed_through_is_a_scale() {
     // A cantilever that rests under its weight: no momentum, and weight and clamp give and take as much in each step.
     let mut b = ModelBuilder::new();
     let _ = cantilever(&mut b, [0.0, 0.0], [1.0, 0.0]);

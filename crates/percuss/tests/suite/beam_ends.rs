@@ -298,7 +298,7 @@ fn a_bar_hardly_longer_than_deep_touches_with_one_point() {
 }
 
 #[test]
-fn what_ends_in_points_on_either_side_is_refused_with_the_cure() {
+fn pointed_ends_on_either_side_are_refused_with_the_cure() {
     let law = || rigid(1.0);
     let line = |b: &mut ModelBuilder, depth: Option<f64>| {
         let material = b.material(Material::new("soft", 2e9, 1e3));

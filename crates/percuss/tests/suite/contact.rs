@@ -172,7 +172,7 @@ fn rigid_discs_bounce_slide_and_rub_with_closed_balances() {
 }
 
 #[test]
-fn what_has_no_thickness_on_either_side_is_refused_with_the_cure() {
+fn contacts_without_thickness_are_refused_with_the_cure() {
     let built = |depths: [Option<f64>; 2]| {
         let mut b = ModelBuilder::new();
         let material = b.material(Material::new("soft", 2e9, 1e3));

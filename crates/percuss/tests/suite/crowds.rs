@@ -310,7 +310,7 @@ fn a_moving_pile_with_friction_runs_through() {
 }
 
 #[test]
-fn what_opens_from_round_off_below_zero_is_not_located_there_for_ever() {
+fn a_contact_opening_from_round_off_below_zero_is_located_once() {
     // Inside by less than a picometre, it leaves and falls back within 37 ns.
     let mut b = ModelBuilder::new();
     let (material, section) = bar(&mut b, 1e8, 0.1);

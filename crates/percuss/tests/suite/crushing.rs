@@ -119,7 +119,7 @@ fn a_beam_struck_again_and_again_closes_its_balance() {
 }
 
 #[test]
-fn what_rests_on_it_has_crushed_it_as_far_as_its_weight_tells() {
+fn a_resting_weight_has_crushed_the_contact_to_its_static_depth() {
     let (loading, unloading, gravity) = (1e5, 9e5, 9.81);
     let model = on_floor(crushing(loading, unloading), gravity).build().unwrap();
     let found = equilibrium(&model).unwrap();
@@ -195,7 +195,7 @@ fn between_planes(along: f64) -> RunSummary {
 }
 
 #[test]
-fn what_strikes_another_place_finds_it_whole_and_what_comes_back_finds_its_dent() {
+fn dents_are_found_again_where_they_were_made_only() {
     let [loading, unloading] = STIFFNESSES;
     let near = |found: f64, exact: f64, what: &str| {
         assert!((found / exact - 1.0).abs() < 1e-3, "{what}: {found}, {exact} expected");
@@ -252,7 +252,7 @@ fn dents_belong_to_places_of_a_beam() {
 /// Let go on the floor it is pressed in twice as deep as it would rest, and slides on from there: as deep as its floor is only where it
 /// was pressed in.
 #[test]
-fn what_slides_on_while_it_presses_carries_its_dent_along_and_that_is_told() {
+fn a_sliding_contact_carries_its_dent_along() {
     let (loading, unloading, gravity) = (1e5, 9e5, 9.81);
     let carried = [0.0, 1.0].map(|along| {
         let ball = disc("ball", MASS, RADIUS, [0.0, RADIUS], [along, 0.0]);

@@ -136,7 +136,7 @@ fn laid_on_arc(
 }
 
 #[test]
-fn what_lies_on_the_circle_of_an_arc_touches_it_and_is_not_inside() {
+fn a_disc_on_the_circle_of_an_arc_touches_without_overlap() {
     // A cubic over an angle t lies beside its circle by t^4/384 of the radius.
     let beside = |elements: usize| (1.2 / elements as f64).powi(4) / 384.0;
     let mut nearest = f64::INFINITY;
@@ -163,7 +163,7 @@ fn what_lies_on_the_circle_of_an_arc_touches_it_and_is_not_inside() {
 
 /// A disc that all but fills its arc touches it along its whole length, and wherever cubics bulge inwards.
 #[test]
-fn what_fits_into_an_arc_is_not_inside_where_its_elements_bulge() {
+fn a_disc_that_fits_an_arc_has_no_overlap_with_bulging_elements() {
     for elements in [3, 5, 12] {
         let mut b = ModelBuilder::new();
         let material = b.material(Material::new("steel", 2.1e11, 7850.0));

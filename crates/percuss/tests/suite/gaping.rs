@@ -104,7 +104,7 @@ fn walls_that_gape_and_crush_keep_their_balance_under_any_blow() {
 }
 
 #[test]
-fn what_bears_one_sign_has_neither_kinematic_hardening_nor_rate() {
+fn materials_of_one_sign_have_neither_kinematic_hardening_nor_rate() {
     let mut b = ModelBuilder::new();
     let curve = vec![Hardening { from: 0.0, stress: 30e6, modulus: 0.0 }];
     let overstress = Some(Overstress { rate: 40.0, exponent: 5.0 });

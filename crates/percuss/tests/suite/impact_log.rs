@@ -207,7 +207,7 @@ fn an_obstacle_that_darts_within_a_step_strikes() {
 }
 
 #[test]
-fn what_lies_across_a_beam_is_refused_with_a_cure() {
+fn a_wall_across_a_beam_is_refused_with_a_cure() {
     let built = |shift: [f64; 2]| {
         let mut b = ModelBuilder::new();
         let girder = plank(&mut b, 7);
@@ -271,7 +271,7 @@ impl Recorder for Gaps {
 }
 
 #[test]
-fn what_is_seen_from_the_other_face_is_not_inside() {
+fn a_source_at_the_other_face_is_not_inside() {
     // A free plank turns once and a half in front of a disc that stands above its middle: it shows it both faces.
     let mut b = ModelBuilder::new();
     let girder = plank(&mut b, 7);

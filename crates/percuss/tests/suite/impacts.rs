@@ -163,7 +163,7 @@ fn impulses_of_the_rows_add_up_to_the_momentum_handed_over() {
 }
 
 #[test]
-fn what_a_projectile_gave_is_told_apart_from_what_the_structure_received() {
+fn energy_given_by_a_projectile_is_told_apart_from_that_received() {
     // A free beam with a local mass of 20 kg at the struck point: 1 kg at 10 m/s gives nearly all of its 50 J, most of which the impact takes.
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("steel", 2.1e11, 7850.0));

@@ -84,7 +84,7 @@ fn rows_after_many_short_parts_of_a_step_tell_no_larger_reaction_than_the_steps_
 }
 
 #[test]
-fn what_rests_lets_go_with_the_velocity_of_its_gap_and_impulses_add_up() {
+fn a_resting_contact_parts_with_the_velocity_of_its_gap() {
     // A mass without bounce on a springy beam: it comes to rest on it and is let go many times.
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("m", 7e10, 3e3));

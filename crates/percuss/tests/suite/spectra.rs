@@ -268,7 +268,7 @@ fn equal_columns_buckle_as_often_as_there_are() {
 }
 
 #[test]
-fn what_has_no_mass_does_not_run_in_time_and_is_named() {
+fn massless_beams_are_refused_in_time_and_named() {
     let model = straight(4, 0.0, |b, beam| {
         clamp(b, beam, 0.0);
         tip_mass(b, beam);

@@ -247,7 +247,7 @@ fn a_ball_rests_in_the_middle_of_a_beam_and_its_supports_carry_both() {
 }
 
 #[test]
-fn what_nothing_holds_is_named() {
+fn beams_that_nothing_holds_are_named() {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
     let bar = b.beam(beam("bar", [0.0, 0.0], [1.0, 0.0], 4, material, section));

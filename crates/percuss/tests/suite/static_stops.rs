@@ -122,7 +122,7 @@ fn a_path_on_stops_ends_in_the_equilibrium() {
 
 /// A stop on the wrong side holds nothing, and the beam is named.
 #[test]
-fn what_no_stop_holds_is_named() {
+fn beams_that_no_stop_holds_are_named() {
     let error = equilibrium(&mast(Guys::Windward, 0.0)).unwrap_err();
     assert_eq!(error.code(), AnalysisCode::NothingHolds, "{error}");
     assert!(error.to_string().contains("mast"), "{error}");

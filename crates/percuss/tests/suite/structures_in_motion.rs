@@ -153,7 +153,7 @@ fn a_transient_from_static_equilibrium_stays_there() {
 }
 
 #[test]
-fn what_is_at_rest_stays_at_rest_until_its_load_begins() {
+fn a_structure_stays_at_rest_until_its_load_begins() {
     // Inclined beams: their reference strains are round-off, not zero.
     for k in 0..12 {
         let angle = 0.1 + 0.5 * f64::from(k);

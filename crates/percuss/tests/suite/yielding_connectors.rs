@@ -255,7 +255,7 @@ fn a_hinge_turns_by_the_energy_it_is_given_over_its_moment() {
 }
 
 #[test]
-fn what_cannot_follow_a_yielding_connector_says_so() {
+fn analyses_without_yielding_connectors_say_so() {
     let model = swung(Some(hardening()));
     let settings = Settings { scheme: Scheme::StrainRate, ..Settings::new(0.01, 1e-4) };
     let faults = Simulation::new(&model, &settings).err().unwrap();

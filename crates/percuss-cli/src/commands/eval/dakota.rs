@@ -1,7 +1,7 @@
 //! Dakota's files of parameters, in the standard form (a value, its label) and in that of aprepro (`{ label = value }`), and its files
 //! of results (Dakota user manual, "Inputs to Dakota: parameters file format", "Outputs from Dakota: results file format").
 
-use super::{Answered, Asked, Wanted};
+use super::asked::{Answered, Asked, Wanted};
 
 /// Bits of the active set vector.
 const VALUE: u32 = 1;
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_such_file_is_told() {
+    fn files_of_another_format_are_refused() {
         let told = |text: &str| read(text).err().unwrap_or_default();
         assert!(told("hello").contains("a count of `variables`"));
         assert!(told("3 variables\n1 a\n").contains("ends within its 3 variables: it has 1"));

@@ -2,7 +2,7 @@
 
 use serde_json::{Map, Value, json};
 
-use super::{Answered, Asked};
+use super::asked::{Answered, Asked};
 
 /// A point by the names of its parameters.
 pub fn read(text: &str) -> Result<Asked, String> {

@@ -6,7 +6,8 @@ use percuss::Termination;
 use percuss_codes::{AnalysisCode, Caution, RequestCode};
 
 use super::checkpoints::Checkpoints;
-use super::{Ended, balance, shown, table};
+use super::ended::{Ended, shown};
+use super::{balance, table};
 use crate::outcome::{Failure, Status};
 use crate::run_arguments::Run;
 use crate::{advisor, browser, interrupt, terminal};

@@ -11,9 +11,9 @@ use crate::progress::Progress;
 /// Total energy over time, kept in memory.
 #[derive(Clone, Debug, Default)]
 pub struct EnergySeries {
-    /// Times \[s\].
+    /// Times, shape (rows) \[s\].
     pub time: Vec<f64>,
-    /// Total energies \[J\].
+    /// Total energies, shape (rows) \[J\].
     pub energy: Vec<f64>,
     column: usize,
 }

@@ -1,6 +1,7 @@
 //! The table at the end of a run.
 
 mod contacts;
+mod lines;
 
 use std::path::Path;
 
@@ -12,14 +13,14 @@ use percuss_advice::Comparison;
 use percuss_output::report::story;
 use serde_json::Value;
 
-use super::Ended;
 use super::drift::{drift, unresolved};
+use super::ended::Ended;
 use crate::number::{count, number, small};
 use crate::terminal::{self, painted};
 use contacts::{contact_lines, touched};
+use lines::listed;
 
-/// Impacts and intervals listed for a contact, and results beside hand formulas.
-const LISTED: usize = 3;
+/// Results beside hand formulas listed for a contact.
 const HANDED: usize = 6;
 /// Contacts named that never closed.
 const NAMED: usize = 6;
@@ -290,15 +291,6 @@ fn energy(run: &RunSummary) -> String {
     parts.extend(present.map(|(label, value)| format!("{label} {} J", number(*value))));
     parts.push(format!("residual {} (relative)", small(energy.residual_max)));
     parts.join(", ")
-}
-
-/// The first few of `count` items, and how many more there are.
-fn listed<T>(items: &[T], count: usize, most: usize, line: impl Fn(&T) -> String) -> Vec<String> {
-    let mut lines: Vec<String> = items.iter().take(most).map(line).collect();
-    if count > lines.len() {
-        lines.push(format!("and {} more", count - lines.len()));
-    }
-    lines
 }
 
 /// A result beside a hand formula, and whether the formula's assumptions are met.

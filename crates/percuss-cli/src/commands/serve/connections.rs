@@ -45,8 +45,9 @@ enum State {
 struct Connection {
     stream: TcpStream,
     state: State,
-    /// What has come and is not answered yet.
+    /// What has come and is not answered yet, shape (bytes) \[-\].
     input: Vec<u8>,
+    /// What is answered and not sent yet, shape (bytes) \[-\].
     output: VecDeque<u8>,
     /// When what is being done has to be over; an answer takes as long as it takes.
     until: Option<Instant>,

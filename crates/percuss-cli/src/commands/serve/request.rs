@@ -40,7 +40,7 @@ pub enum Parsed {
 /// Who may ask: names that a request may call this server by, and the token that its path begins with.
 #[derive(Clone, Debug)]
 pub struct Gate {
-    /// Names besides `localhost` and addresses in numbers, which no page of another site can take for its own.
+    /// Names besides `localhost` and addresses in numbers, which no page of another site can take for its own, shape (names).
     pub hosts: Vec<String>,
     /// What a path begins with.
     pub token: Option<String>,

@@ -6,9 +6,9 @@ use std::path::Path;
 
 use percuss_verification::{Check, Tolerance};
 
+use super::done::{Done, verdict};
 use super::figure::{drawn, sketch};
 use super::table::{cells, share_used};
-use super::{Done, verdict};
 use crate::outcome::Failure;
 use crate::replacing;
 

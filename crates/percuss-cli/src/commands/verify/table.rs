@@ -2,7 +2,7 @@
 
 use percuss_verification::{Check, Tolerance};
 
-use super::Done;
+use super::done::Done;
 use crate::number::{number, small};
 
 const HEADER: [&str; 7] =

@@ -11,7 +11,7 @@ pub(super) struct Entry {
     pub(super) start: f64,
     pub(super) end: f64,
     pub(super) value: Value,
-    /// The touches of chatter; empty for one alone.
+    /// The touches of chatter; empty for one alone, shape (touches).
     pub(super) touches: Vec<Entry>,
 }
 

@@ -33,7 +33,7 @@ pub(crate) struct Along {
     pub factor: f64,
     /// Whether the load turns there.
     pub limit: bool,
-    /// Of the recorded points.
+    /// Of the recorded points, shape (points, 2) \[m\].
     pub displacements: Vec<[f64; 2]>,
     pub frame: StoredFrame,
 }
@@ -44,6 +44,7 @@ const DRAWN: usize = 24;
 /// A path and the equilibria kept along it.
 pub(crate) struct PathPage<'a> {
     pub info: &'a PathInfo<'a>,
+    /// Equilibria kept along it, shape (equilibria).
     pub along: Vec<Along>,
 }
 

@@ -173,7 +173,7 @@ mod tests {
 
     /// Of several beams each figure is that of the beam that it is largest of.
     #[test]
-    fn what_several_beams_did_is_told_of_the_right_one() {
+    fn each_sentence_names_the_beam_with_the_largest_value() {
         let beam = |time: f64, strain: f64, set: f64| {
             json!({
                 "first_yield": { "time": time, "s": 0.5 },

@@ -68,8 +68,8 @@ impl PathRecorder for Nothing {
 
 /// Follows the equilibrium path of `model` under its loads, all growing with one factor, from rest.
 ///
-/// Prescribed motions take no part. A path of [`PathEnd::Displacement`] ends exactly there, one of [`PathEnd::Factor`] where the
-/// factor is first met. Where something fails (fibres, springs, hinges, joints of a given strength) an arc ends, and what it gave is
+/// Prescribed motions take no part. A path of [`PathEnd::Displacement`](crate::PathEnd::Displacement) ends exactly there, one of
+/// [`PathEnd::Factor`](crate::PathEnd::Factor) where the factor is first met. Where something fails (fibres, springs, hinges, joints of a given strength) an arc ends, and what it gave is
 /// let go at that load factor, or at that displacement if the path goes to one; where that leads to no equilibrium the path ends.
 ///
 /// # Errors

@@ -3,12 +3,12 @@
 
 use super::place::RestingDisc;
 use super::{STRIDE, StaticContacts, WEAK};
-use crate::geometry::pair::{Pair, Target};
+use crate::geometry::pair::Pair;
 use crate::linalg::block::ZERO;
 use crate::linalg::chain::Chain;
 use crate::math::vec2::{norm, scale};
+use crate::model::Model;
 use crate::model::frozen::BeamData;
-use crate::model::{Model, TouchLaw};
 use crate::step::forcing::Forcing;
 use crate::step::tangent::Tangent;
 
@@ -184,10 +184,10 @@ impl StaticContacts {
     /// How deep a disc of the pair may be pushed in by a correction \[m\].
     pub(super) fn deep(&self, model: &Model, pair: &Pair) -> f64 {
         let stride = STRIDE * self.size;
-        if let Target::Round { .. } = pair.target {
+        if pair.target.is_round() {
             return (0.5 * pair.reach).min(stride);
         }
-        let TouchLaw::Smooth(law) = &model.contacts[pair.contact].law else { return stride };
+        let Some(law) = model.contacts[pair.contact].law.smooth() else { return stride };
         let mass = |disc: &RestingDisc| model.bodies[disc.body].mass;
         let weight = self.discs.iter().map(mass).fold(0.0, f64::max) * model.gravity();
         let mut deep = stride;

@@ -17,11 +17,11 @@ pub use results::StaticContact;
 use crate::geometry::axis::longest_arc;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::dents::{Dent, Dents};
-use crate::geometry::pair::{Memory, Pair, Target};
+use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::row::Row;
 use crate::geometry::touch::Reach;
-use crate::model::frozen::BodyKind;
-use crate::model::{Model, TouchLaw};
+
+use crate::model::Model;
 use crate::state::State;
 use crate::step::forcing::Forcing;
 use crate::step::tangent::Tangent;
@@ -81,18 +81,14 @@ pub(super) struct StaticContacts {
 /// Whether a body takes part in an equilibrium: at rest, and not on a line of flight.
 fn rests(model: &Model, body: usize) -> bool {
     let body = &model.bodies[body];
-    match body.kind {
-        BodyKind::Obstacle => true,
-        BodyKind::Disc { .. } => body.velocity == [0.0; 2] && body.spin == 0.0,
-        BodyKind::Guided | BodyKind::Rear { .. } => false,
-    }
+    let is_disc_at_rest = body.kind.is_disc() && body.velocity == [0.0; 2] && body.spin == 0.0;
+    body.kind.is_obstacle() || is_disc_at_rest
 }
 
 /// Whether a pair takes part.
 pub(crate) fn takes_part(model: &Model, pair: &Pair) -> bool {
     let beams = model.beams.len();
-    !matches!(pair.target, Target::Guided { .. })
-        && pair.movers.iter().all(|m| *m < beams || rests(model, m - beams))
+    !pair.target.is_guided() && pair.movers.iter().all(|m| *m < beams || rests(model, m - beams))
 }
 
 impl StaticContacts {
@@ -111,7 +107,7 @@ impl StaticContacts {
             let weight = if weight > 0.0 { weight } else { WEAK * other };
             RestingDisc { body, node: model.body_node(body), spring: WEAK * weight / extent }
         };
-        let is_disc = |i: &usize| matches!(model.bodies[*i].kind, BodyKind::Disc { .. });
+        let is_disc = |i: &usize| model.bodies[*i].kind.is_disc();
         let discs: Vec<RestingDisc> = (0..model.bodies.len())
             .filter(is_disc)
             .filter(|i| rests(model, *i))
@@ -123,7 +119,7 @@ impl StaticContacts {
         for (i, pair) in model.pairs.iter().enumerate().filter(|(_, p)| takes_part(model, p)) {
             let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
             let memory = touch.map_or(Memory::default(), |t| t.memory);
-            let rigid = matches!(model.contacts[pair.contact].law, TouchLaw::Rigid(_));
+            let rigid = model.contacts[pair.contact].law.is_rigid();
             let of_disc = |d: &RestingDisc| pair.movers.contains(&(model.beams.len() + d.body));
             contacts.places.push(CandidatePair {
                 pair: i,
@@ -205,7 +201,7 @@ impl StaticContacts {
         self.places.iter_mut().for_each(|place| place.accepted = place.seen);
         for (place, dents) in self.places.iter_mut().zip(&mut self.dents) {
             let pair = &model.pairs[place.pair];
-            let TouchLaw::Smooth(law) = &model.contacts[pair.contact].law else { continue };
+            let Some(law) = model.contacts[pair.contact].law.smooth() else { continue };
             if law.unloading.is_some() {
                 let face = (dents, pair.reach - pair.target_radius);
                 let now = Dent { place: place.on_face, side: place.seen.side, depth: -place.gap };
@@ -251,7 +247,7 @@ impl StaticContacts {
             parted: &base.parted,
         };
         self.arcs.clear();
-        let on_axis = |p: &CandidatePair| matches!(model.pairs[p.pair].target, Target::Axis { .. });
+        let on_axis = |p: &CandidatePair| model.pairs[p.pair].target.is_outline();
         if self.places.iter().any(on_axis) {
             let arcs = model.beams.iter().map(|b| longest_arc(&b.axis, &model.nodes, &start));
             self.arcs.extend(arcs);

@@ -5,8 +5,8 @@ use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::row::Row;
 use crate::geometry::touch::Touch;
 use crate::geometry::turning::Turning;
+use crate::model::Model;
 use crate::model::frozen::PrescribedDofs;
-use crate::model::{Model, TouchLaw};
 use crate::step::contacts::{add_tangent, add_turning};
 use crate::step::tangent::Tangent;
 
@@ -71,20 +71,20 @@ impl CandidatePair {
     ) {
         self.gap = touch.gap;
         self.s = pair.along(touch);
-        match &model.contacts[pair.contact].law {
-            TouchLaw::Smooth(law) => {
+        match model.contacts[pair.contact].law.smooth() {
+            Some(law) => {
                 self.force = law.force(-touch.gap, self.deepest);
                 self.slope = law.stiffness(-touch.gap, self.deepest);
                 self.closed = false;
             }
-            TouchLaw::Rigid(_) if self.is_exact && pressing != Pressing::Following => {
+            None if self.is_exact && pressing != Pressing::Following => {
                 if touch.gap == f64::INFINITY {
                     self.multiplier = 0.0;
                 }
                 self.closed = self.multiplier > 0.0;
                 self.force = self.multiplier;
             }
-            TouchLaw::Rigid(_) => {
+            None => {
                 let round_off = ROUND_OFF * size;
                 let gap = if touch.gap.abs() <= round_off { 0.0 } else { touch.gap };
                 let pushed = self.multiplier - self.stiffness * gap;
@@ -102,16 +102,14 @@ impl CandidatePair {
         tangent: &mut Tangent,
         pressing: Pressing,
     ) {
-        let (slope, bend) = match &model.contacts[pair.contact].law {
-            TouchLaw::Smooth(law) => (law.stiffness(-touch.gap, self.deepest), self.force),
-            TouchLaw::Rigid(_) if self.is_exact && pressing == Pressing::Exactly => {
-                (0.0, self.multiplier)
-            }
-            TouchLaw::Rigid(_) if self.is_exact && pressing == Pressing::Held => {
+        let (slope, bend) = match model.contacts[pair.contact].law.smooth() {
+            Some(law) => (law.stiffness(-touch.gap, self.deepest), self.force),
+            None if self.is_exact && pressing == Pressing::Exactly => (0.0, self.multiplier),
+            None if self.is_exact && pressing == Pressing::Held => {
                 (self.stiffnesses[1], self.multiplier)
             }
             // What closes has not yet a force of which the turning could be told.
-            TouchLaw::Rigid(_) => (self.stiffness, self.multiplier.max(0.0)),
+            None => (self.stiffness, self.multiplier.max(0.0)),
         };
         let row = moving(model, &self.row);
         let moving = |t: Turning| Turning { forms: t.forms.map(|form| moving(model, &form)), ..t };

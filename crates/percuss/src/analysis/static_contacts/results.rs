@@ -10,7 +10,7 @@ use crate::geometry::row::Row;
 use crate::geometry::touch::Reach;
 use crate::geometry::turning::Turning;
 use crate::math::vec2::{add, cross, scale};
-use crate::model::{Model, TouchLaw};
+use crate::model::Model;
 use crate::state::State;
 
 /// A contact of an equilibrium: the sum over the places where it is closed.
@@ -66,9 +66,9 @@ impl StaticContacts {
             let memory = Memory { near: place.seen.near, ..place.accepted };
             let touch = pair.touch(model, &at, &memory, Reach::All)?;
             let row = moving(model, &pair.normal_row(&touch, &at));
-            let stiffness = match &model.contacts[pair.contact].law {
-                TouchLaw::Smooth(law) => law.held_stiffness(-touch.gap),
-                TouchLaw::Rigid(_) => place.stiffnesses[1],
+            let stiffness = match model.contacts[pair.contact].law.smooth() {
+                Some(law) => law.held_stiffness(-touch.gap),
+                None => place.stiffnesses[1],
             };
             let of_sections = pair.section_turnings(&touch, &at).into_iter().flatten();
             let turnings = pair.turning(&touch, &at).into_iter().chain(of_sections);
@@ -137,6 +137,6 @@ fn open(model: &Model, contact: usize) -> StaticContact {
         gap: f64::INFINITY,
         s: [f64::NAN; 2],
         centre: f64::NAN,
-        frictional: matches!(data.law, TouchLaw::Rigid(law) if law.friction > 0.0),
+        frictional: data.law.has_friction(),
     }
 }

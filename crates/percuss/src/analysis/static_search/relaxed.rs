@@ -9,7 +9,7 @@ use super::{Pressing, Reached, StaticContacts, StaticSearch, constraint_step, la
 use crate::analysis::spectrum::{metric, size};
 use crate::element::fibre::StressLaw;
 use crate::model::Model;
-use crate::model::frozen::BodyKind;
+
 use crate::step::newton::prescribe;
 use crate::step::tangent::{inner, project};
 
@@ -118,7 +118,7 @@ impl StaticSearch<'_> {
         prescribe(self.model, &self.forcing, &mut self.work.increment);
         let beams = self.model.beam_node_count();
         let bodies = self.work.increment[beams..].iter_mut().zip(&self.model.bodies);
-        bodies.filter(|(_, body)| body.kind == BodyKind::Obstacle).for_each(|(d, _)| *d = [0.0; 4]);
+        bodies.filter(|(_, body)| body.kind.is_obstacle()).for_each(|(d, _)| *d = [0.0; 4]);
         self.contacts.begin(Pressing::Exactly);
         self.contacts.slow_discs();
     }

@@ -123,7 +123,7 @@ fn one_sided_of(slack: Slack, law: PlasticLaw) -> StressLaw {
 
 /// It yields in compression, gapes from its plastic strain on, and bears again where the gap closes.
 #[test]
-fn what_gapes_closes_where_it_was_crushed_to() {
+fn a_gaping_fibre_closes_at_its_plastic_strain() {
     let law = one_sided_of(Slack::Tension, law_of(law(0.0, 0.0, None)));
     let mut state = FibreState::default();
     let mut strain = 0.0;

@@ -313,13 +313,39 @@ pub fn hunt_crossley(restitution: f64, velocity: f64) -> f64 {
 }
 
 impl TouchLaw {
+    /// The law of a force that grows with the penetration, if it is one.
+    pub fn smooth(&self) -> Option<&SmoothLaw> {
+        match self {
+            Self::Smooth(law) => Some(law),
+            Self::Rigid(_) => None,
+        }
+    }
+
+    /// The law of impulses, if there is no penetration.
+    pub fn rigid(&self) -> Option<&RigidLaw> {
+        match self {
+            Self::Rigid(law) => Some(law),
+            Self::Smooth(_) => None,
+        }
+    }
+
+    /// Whether it allows no penetration.
+    pub fn is_rigid(&self) -> bool {
+        self.rigid().is_some()
+    }
+
+    /// Whether what touches can stick.
+    pub(crate) fn has_friction(&self) -> bool {
+        self.rigid().is_some_and(|law| law.friction > 0.0)
+    }
+
     /// Whether a force of it depends on a rate.
     pub(crate) fn dissipates(&self) -> bool {
-        matches!(self, Self::Smooth(law) if law.dissipation > 0.0)
+        self.smooth().is_some_and(|law| law.dissipation > 0.0)
     }
 
     /// Whether a force of it depends on how deep it was pushed in before.
     pub fn crushes(&self) -> bool {
-        matches!(self, Self::Smooth(law) if law.unloading.is_some())
+        self.smooth().is_some_and(|law| law.unloading.is_some())
     }
 }

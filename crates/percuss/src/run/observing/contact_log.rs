@@ -14,7 +14,7 @@ use crate::geometry::pair::Pair;
 use crate::geometry::row::Row;
 use crate::geometry::touch::{Reach, Touch};
 use crate::model::frozen::ContactData;
-use crate::model::{Model, SmoothLaw, TouchLaw};
+use crate::model::{Model, SmoothLaw};
 use crate::run::solving::trial::{Accepted, Solved};
 use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
@@ -115,18 +115,15 @@ struct StepViews<'a> {
 impl StepViews<'_> {
     /// Law of the smooth contact `k` of the step.
     fn law(&self, k: usize) -> Option<&SmoothLaw> {
-        match &self.model.contacts[self.model.pairs[self.work.smooth[k].pair].contact].law {
-            TouchLaw::Smooth(law) => Some(law),
-            TouchLaw::Rigid(_) => None,
-        }
+        self.model.contacts[self.model.pairs[self.work.smooth[k].pair].contact].law.smooth()
     }
 }
 
 impl ContactLog {
     /// Nothing has happened yet.
     pub fn new(model: &Model, state: &State) -> Self {
-        let record = |contact: &ContactData| match &contact.law {
-            TouchLaw::Smooth(law) => {
+        let record = |contact: &ContactData| match contact.law.smooth() {
+            Some(law) => {
                 let each = state.pairs[contact.pairs.clone()].iter();
                 let value: f64 = each.map(|p| law.force(-p.gap, p.deepest)).sum();
                 // What has not closed yet has no force, not one of zero at some instant.
@@ -134,7 +131,7 @@ impl ContactLog {
                 let peak_force = if value > 0.0 { start } else { Peak::default() };
                 ContactRecord::Smooth { peak_force, intervals: Vec::new() }
             }
-            TouchLaw::Rigid(_) => ContactRecord::Nonsmooth {
+            None => ContactRecord::Nonsmooth {
                 impacts: Vec::new(),
                 impact_count: 0,
                 fallback_count: 0,

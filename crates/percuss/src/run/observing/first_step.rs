@@ -1,8 +1,8 @@
 //! The step a run begins with where an accuracy is asked for in place of a step.
 
 use crate::math::vec2::norm;
-use crate::model::frozen::{BeamData, BodyKind};
-use crate::model::{Model, SmoothLaw, TouchLaw};
+use crate::model::frozen::BeamData;
+use crate::model::{Model, SmoothLaw};
 
 /// First steps in the time in which a membrane wave runs along the shortest beam.
 const STEPS_IN_TRANSIT: f64 = 50.0;
@@ -22,7 +22,7 @@ pub fn first_step(model: &Model, end: f64) -> f64 {
     let beams = model.beams.iter().map(|beam| of_beam(model, beam));
     let gravity = model.gravity();
     let bodies = model.bodies.iter().filter_map(|body| {
-        let BodyKind::Disc { radius } = body.kind else { return None };
+        let radius = body.kind.radius()?;
         let speed = body.velocity[0].hypot(body.velocity[1]);
         Some((radius / speed).min((radius / gravity).sqrt()) / STEPS_IN_RADIUS)
     });
@@ -39,7 +39,7 @@ pub fn contact_steps(model: &Model, share: f64) -> Vec<f64> {
     for ((projectile, struck), (contact, step)) in
         model.projectiles.iter().zip(masses).zip(model.contacts.iter().zip(&mut steps))
     {
-        let TouchLaw::Smooth(law) = &contact.law else { continue };
+        let Some(law) = contact.law.smooth() else { continue };
         let body = &model.bodies[projectile.body];
         let held = struck.on_mesh.max(struck.limit);
         let mass = if held.is_finite() { 1.0 / (1.0 / body.mass + 1.0 / held) } else { body.mass };

@@ -3,11 +3,11 @@
 use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
 use crate::geometry::pair::Memory;
-use crate::geometry::pair::Target;
+
 use crate::geometry::touch::Reach;
 use crate::ledger::Measures;
-use crate::model::frozen::{BodyKind, ContactData, MaterialPoint};
-use crate::model::{Model, TouchLaw};
+use crate::model::Model;
+use crate::model::frozen::{ContactData, MaterialPoint};
 use crate::state::State;
 
 /// A column of the history.
@@ -43,7 +43,7 @@ pub fn channels(model: &Model) -> Vec<Channel> {
     for contact in &model.contacts {
         let name = &contact.name;
         add(format!("contact.{name}.gap"), "m", "Gap where the two are nearest");
-        if matches!(contact.law, TouchLaw::Smooth(_)) {
+        if !contact.law.is_rigid() {
             add(format!("contact.{name}.force"), "N", "Contact force at this instant");
         }
         let text = "Impulse handed over since the row before";
@@ -157,20 +157,19 @@ const BALANCE_COLUMNS: [(&str, &str, &str); 24] = [
 fn projectiles(model: &Model) -> impl Iterator<Item = (usize, &str, bool)> {
     model.striking_bodies().map(|i| {
         let body = &model.bodies[i];
-        (i, body.name.as_str(), matches!(body.kind, BodyKind::Disc { .. }))
+        (i, body.name.as_str(), body.kind.is_disc())
     })
 }
 
 fn has_friction(contact: &ContactData) -> bool {
-    matches!(contact.law, TouchLaw::Rigid(law) if law.friction > 0.0)
+    contact.law.has_friction()
 }
 
 /// Whether the place of a contact along a beam can change.
 fn slides(model: &Model, contact: &ContactData) -> bool {
-    model.pairs[contact.pairs.clone()].iter().any(|p| {
-        !matches!(p.target, Target::Guided { .. })
-            && p.movers.iter().any(|m| *m < model.beams.len())
-    })
+    model.pairs[contact.pairs.clone()]
+        .iter()
+        .any(|p| !p.target.is_guided() && p.movers.iter().any(|m| *m < model.beams.len()))
 }
 
 /// The nearest pair of a contact: gap, and arc length along the beam where that can change.
@@ -247,7 +246,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
     for (k, contact) in model.contacts.iter().enumerate() {
         let nearest = nearest(model, state, contact, since.search);
         row.push(nearest.gap);
-        if let TouchLaw::Smooth(law) = &contact.law {
+        if let Some(law) = contact.law.smooth() {
             let force = |i: usize| {
                 let pair = &state.pairs[i];
                 let damped = (1.0 - law.dissipation * pair.rate).max(0.0);

@@ -71,6 +71,10 @@ impl Solving<'_> {
 
     /// Rigid pairs that touch, at rest but for what is no approach: they count as closed.
     pub(super) fn at_rest(&self) -> Vec<usize> {
+        let rigid = self.rigid();
+        if rigid.is_empty() {
+            return rigid;
+        }
         let nothing = self.nothing();
         let rests = |i: &usize| {
             let pair = &self.state.pairs[*i];

@@ -3,7 +3,7 @@
 use super::accept::Acceptance;
 use crate::contact::search::Search;
 use crate::geometry::touch::Reach;
-use crate::model::TouchLaw;
+
 use crate::step::fibres::PartedElement;
 
 impl Acceptance<'_> {
@@ -39,8 +39,8 @@ impl Acceptance<'_> {
     fn stored_in_contacts(&self) -> f64 {
         let stored =
             self.model.pairs.iter().zip(&self.state.pairs).map(|(pair, seen)| {
-                match &self.model.contacts[pair.contact].law {
-                    TouchLaw::Smooth(law) if seen.gap < 0.0 => law.stored(-seen.gap, seen.deepest),
+                match self.model.contacts[pair.contact].law.smooth() {
+                    Some(law) if seen.gap < 0.0 => law.stored(-seen.gap, seen.deepest),
                     _ => 0.0,
                 }
             });

@@ -4,7 +4,7 @@ use percuss::{ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitut
 use percuss_output::report::told_as_start;
 
 use super::super::equivalent::{equivalent, without_equivalent};
-use super::{LISTED, listed};
+use super::lines::{LISTED, listed};
 use crate::effective_mass;
 use crate::number::{count, number};
 

@@ -6,7 +6,7 @@ use super::gap_over_step::{GapOverStep, highest};
 use super::{ContactLog, Free, Released, StepViews, opened};
 use crate::contact::free_gap::FreeGap;
 use crate::geometry::touch::Reach;
-use crate::model::{SmoothLaw, TouchLaw};
+use crate::model::SmoothLaw;
 use crate::settings::SAME_INSTANT;
 use crate::state::PairState;
 use crate::summary::{ContactInterval, ContactRecord, PressedIn};
@@ -30,7 +30,7 @@ impl ContactLog {
         while first < all.len() {
             let contact = contact_of(first);
             let end = (first..all.len()).find(|k| contact_of(*k) != contact).unwrap_or(all.len());
-            if let TouchLaw::Smooth(law) = &model.contacts[contact].law {
+            if let Some(law) = model.contacts[contact].law.smooth() {
                 self.smooth_contact(seen, law, contact, first..end);
             }
             first = end;
