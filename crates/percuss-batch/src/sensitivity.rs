@@ -242,7 +242,11 @@ impl Case<'_> {
             accumulated_steps: flight.pace.accumulated_steps,
             solver_steps: flight.pace.solver_steps,
             rows: found.summary.rows,
-            rigid: None,
+            rigid: &|k, reading| {
+                let s = reading.fixed[k].s;
+                flight.rigid_logs[k].record(s, reading.read, reading.derivative)
+            },
+            residual: 0.0,
         };
         let read = |x: Derived| x.value;
         let reading = Reading { read: &read, fixed: &self.fixed, derivative: false };
