@@ -7,7 +7,7 @@
 use percuss_codes::AnalysisCode;
 
 use super::flight::{Derived, Flight, TOGETHER};
-use super::horizon::{agreeing, withdraw, withdraw_plastic};
+use super::horizon::{agreeing, align, withdraw, withdraw_plastic};
 use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
@@ -256,6 +256,7 @@ impl Case<'_> {
             let read = |x: Derived| x.slope[j];
             let reading = Reading { read: &read, fixed: &parameter.fixed, derivative: true };
             let mut derivative = telling.summary(Termination::Completed, &reading);
+            align(&mut derivative, &found.summary, &own, self.settings.step);
             if let Some(horizon) = &horizon {
                 withdraw(&mut derivative, &found.summary, &own, horizon.time, self.settings.step);
             }
