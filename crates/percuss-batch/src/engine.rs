@@ -7,7 +7,7 @@ use super::band::Band;
 use super::constraints::Constraints;
 use super::fibres::FibreStates;
 use super::ground_springs::GroundSpringState;
-use super::impact::{Press, Strike};
+use super::impact::Press;
 use super::numbers::Numbers;
 use percuss::internals::element::energy_momentum::End;
 use percuss::internals::linalg::block::Block;
@@ -62,9 +62,7 @@ pub struct Engine<S: Number> {
     /// The tangent, once assembled and then factored, and the factors in use.
     pub tangent: Band<S>,
     pub factors: Band<S>,
-    /// The rigid projectile that strikes, or stays in contact, in the step at hand of a run with derivatives, if one does.
-    pub striking: Option<(usize, Strike)>,
-    /// The rigid contact of runs side by side, if they have one.
+    /// The rigid contact that may press, if there is one.
     pub press: Option<Press<S>>,
 }
 
@@ -108,7 +106,6 @@ impl<S: Number> Engine<S> {
             correction: still,
             tangent: Band::zeros(nodes, zero),
             factors: Band::zeros(nodes, zero),
-            striking: None,
             press: None,
             numbers,
         }

@@ -1,26 +1,24 @@
 //! One run with its derivatives, in mid-flight.
 
-mod rest;
-
 use super::commit::Accept;
 use super::engine::Engine;
-use super::impact::Strike;
+use super::impact::Press;
 use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
 use super::pace::Pace;
 use super::paced::rigid_guides;
+use super::rigid_log::RigidLog;
 use super::sensitivity::{Grazing, Horizon, Onset};
 use super::yield_log::{Noted, YieldLog};
 use percuss::Model;
 use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales, step_behind};
 use percuss::internals::run::locate::Seen;
 use percuss::internals::run::strike::NO_GAIN;
-use percuss::internals::scalar::{Dual, Real};
+use percuss::internals::scalar::{Dual, Number, Real};
 use percuss::internals::settings::Settings;
-use percuss::internals::step::contacts::Phase;
-use rest::ContactPart;
+use percuss::internals::step::contacts::{IMPULSIVE, Phase};
 
 /// Parameters differentiated at once.
 pub const TOGETHER: usize = 4;
@@ -41,6 +39,8 @@ pub struct Flight<'a> {
     pub pace: Pace,
     /// Rigid projectiles, shape (rigid contacts) \[index of a projectile\].
     rigid: Vec<usize>,
+    /// What their contacts did, shape (guided projectiles).
+    pub rigid_logs: Vec<RigidLog<Derived>>,
     /// What is done of the step at hand \[s\].
     offset: Derived,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
@@ -64,8 +64,22 @@ impl<'a> Flight<'a> {
         let restitution = |k: &usize| engine.numbers.guides[*k].stiffness.value;
         let restitutions: Vec<f64> = rigid.iter().map(restitution).collect();
         let pace = Pace::new(settings, model.position_scale(), &restitutions);
-        let (offset, misses) = (engine.h.constant(0.0), Vec::new());
-        Self { model, settings, end, engine, ledger, log, search, pace, rigid, offset, misses }
+        engine.press = rigid.first().map(|k| Press::new(&engine, *k));
+        let offset = engine.h.constant(0.0);
+        Self {
+            model,
+            settings,
+            end,
+            rigid_logs: vec![RigidLog::new(offset); engine.guides.len()],
+            engine,
+            ledger,
+            log,
+            search,
+            pace,
+            rigid,
+            offset,
+            misses: Vec::new(),
+        }
     }
 
     /// Runs to the end, or as far as derivatives are known.
@@ -98,11 +112,13 @@ impl<'a> Flight<'a> {
             all.push(Grazing { onset, time: time.value, missed, changes });
         };
         let contact = |k: usize| Onset::Contact(self.model.contacts[k].name.clone());
-        for (k, log) in self.log.guides.iter().enumerate() {
+        for k in 0..self.log.guides.len() {
             for closed in self.log.intervals(&self.engine, k, 0) {
                 add(contact(k), closed.start, false, closed.deepest.value, 1.0);
             }
-            for struck in &log.impacts[0] {
+        }
+        for (k, log) in self.rigid_logs.iter().enumerate() {
+            for struck in &log.impacts {
                 // The velocity of approach falls with the root of what a parameter is away from grazing.
                 add(contact(k), struck.time, false, struck.approach, 2.0);
             }
@@ -157,21 +173,33 @@ impl<'a> Flight<'a> {
         scales.negligible()
     }
 
-    /// The contact that presses in the part at hand, if one does.
-    fn pressing(&self) -> Result<Option<(usize, Strike)>, Horizon> {
-        let contacts = self.rigid.iter().zip(&self.pace.contacts);
-        let mut active = contacts.filter_map(|(k, c)| {
-            let own = self.engine.numbers.guides[*k].stiffness.value;
-            c.phase.map(|phase| match phase {
-                Phase::Impact { restitution, .. } if restitution == own => (*k, Strike::Rebounds),
-                Phase::Impact { .. } => (*k, Strike::Sticks),
-                _ => (*k, Strike::Stays),
-            })
-        });
-        match (active.next(), active.next()) {
-            (one, None) => Ok(one),
-            _ => Err(self.horizon("there several rigid contacts press at once".into())),
+    /// Tells the engine of the contact that may press in the part at hand, if one does.
+    fn set_press(&mut self) -> Result<(), Horizon> {
+        let contacts = self.pace.contacts.iter().zip(&self.rigid);
+        let mut active = contacts.filter_map(|(c, k)| Some((c.phase?, *k)));
+        let (first, second) = (active.next(), active.next());
+        if second.is_some() {
+            return Err(self.horizon("there several rigid contacts press at once".into()));
         }
+        let Some(press) = &mut self.engine.press else { return Ok(()) };
+        press.which = first.is_some();
+        if let Some((phase, k)) = first {
+            let (own, rate) = (self.engine.numbers.guides[k].stiffness, self.engine.guides[k].rate);
+            let zero = rate.constant(0.0);
+            press.guide = k;
+            press.bound = match phase {
+                Phase::Impact { restitution, .. } if restitution == own.value => -(own * rate),
+                // As much as it opens at the start: then it is where it was at the end.
+                Phase::Resting { .. } => -rate.max(zero),
+                Phase::Impact { .. } | Phase::PlasticPostStep { .. } => zero,
+            };
+        }
+        Ok(())
+    }
+
+    /// The projectile that may press in the part at hand, if one does \[index of a projectile\].
+    fn pressing(&self) -> Option<usize> {
+        self.engine.press.as_ref().filter(|press| press.which).map(|press| press.guide)
     }
 
     /// Size of the step at hand, and time at its end \[s\]; the last one is as long as the run is.
@@ -189,27 +217,26 @@ impl<'a> Flight<'a> {
     fn advance(&mut self) -> Result<(), Horizon> {
         let [target, until] = self.step();
         self.log.begin(&self.engine);
-        let mut pressing = self.pressing()?;
         let mut h;
         loop {
+            self.set_press()?;
             h = target.constant(self.pace.h());
             if self.pace.is_whole() {
                 h.slope = (target - self.offset).slope;
             }
-            self.solve(h, pressing)?;
+            self.solve(h)?;
             if self.pace.judge(&self.seen()) {
                 break;
             }
-            pressing = self.pressing()?;
         }
         if let Some(k) = self.pace.located {
-            h = self.follow_instant(self.rigid[k], pressing)?;
+            h = self.follow_instant(self.rigid[k])?;
         }
-        self.check_gain(pressing)?;
+        self.check_gain()?;
         let (mut seen, steps) = (self.seen(), self.pace.steps);
         let impulse = |k: &usize| self.engine.guides[*k].impulse.value;
         let impulses: Vec<f64> = self.rigid.iter().map(impulse).collect();
-        self.accept(pressing);
+        self.accept();
         for (seen, stand) in seen.iter_mut().zip(self.stand()) {
             seen.end = stand;
         }
@@ -231,11 +258,10 @@ impl<'a> Flight<'a> {
         Horizon { time: self.log.time.value, why }
     }
 
-    fn solve(&mut self, h: Derived, striking: Option<(usize, Strike)>) -> Result<(), Horizon> {
+    fn solve(&mut self, h: Derived) -> Result<(), Horizon> {
         self.pace.solver_steps += 1;
         self.engine.h = h;
-        self.engine.striking = striking;
-        self.engine.constraints.impulsive = striking.is_some_and(|(_, how)| how != Strike::Stays);
+        self.engine.constraints.impulsive = self.pace.is_impact();
         self.engine.solve(&self.ledger, &mut self.search);
         match self.search.failed {
             true => Err(self.horizon("there the step has to be cut".into())),
@@ -244,8 +270,8 @@ impl<'a> Flight<'a> {
     }
 
     /// Not where an impulse would give energy: another law stands in for the contact's own.
-    fn check_gain(&self, pressing: Option<(usize, Strike)>) -> Result<(), Horizon> {
-        let Some((k, _)) = pressing.filter(|_| self.pace.is_impact()) else { return Ok(()) };
+    fn check_gain(&self) -> Result<(), Horizon> {
+        let Some(k) = self.pressing().filter(|_| self.pace.is_impact()) else { return Ok(()) };
         let state = &self.engine.guides[k];
         let work = (state.impulse * state.gap_change / self.engine.h).value;
         match work > NO_GAIN * (state.impulse * state.rate).value.abs() {
@@ -255,29 +281,31 @@ impl<'a> Flight<'a> {
     }
 
     /// Moves the run to the end of the part solved last, and notes what its contact did.
-    fn accept(&mut self, pressing: Option<(usize, Strike)>) {
-        let deed = pressing.map(|(k, how)| ContactPart::before(self, k, how));
+    fn accept(&mut self) {
+        let pressing = self.pressing().map(|k| (k, self.engine.guides[k].rate));
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
         Accept { engine, ledger, log, go: None }.accept();
         if pressing.is_none() {
             self.misses.extend(self.log.passes(&self.engine));
         }
+        if let Some((k, before)) = pressing {
+            let impulsive = self.engine.h.value < IMPULSIVE * self.settings.step;
+            let (deed, rests) = (self.engine.deed(k, before), !self.pace.is_impact());
+            self.rigid_logs[k].take(&deed, self.log.time, rests, impulsive);
+            self.engine.guides[k].impulse = before.constant(0.0);
+        }
         self.log.time += self.engine.h;
-        if let Some(deed) = deed {
-            deed.note(self);
+        for k in &self.rigid {
+            self.rigid_logs[*k].see(self.engine.guides[*k].gap.value, self.log.time.value);
         }
     }
 
     /// The instant at which a projectile was located, as the size of the part solved last: it moves with the parameters so that the gap half an
     /// impact interval ahead stays what it is. The part is solved once more with it.
-    fn follow_instant(
-        &mut self,
-        k: usize,
-        pressing: Option<(usize, Strike)>,
-    ) -> Result<Derived, Horizon> {
+    fn follow_instant(&mut self, k: usize) -> Result<Derived, Horizon> {
         let mut h = self.engine.h;
         h.slope[TOGETHER] = 1.0;
-        self.solve(h, pressing)?;
+        self.solve(h)?;
         let [gap, rate] = self.engine.gap_next(k);
         let half = 0.5 * IMPACT_INTERVAL * self.settings.step;
         let ahead = if rate.value < 0.0 { gap + rate * half } else { gap }.slope;
@@ -285,7 +313,7 @@ impl<'a> Flight<'a> {
             *own = -by / ahead[TOGETHER];
         }
         h.slope[TOGETHER] = 0.0;
-        self.solve(h, pressing)?;
+        self.solve(h)?;
         Ok(h)
     }
 }

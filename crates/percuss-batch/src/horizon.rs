@@ -7,6 +7,13 @@ use percuss::*;
 /// impulses by less than this share: instants are located to less, which later impacts magnify.
 const SAME: f64 = 1e-3;
 
+/// Impacts that give less than this share of the largest impulse before are slight: where impacts accumulate there are many, one more or
+/// less by round-off, and all that follows hangs on is that they die out. What follows agrees as well, beside its scale.
+const SLIGHT: f64 = 1e-3;
+
+/// Runs end alike that differ by less than this share of their energies, and of the fastest approach.
+const ALIKE: f64 = 1e-4;
+
 /// How far the impacts and times of rest of a run with derivatives are those of the run itself.
 pub fn agreeing(
     own: &RunSummary,
@@ -15,21 +22,21 @@ pub fn agreeing(
     reached: Option<Horizon>,
 ) -> Option<Horizon> {
     let mut horizon = reached;
-    for (own, run) in own.contacts.iter().zip(&run.contacts) {
-        let (ContactRecord::Nonsmooth { impacts, intervals, .. }, Some((all, rests))) =
-            (&own.record, rigid(run))
-        else {
+    for (mine, all) in own.contacts.iter().zip(&run.contacts) {
+        let (Some((impacts, intervals)), Some((others, rests))) = (rigid(mine), rigid(all)) else {
             continue;
         };
         let until = horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time);
-        let parted = [parting(impacts, all, step), parting_rests(intervals, rests, step)];
+        let matched = Matched::of(impacts, others, step);
+        let unlike = matched.slight.filter(|_| horizon.is_none() && !ends_alike(own, run));
+        let parted = [matched.parted, unlike, parting_rests(intervals, rests, step)];
         let parted = parted.into_iter().flatten().reduce(f64::min);
         let Some(time) = parted.filter(|time| *time < until) else { continue };
         let rests = rests.iter().any(|interval| (interval.start - time).abs() <= step);
         let why = if rests {
-            format!("the contact of `{}` stays closed from there", run.name)
+            format!("the contact of `{}` stays closed from there", all.name)
         } else {
-            let name = &run.name;
+            let name = &all.name;
             format!(
                 "from there on impacts of `{name}` are more sensitive than their instants known"
             )
@@ -46,13 +53,57 @@ fn rigid(contact: &ContactSummary) -> Option<(&[Impact], &[ContactInterval])> {
     }
 }
 
-/// Time of the first impact that only one of two lists has.
-fn parting(own: &[Impact], all: &[Impact], step: f64) -> Option<f64> {
-    let same = own.iter().zip(all).take_while(|(a, b)| is_same(a, b, step)).count();
-    let next = |list: &[Impact]| list.get(same).map_or(f64::INFINITY, |impact| impact.time);
-    let kept = own.len().min(all.len()) < ContactRecord::IMPACTS_KEPT;
-    let time = next(own).min(next(all));
-    (time.is_finite() && (kept || same < ContactRecord::IMPACTS_KEPT)).then_some(time)
+/// Whether two runs end alike: with the same energy, and projectiles as fast.
+fn ends_alike(own: &RunSummary, run: &RunSummary) -> bool {
+    let energy = (own.energy.final_ - run.energy.final_).abs() <= ALIKE * run.energy.scale;
+    let fastest = run.contacts.iter().filter_map(rigid).flat_map(|(impacts, _)| impacts);
+    let fastest = fastest.map(|impact| impact.approach_velocity).fold(0.0, f64::max);
+    let velocities = |s: &RunSummary| -> Vec<f64> {
+        s.projectiles.iter().flat_map(|p| p.velocity_final).collect()
+    };
+    let alike = |(a, b): (f64, f64)| (a - b).abs() <= ALIKE * fastest;
+    energy && velocities(own).into_iter().zip(velocities(run)).all(alike)
+}
+
+/// Which impacts of two runs are the same ones.
+struct Matched {
+    /// Their numbers in either run, shape (such impacts, 2) \[index of an impact\].
+    pairs: Vec<[usize; 2]>,
+    /// Time of the first slight one that only one of them has, and of the first that is not slight \[s\].
+    slight: Option<f64>,
+    parted: Option<f64>,
+}
+
+impl Matched {
+    fn of(own: &[Impact], all: &[Impact], step: f64) -> Self {
+        let mut found = Self { pairs: Vec::new(), slight: None, parted: None };
+        let (mut i, mut j, mut largest) = (0, 0, 0.0_f64);
+        while i.min(j) < ContactRecord::IMPACTS_KEPT {
+            let (a, b) = (own.get(i), all.get(j));
+            if let (Some(a), Some(b)) = (a, b)
+                && is_same(a, b, step)
+            {
+                found.pairs.push([i, j]);
+                largest = largest.max(b.impulse);
+                (i, j) = (i + 1, j + 1);
+                continue;
+            }
+            let time = |impact: Option<&Impact>| impact.map_or(f64::INFINITY, |one| one.time);
+            let slight =
+                |impact: Option<&Impact>| impact.is_some_and(|one| one.impulse <= SLIGHT * largest);
+            let first = time(a).min(time(b));
+            let earlier = if time(a) <= time(b) { [a, b] } else { [b, a] };
+            let skipped = earlier.into_iter().find(|impact| slight(*impact)).flatten();
+            let Some(skipped) = skipped else {
+                found.parted = Some(first).filter(|time| time.is_finite());
+                break;
+            };
+            found.slight = found.slight.or(Some(first));
+            let mine = a.is_some_and(|a| std::ptr::eq(a, skipped));
+            (i, j) = if mine { (i + 1, j) } else { (i, j + 1) };
+        }
+        found
+    }
 }
 
 /// Time of the first beginning or end of a rest that only one of two lists has.
@@ -77,6 +128,46 @@ fn parting_rests(own: &[ContactInterval], all: &[ContactInterval], step: f64) ->
 fn is_same(a: &Impact, b: &Impact, step: f64) -> bool {
     let impulse = (a.impulse - b.impulse).abs() <= SAME * a.impulse.abs().max(b.impulse.abs());
     (a.time - b.time).abs() <= SAME * step && impulse
+}
+
+/// Gives the impacts of a run the derivatives of theirs: none to those that the run with derivatives, `own`, has otherwise.
+pub fn align(derivative: &mut RunSummary, run: &RunSummary, own: &RunSummary, step: f64) {
+    for ((derivative, run), own) in
+        derivative.contacts.iter_mut().zip(&run.contacts).zip(&own.contacts)
+    {
+        let (Some((own, _)), Some((all, _))) = (rigid(own), rigid(run)) else { continue };
+        let ContactRecord::Nonsmooth { impacts, impact_count, .. } = &mut derivative.record else {
+            continue;
+        };
+        let mut aligned = vec![underived(); all.len()];
+        for [i, j] in Matched::of(own, all, step).pairs {
+            aligned[j] = impacts[i].clone();
+        }
+        (*impacts, *impact_count) = (aligned, count(run));
+    }
+}
+
+fn count(contact: &ContactSummary) -> usize {
+    match &contact.record {
+        ContactRecord::Nonsmooth { impact_count, .. } => *impact_count,
+        ContactRecord::Smooth { intervals, .. } => intervals.len(),
+    }
+}
+
+/// An impact without derivatives.
+fn underived() -> Impact {
+    let nan = f64::NAN;
+    Impact {
+        time: nan,
+        impulse: nan,
+        tangential_impulse: nan,
+        points: 1,
+        approach_velocity: nan,
+        separation_velocity: nan,
+        place: ContactPlace::default(),
+        energy: EnergySplit { given: [nan; 2], lost: nan, stored: nan, scheme: nan },
+        fallback_law: false,
+    }
 }
 
 /// Leaves of the derivatives of a run what is known at a time before its end; `own` is the run with derivatives up to there.
@@ -159,12 +250,12 @@ fn withdraw_contact(
         }
         (
             ContactRecord::Nonsmooth { impacts, impulse_total, impulse_resting, intervals, .. },
-            _,
-            ContactRecord::Nonsmooth { impacts: own, intervals: rests, .. },
+            ContactRecord::Nonsmooth { impacts: all, .. },
+            ContactRecord::Nonsmooth { intervals: rests, .. },
         ) => {
             (*impulse_total, *impulse_resting) = (f64::NAN, f64::NAN);
             intervals.truncate(rests.iter().take_while(|rest| rest.end < until).count());
-            impacts.truncate(own.iter().take_while(|impact| impact.time < until).count());
+            impacts.truncate(all.iter().take_while(|impact| impact.time < until).count());
         }
         _ => {}
     }

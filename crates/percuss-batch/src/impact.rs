@@ -4,18 +4,7 @@ use super::engine::Engine;
 use percuss::internals::scalar::{Mask, Number};
 use percuss::internals::step::projection::project_held;
 
-/// What the rigid contact of a run with derivatives does in the step at hand.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Strike {
-    /// It strikes, and parts by Newton's law.
-    Rebounds,
-    /// It strikes too slowly to part again.
-    Sticks,
-    /// It stays closed while it presses.
-    Stays,
-}
-
-/// The rigid contact of runs side by side, which presses in the parts of some of them.
+/// A rigid contact, which presses in the parts of some of the runs side by side.
 #[derive(Clone, Debug)]
 pub struct Press<S: Number> {
     /// Number of the projectile \[index of a projectile\].
@@ -59,41 +48,6 @@ impl<S: Number> Engine<S> {
     pub fn gap_next(&self, k: usize) -> [S; 2] {
         let state = &self.guides[k];
         [state.gap + state.gap_change, state.gap_change * 2.0 / self.h - state.rate]
-    }
-
-    /// Adds to the correction what the impulse of the projectile that strikes, or presses, changes: with it the gap opens at the rate that
-    /// Newton's law asks for, or stays as it is.
-    pub fn strike(&mut self, k: usize, how: Strike) {
-        let (correction, guides) = (self.correction.clone(), self.guides.clone());
-        let multipliers: Vec<S> = self.constraints.corrections().map(|x| *x).collect();
-        let moved = self.numbers.guides[k].along(&correction) - guides[k].correction;
-        let opening = self.answer(k);
-        let state = &self.guides[k];
-        // Impulse over the step, rate at its end.
-        let twice = self.h.recip() * 2.0;
-        let free = (state.gap_change + moved) * twice - state.rate;
-        let zero = twice.constant(0.0);
-        let wanted = match how {
-            Strike::Rebounds => -(self.numbers.guides[k].stiffness * state.rate),
-            Strike::Sticks => zero,
-            // As much as it opens at the start: then it is where it was at the end.
-            Strike::Stays => -state.rate.max(zero),
-        };
-        let impulse = state.impulse + (wanted - free) / (opening * twice / self.h);
-        let impulse = impulse.max(impulse.constant(0.0));
-        let force = (impulse - state.impulse) / self.h;
-        self.guides[k].impulse = impulse;
-        for (c, own) in self.correction.iter_mut().zip(&correction) {
-            for i in 0..4 {
-                c[i] = own[i] + c[i] * force;
-            }
-        }
-        for (state, own) in self.guides.iter_mut().zip(&guides) {
-            state.correction = own.correction + state.correction * force;
-        }
-        for (change, own) in self.constraints.corrections().zip(multipliers) {
-            *change = own + *change * force;
-        }
     }
 
     /// The answer of the factored tangent to a unit force that opens a gap, left in the corrections; returns how far it opens.
@@ -151,6 +105,14 @@ impl<S: Number> Engine<S> {
             std::mem::swap(mine, change);
         }
         press.known = true;
+    }
+
+    /// There are other factors now.
+    #[inline(always)]
+    pub fn forget_answer(&mut self) {
+        if let Some(press) = &mut self.press {
+            press.known = false;
+        }
     }
 
     #[inline(always)]

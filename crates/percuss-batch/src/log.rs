@@ -44,38 +44,6 @@ pub struct Closed<S> {
     pub place_end: [S; 2],
 }
 
-/// An impact of one lane's rigid projectile.
-#[derive(Clone, Copy, Debug)]
-pub struct Struck<S> {
-    pub time: S,
-    pub impulse: S,
-    pub approach: S,
-    pub separation: S,
-    /// Work on beam and projectile, shape (2) \[J\].
-    pub given: [S; 2],
-    /// Where it struck, shape (2) \[m\].
-    pub place: [S; 2],
-}
-
-/// A time in which the rigid projectile of a run with derivatives stayed in contact.
-#[derive(Clone, Copy, Debug)]
-pub struct Rest<S> {
-    pub start: S,
-    /// Start of the part in which it pressed no more; NaN while it presses.
-    pub end: f64,
-    pub impulse: S,
-    pub approach: S,
-    pub separation: f64,
-    /// Work on beam and projectile, shape (2) \[J\].
-    pub given: [S; 2],
-    /// Parts of steps, longer than an impact, in which it pressed.
-    pub steps: usize,
-    /// Where it came to rest, shape (2) \[m\].
-    pub place: [S; 2],
-    /// Where it was last, shape (2) \[m\].
-    pub place_end: [S; 2],
-}
-
 /// The record of a guided projectile.
 #[derive(Clone, Debug)]
 pub struct GuideLog<S: Number> {
@@ -87,10 +55,6 @@ pub struct GuideLog<S: Number> {
     pub closed: Vec<Vec<Closed<S>>>,
     /// Deepest penetration of the run \[m\].
     pub deepest: Top<S>,
-    /// Impacts, by lane, shape (lanes, impacts of one).
-    pub impacts: Vec<Vec<Struck<S>>>,
-    /// Times of rest of a run with derivatives, shape (times of rest).
-    pub rests: Vec<Rest<S>>,
     /// Impulse and energy that the projectile gave, and work on what it struck, shape (3) \[N s, J, J\].
     pub given: [S; 3],
     /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
@@ -183,8 +147,6 @@ impl<S: Number> Log<S> {
             is_open: vec![false; S::LANES],
             closed: vec![Vec::new(); S::LANES],
             deepest: top,
-            impacts: vec![Vec::new(); S::LANES],
-            rests: Vec::new(),
             given: [zero; 3],
             free: zero,
             released: zero.less(zero),
@@ -217,7 +179,6 @@ impl<S: Number> Log<S> {
             log.open.set_lane(lane, &none, 0);
             log.is_open[lane] = false;
             log.closed[lane].clear();
-            log.impacts[lane].clear();
             log.given.iter_mut().for_each(|given| given.set_lane(lane, zero, 0));
             log.free.set_lane(lane, zero, 0);
             let before = log.released;

@@ -143,7 +143,7 @@ impl<S: Number> Engine<S> {
             if assemble {
                 self.renew(search);
             }
-            self.correct_and_strike();
+            self.correct();
             self.press(search.seeking);
             corrections += 1;
             let took = search.seeking;
@@ -160,20 +160,12 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    #[inline(always)]
-    fn correct_and_strike(&mut self) {
-        self.correct();
-        if let (1, Some((k, how))) = (S::LANES, self.striking) {
-            self.strike(k, how);
-        }
-    }
-
     /// Ends the iterations of lanes that the correction just taken foreseeably leaves nothing to do in. No forces are
     /// evaluated for them any more but those of contacts, which may have opened or closed, and constraints are looked at; reactions follow
     /// the correction to first order, as the others do that it balances, and stay so while other lanes go on: a run knows nothing of those beside it.
     #[inline(always)]
     fn end_ahead(&mut self, search: &mut LaneNewton<S>, took: S::Mask, momentum: S, reach: S) {
-        if S::DERIVES || self.striking.is_some() || !(took & search.foreseen).any() {
+        if S::DERIVES || !(took & search.foreseen).any() {
             return;
         }
         // Factors of the correction enter, so before the contacts are looked at.
@@ -208,9 +200,7 @@ impl<S: Number> Engine<S> {
         }
         self.factor_constraints(renew);
         self.factor_springs(renew);
-        if let Some(press) = &mut self.press {
-            press.known = false;
-        }
+        self.forget_answer();
         search.renewed(self.h);
     }
 
@@ -222,10 +212,12 @@ impl<S: Number> Engine<S> {
         self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
         let all = !self.settled;
         self.factor_constraints(all);
+        self.forget_answer();
         let turns =
             self.numbers.constraints.iter().any(|c| matches!(c.kind, ConstraintKind::Angle { .. }));
         for _ in 0..if turns { FOLLOWING } else { 1 } {
-            self.correct_and_strike();
+            self.correct();
+            self.press(all);
             for (d, c) in self.increment.iter_mut().zip(&self.correction) {
                 (0..4).for_each(|i| d[i] += c[i]);
             }

@@ -8,7 +8,7 @@ use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
 use super::pace::Pace;
-use super::rigid_log::{LaneDeed, RigidLog};
+use super::rigid_log::{Deed, RigidLog};
 use super::run::LaneRun;
 use super::stand::Stand;
 use super::summary::{Fixed, Reading, Telling};
@@ -27,7 +27,7 @@ struct Lane {
     /// Its number among the runs.
     run: usize,
     pace: Pace,
-    rigid: RigidLog,
+    rigid: RigidLog<f64>,
     /// What the run is measured by, its energy apart.
     scales: RunScales,
     /// Size of the part solved last \[s\], and what it says of accelerations: 1 if it was accepted, -1 if not, 0 if it says nothing.
@@ -146,7 +146,7 @@ impl<S: Number> Paced<S> {
         let mut new = Lane {
             run: self.next,
             pace: Pace::new(settings, scales.positions, &[guide.stiffness]),
-            rigid: RigidLog::new(),
+            rigid: RigidLog::new(0.0),
             scales,
             last: (settings.step, 0.0),
             even: 0,
@@ -293,8 +293,9 @@ impl<S: Number> Paced<S> {
         let state = &self.engine.guides[self.guide];
         let end = [state.gap.lane(number), state.rate.lane(number)];
         if contact.phase.is_some() && (impulse > 0.0 || contact.rests()) {
-            let deed = self.deed(lane, number, &own, end);
-            lane.rigid.take(&deed);
+            let deed = self.engine.deed(self.guide, seen.start[1]).lane(number);
+            let impulsive = deed.h < IMPULSIVE * self.engine.numbers.step.lane(number);
+            lane.rigid.take(&deed, lane.pace.time, contact.rests(), impulsive);
             self.weigh(lane, number, &deed);
         }
         let nothing = self.nothing(lane, number);
@@ -308,28 +309,8 @@ impl<S: Number> Paced<S> {
         true
     }
 
-    /// What the contact of a lane did in the part just accepted.
-    fn deed(&self, lane: &Lane, number: usize, own: &Seen, end: [f64; 2]) -> LaneDeed {
-        let (k, h) = (self.guide, self.engine.h);
-        let (guide, state) = (&self.engine.numbers.guides[k], &self.engine.guides[k]);
-        let force = state.impulse / h;
-        let given = [force * guide.along(&self.engine.increment), -(force * state.increment)];
-        let [start, middle] = [h, h * 0.5].map(|back| self.engine.struck_before(k, back));
-        LaneDeed {
-            rests: lane.pace.contacts[0].rests(),
-            impulsive: lane.pace.h() < IMPULSIVE * self.engine.numbers.step.lane(number),
-            start: lane.pace.time,
-            h: lane.pace.h(),
-            impulse: state.impulse.lane(number),
-            before: own.start[1],
-            after: end[1],
-            given: given.map(|x| x.lane(number)),
-            places: [start, middle, self.engine.struck(k)].map(|x| x.map(|x| x.lane(number))),
-        }
-    }
-
     /// How well the impulse meets its conditions, beside the fastest approach of the run so far: slow ones are known to its round-off.
-    fn weigh(&self, lane: &mut Lane, number: usize, deed: &LaneDeed) {
+    fn weigh(&self, lane: &mut Lane, number: usize, deed: &Deed<f64>) {
         let Some(press) = &self.engine.press else { return };
         let mobility = 2.0 * press.opening.lane(number) / (deed.h * deed.h);
         let bound = press.bound.lane(number);
@@ -358,7 +339,8 @@ impl<S: Number> Paced<S> {
             accumulated_steps: 0,
             solver_steps: lane.pace.solver_steps,
             rows: lane.pace.rows,
-            rigid: Some(&lane.rigid),
+            rigid: &|k, reading| lane.rigid.record(reading.fixed[k].s, &|x| x, false),
+            residual: lane.rigid.residual,
         };
         let fixed = Fixed::all(own.model);
         let read = |x: S| x.lane(number);

@@ -1,41 +1,102 @@
-//! What happens at the rigid contact of a run in a lane: impacts and intervals of rest, as a single run notes them.
+//! What happens at a rigid contact: impacts and intervals of rest, as a single run notes them.
 
+use super::engine::Engine;
 use percuss::internals::run::contact_log::{opened, rate_of_rest};
+use percuss::internals::scalar::{Number, array};
 use percuss::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Impact, Peak};
 
 /// What the contact did in a part of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct LaneDeed {
-    /// Whether it was to stay closed; else it strikes.
-    pub rests: bool,
-    /// Whether the part is as short as an impact.
-    pub impulsive: bool,
-    /// Start and size of the part \[s\].
-    pub start: f64,
-    pub h: f64,
+pub struct Deed<T> {
+    /// Size of the part \[s\].
+    pub h: T,
     /// Impulse \[N s\].
-    pub impulse: f64,
-    /// Rates of the gap \[m/s\].
-    pub before: f64,
-    pub after: f64,
+    pub impulse: T,
+    /// Rates of the gap at its start and its end \[m/s\].
+    pub before: T,
+    pub after: T,
     /// Work on beam and projectile, shape (2) \[J\].
-    pub given: [f64; 2],
+    pub given: [T; 2],
     /// The struck point at the start, in the middle and at the end, shape (3, 2) \[m\].
-    pub places: [[f64; 2]; 3],
+    pub places: [[T; 2]; 3],
 }
 
-/// The record of one run.
-#[derive(Clone, Debug, Default)]
-pub struct RigidLog {
+impl<S: Number> Deed<S> {
+    /// That of a lane.
+    pub fn lane(&self, lane: usize) -> Deed<f64> {
+        let of = |x: S| x.lane(lane);
+        Deed {
+            h: of(self.h),
+            impulse: of(self.impulse),
+            before: of(self.before),
+            after: of(self.after),
+            given: self.given.map(of),
+            places: self.places.map(|place| place.map(of)),
+        }
+    }
+}
+
+impl<S: Number> Engine<S> {
+    /// What the contact of a rigid projectile did in the part accepted last, which its gap began with this rate.
+    pub fn deed(&self, k: usize, before: S) -> Deed<S> {
+        let (guide, state, h) = (&self.numbers.guides[k], &self.guides[k], self.h);
+        let force = state.impulse / h;
+        let [start, middle] = [h, h * 0.5].map(|back| self.struck_before(k, back));
+        Deed {
+            h,
+            impulse: state.impulse,
+            before,
+            after: state.rate,
+            given: [force * guide.along(&self.increment), -(force * state.increment)],
+            places: [start, middle, self.struck(k)],
+        }
+    }
+}
+
+/// An impact.
+#[derive(Clone, Copy, Debug)]
+pub struct Struck<T> {
+    pub time: T,
+    pub impulse: T,
+    pub approach: T,
+    separation: T,
+    /// Work on beam and projectile, shape (2) \[J\].
+    given: [T; 2],
+    /// Where it struck, shape (2) \[m\].
+    place: [T; 2],
+}
+
+/// A time in which the contact stayed closed.
+#[derive(Clone, Copy, Debug)]
+struct Rest<T> {
+    start: T,
+    approach: T,
+    /// Start of the part in which it pressed no more, and the rate of the gap there, shape (2) \[s, m/s\]; NaN while it presses.
+    end: [f64; 2],
+    impulse: T,
+    /// Work on beam and projectile, shape (2) \[J\].
+    given: [T; 2],
+    /// What both lost \[J\].
+    lost: T,
+    /// Parts of steps, longer than an impact, in which it pressed.
+    steps: usize,
+    /// Where it came to rest, shape (2) \[m\].
+    place: [T; 2],
+    /// Where it was last, shape (2) \[m\].
+    place_end: [T; 2],
+}
+
+/// The record of one contact.
+#[derive(Clone, Debug)]
+pub struct RigidLog<T> {
     /// Impacts that are kept, shape (impacts).
-    impacts: Vec<Impact>,
+    pub impacts: Vec<Struck<T>>,
     impact_count: usize,
-    /// Impulse of all \[N s\].
-    impulse_total: f64,
-    /// Of it, that of rest \[N s\].
-    impulse_resting: f64,
+    /// Impulse of all \[N s\], and of it that of rest.
+    impulse_total: T,
+    impulse_resting: T,
     /// Intervals of rest, shape (intervals).
-    intervals: Vec<ContactInterval>,
+    rests: Vec<Rest<T>>,
     /// Number of the interval that is open.
     open: Option<usize>,
     /// Depth inside the beam, by errors of the instant.
@@ -44,10 +105,19 @@ pub struct RigidLog {
     pub residual: f64,
 }
 
-impl RigidLog {
+impl<T: Number> RigidLog<T> {
     /// Nothing has happened yet.
-    pub fn new() -> Self {
-        Self { penetration: Peak { value: 0.0, time: f64::NAN }, ..Self::default() }
+    pub fn new(zero: T) -> Self {
+        Self {
+            impacts: Vec::new(),
+            impact_count: 0,
+            impulse_total: zero,
+            impulse_resting: zero,
+            rests: Vec::new(),
+            open: None,
+            penetration: Peak { value: 0.0, time: f64::NAN },
+            residual: 0.0,
+        }
     }
 
     /// Takes in the gap at an instant.
@@ -57,82 +127,99 @@ impl RigidLog {
         }
     }
 
-    /// Takes in a part in which it may have pressed.
-    pub fn take(&mut self, deed: &LaneDeed) {
+    /// Takes in a part from `start` on, which may be as short as an impact, in which the contact may have pressed: it struck, or `rests`.
+    pub fn take(&mut self, deed: &Deed<T>, start: T, rests: bool, impulsive: bool) {
         self.impulse_total += deed.impulse;
-        let work = deed.given;
-        let energy = EnergySplit { given: work, lost: -work[0] - work[1], ..Default::default() };
-        if deed.rests {
+        if rests {
             self.impulse_resting += deed.impulse;
-            self.rest(deed, &energy);
-        } else if deed.impulse > 0.0 {
+            self.rest(deed, start, impulsive);
+        } else if deed.impulse.lane(0) > 0.0 {
             self.impact_count += 1;
             if self.impacts.len() < ContactRecord::IMPACTS_KEPT {
-                self.impacts.push(Impact {
-                    time: deed.start + 0.5 * deed.h,
+                self.impacts.push(Struck {
+                    time: start + deed.h * 0.5,
                     impulse: deed.impulse,
-                    tangential_impulse: 0.0,
-                    points: 1,
-                    approach_velocity: -deed.before,
-                    separation_velocity: deed.after,
-                    place: at(deed.places[1]),
-                    energy,
-                    fallback_law: false,
+                    approach: -deed.before,
+                    separation: deed.after,
+                    given: deed.given,
+                    place: deed.places[1],
                 });
             }
         }
     }
 
-    fn rest(&mut self, deed: &LaneDeed, energy: &EnergySplit) {
-        if self.open.is_none()
-            && deed.impulse > 0.0
-            && self.intervals.len() < ContactRecord::IMPACTS_KEPT
-        {
-            self.open = Some(self.intervals.len());
-            let approach = (-deed.before).max(0.0);
-            let opened = opened(deed.start, approach, at(deed.places[0]));
-            self.intervals.push(ContactInterval { tangential_impulse: 0.0, ..opened });
+    fn rest(&mut self, deed: &Deed<T>, start: T, impulsive: bool) {
+        let (presses, zero) = (deed.impulse.lane(0) > 0.0, start.constant(0.0));
+        if self.open.is_none() && presses && self.rests.len() < ContactRecord::IMPACTS_KEPT {
+            self.open = Some(self.rests.len());
+            self.rests.push(Rest {
+                start,
+                approach: (zero - deed.before).max(zero),
+                end: [f64::NAN; 2],
+                impulse: zero,
+                given: [zero; 2],
+                lost: zero,
+                steps: 0,
+                place: deed.places[0],
+                place_end: deed.places[0],
+            });
         }
         let Some(open) = self.open else { return };
-        let interval = &mut self.intervals[open];
-        interval.impulse += deed.impulse;
-        (0..2).for_each(|p| interval.energy.given[p] += energy.given[p]);
-        interval.energy.lost += energy.lost;
-        if deed.impulse > 0.0 {
-            interval.steps += usize::from(!deed.impulsive);
-            interval.place_end = at(deed.places[2]);
+        let rest = &mut self.rests[open];
+        rest.impulse += deed.impulse;
+        rest.given = array(|p| rest.given[p] + deed.given[p]);
+        rest.lost += -deed.given[0] - deed.given[1];
+        if presses {
+            rest.steps += usize::from(!impulsive);
+            rest.place_end = deed.places[2];
         } else {
-            self.end(deed.start, rate_of_rest(deed.before, deed.after));
+            let rate = rate_of_rest(deed.before.lane(0), deed.after.lane(0));
+            (rest.end, self.open) = ([start.lane(0), rate], None);
         }
     }
 
-    /// It presses no more since an instant at which the gap had the given rate.
-    pub fn end(&mut self, time: f64, rate: f64) {
-        if let Some(open) = self.open.take() {
-            (self.intervals[open].end, self.intervals[open].separation_velocity) = (time, rate);
-        }
-    }
-
-    /// The record of a contact at the given arc length.
-    pub fn record(&self, s: f64) -> ContactRecord {
-        let (mut impacts, mut intervals) = (self.impacts.clone(), self.intervals.clone());
-        impacts.iter_mut().for_each(|impact| impact.place.s = s);
-        for interval in &mut intervals {
-            (interval.place.s, interval.place_end.s) = (s, s);
+    /// The record of a contact at the given arc length, its numbers or their derivatives as read; steps do not resolve when a contact lets go, and what is
+    /// inside something is so by an error of the instant: neither has derivatives.
+    pub fn record(&self, s: f64, read: &dyn Fn(T) -> f64, derivative: bool) -> ContactRecord {
+        let at = |place: [T; 2]| ContactPlace { s, position: place.map(read) };
+        let impact = |struck: &Struck<T>| Impact {
+            time: read(struck.time),
+            impulse: read(struck.impulse),
+            tangential_impulse: 0.0,
+            points: 1,
+            approach_velocity: read(struck.approach),
+            separation_velocity: read(struck.separation),
+            place: at(struck.place),
+            energy: split(struck.given.map(read), read(-struck.given[0] - struck.given[1])),
+            fallback_law: false,
+        };
+        let interval = |rest: &Rest<T>| {
+            let [end, rate] = if derivative { [f64::NAN; 2] } else { rest.end };
+            let mut interval = ContactInterval {
+                end,
+                impulse: read(rest.impulse),
+                tangential_impulse: 0.0,
+                separation_velocity: rate,
+                steps: rest.steps,
+                place_end: at(rest.place_end),
+                energy: split(rest.given.map(read), read(rest.lost)),
+                ..opened(read(rest.start), read(rest.approach), at(rest.place))
+            };
             interval.energy.balance();
-        }
+            interval
+        };
         ContactRecord::Nonsmooth {
-            impacts,
+            impacts: self.impacts.iter().map(impact).collect(),
             impact_count: self.impact_count,
             fallback_count: 0,
-            impulse_total: self.impulse_total,
-            impulse_resting: self.impulse_resting,
-            intervals,
-            penetration: self.penetration,
+            impulse_total: read(self.impulse_total),
+            impulse_resting: read(self.impulse_resting),
+            intervals: self.rests.iter().map(interval).collect(),
+            penetration: if derivative { Peak::default() } else { self.penetration },
         }
     }
 }
 
-fn at(position: [f64; 2]) -> ContactPlace {
-    ContactPlace { position, ..ContactPlace::default() }
+fn split(given: [f64; 2], lost: f64) -> EnergySplit {
+    EnergySplit { given, lost, ..EnergySplit::default() }
 }

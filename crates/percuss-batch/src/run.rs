@@ -193,7 +193,8 @@ impl<S: Number> Ensemble<S> {
                     solver_steps: steps,
                     // The one at the start, too.
                     rows: 1 + steps.div_ceil(own.settings.record_every),
-                    rigid: None,
+                    rigid: &|_, _| unreachable!("no rigid contacts"),
+                    residual: 0.0,
                 };
                 let fixed = Fixed::all(own.model);
                 let read = |x: S| x.lane(lane);

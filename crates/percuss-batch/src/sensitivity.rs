@@ -7,7 +7,7 @@
 use percuss_codes::AnalysisCode;
 
 use super::flight::{Derived, Flight, TOGETHER};
-use super::horizon::{agreeing, withdraw, withdraw_plastic};
+use super::horizon::{agreeing, align, withdraw, withdraw_plastic};
 use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
@@ -242,7 +242,11 @@ impl Case<'_> {
             accumulated_steps: flight.pace.accumulated_steps,
             solver_steps: flight.pace.solver_steps,
             rows: found.summary.rows,
-            rigid: None,
+            rigid: &|k, reading| {
+                let s = reading.fixed[k].s;
+                flight.rigid_logs[k].record(s, reading.read, reading.derivative)
+            },
+            residual: 0.0,
         };
         let read = |x: Derived| x.value;
         let reading = Reading { read: &read, fixed: &self.fixed, derivative: false };
@@ -252,6 +256,7 @@ impl Case<'_> {
             let read = |x: Derived| x.slope[j];
             let reading = Reading { read: &read, fixed: &parameter.fixed, derivative: true };
             let mut derivative = telling.summary(Termination::Completed, &reading);
+            align(&mut derivative, &found.summary, &own, self.settings.step);
             if let Some(horizon) = &horizon {
                 withdraw(&mut derivative, &found.summary, &own, horizon.time, self.settings.step);
             }

@@ -2,15 +2,13 @@
 
 use super::engine::Engine;
 use super::ledger::LaneLedger;
-use super::log::{Closed, Log, Rest, Struck, Top};
+use super::log::{Closed, Log, Top};
 use super::newton::LaneNewton;
 use super::numbers::GuideLaw;
-use super::rigid_log::RigidLog;
 use super::yield_log;
 use percuss::Model;
 use percuss::Scheme;
 use percuss::State;
-use percuss::internals::run::contact_log::opened;
 use percuss::internals::run::crest::{Crest, at_last};
 use percuss::internals::run::yielding;
 use percuss::internals::scalar::Number;
@@ -30,8 +28,10 @@ pub struct Telling<'a, S: Number> {
     pub accumulated_steps: usize,
     pub solver_steps: usize,
     pub rows: usize,
-    /// What its rigid contact did, of runs side by side.
-    pub rigid: Option<&'a RigidLog>,
+    /// What a rigid contact did, by its number and how it is read.
+    pub rigid: &'a dyn Fn(usize, &Reading<S>) -> ContactRecord,
+    /// Largest violation of the conditions of its impulses.
+    pub residual: f64,
 }
 
 /// How the numbers of a summary are read.
@@ -130,7 +130,7 @@ impl<S: Number> Telling<'_, S> {
                     record: self.record(k, reading),
                 })
                 .collect(),
-            contact_residual_max: error(self.rigid.map_or(0.0, |rigid| rigid.residual)),
+            contact_residual_max: error(self.residual),
             shared_blows: SharedBlows::default(),
             points: (model.points.iter().zip(&self.log.points))
                 .map(|(p, crests)| {
@@ -190,24 +190,8 @@ impl<S: Number> Telling<'_, S> {
     fn record(&self, k: usize, reading: &Reading<S>) -> ContactRecord {
         let read = reading.read;
         let (guide, log) = (&self.engine.numbers.guides[k], &self.log.guides[k]);
-        if let (GuideLaw::Rigid, Some(rigid)) = (guide.law, self.rigid) {
-            return rigid.record(reading.fixed[k].s);
-        }
         if guide.law == GuideLaw::Rigid {
-            let struck = &log.impacts[self.lane];
-            let zero = self.engine.h.constant(0.0);
-            let resting = log.rests.iter().fold(zero, |sum, rest| sum + rest.impulse);
-            let total = struck.iter().fold(resting, |sum, impact| sum + impact.impulse);
-            return ContactRecord::Nonsmooth {
-                impacts: struck.iter().map(|i| self.impact(k, i, reading)).collect(),
-                impact_count: struck.len(),
-                fallback_count: 0,
-                impulse_total: read(total),
-                impulse_resting: read(resting),
-                intervals: log.rests.iter().map(|rest| self.rest(k, rest, reading)).collect(),
-                // What is inside something is so by errors of the instant.
-                penetration: Peak::default(),
-            };
+            return (self.rigid)(k, reading);
         }
         let force = |top: &Top<S>| Top {
             value: guide.reaction(top.value),
@@ -223,30 +207,6 @@ impl<S: Number> Telling<'_, S> {
                 .map(|c| self.interval(k, c, peak(&force(&c.deepest), read), reading))
                 .collect(),
         }
-    }
-
-    fn rest(&self, k: usize, rest: &Rest<S>, reading: &Reading<S>) -> ContactInterval {
-        let read = reading.read;
-        // Steps do not resolve when it lets go.
-        let instant = |value: f64| if reading.derivative { f64::NAN } else { value };
-        let lost = -(rest.given[0] + rest.given[1]);
-        let place = reading.place(k, rest.place);
-        let mut interval = ContactInterval {
-            end: instant(rest.end),
-            impulse: read(rest.impulse),
-            tangential_impulse: 0.0,
-            separation_velocity: instant(rest.separation),
-            steps: rest.steps,
-            place_end: reading.place(k, rest.place_end),
-            energy: EnergySplit {
-                given: rest.given.map(read),
-                lost: read(lost),
-                ..EnergySplit::default()
-            },
-            ..opened(read(rest.start), read(rest.approach), place)
-        };
-        interval.energy.balance();
-        interval
     }
 
     fn interval(
@@ -292,26 +252,6 @@ impl<S: Number> Telling<'_, S> {
         let changes = closed.changes.map(|v| v.lane(self.lane).abs());
         let parted = rates[1].is_nan() || changes[1] <= rates[1];
         changes[0] <= rates[0].abs() && parted
-    }
-
-    fn impact(&self, k: usize, struck: &Struck<S>, reading: &Reading<S>) -> Impact {
-        let read = reading.read;
-        Impact {
-            time: read(struck.time),
-            impulse: read(struck.impulse),
-            tangential_impulse: 0.0,
-            points: 1,
-            approach_velocity: read(struck.approach),
-            separation_velocity: read(struck.separation),
-            place: reading.place(k, struck.place),
-            energy: EnergySplit {
-                given: struck.given.map(read),
-                lost: read(-(struck.given[0] + struck.given[1])),
-                stored: 0.0,
-                scheme: 0.0,
-            },
-            fallback_law: false,
-        }
     }
 }
 

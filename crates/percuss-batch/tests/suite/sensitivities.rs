@@ -280,10 +280,27 @@ fn chatter([mass, standoff, restitution]: [f64; 3]) -> Model {
     b.build().unwrap()
 }
 
-/// Where impacts accumulate until the contact stays closed, derivatives reach to there: what is known by then has derivatives, what
-/// is later has none.
+/// Impulses and velocities of a run with a rigid contact: impulse in all and at rest, velocity, energy, and what impacts took.
+fn momentum(s: &RunSummary) -> [f64; 5] {
+    let ContactRecord::Nonsmooth { impulse_total, impulse_resting, .. } = s.contacts[0].record
+    else {
+        panic!("a smooth contact")
+    };
+    let velocity = s.projectiles[0].velocity_final[1];
+    [impulse_total, impulse_resting, velocity, s.energy.final_, s.energy.loss_impacts]
+}
+
+fn impacts(s: &RunSummary) -> &[Impact] {
+    match &s.contacts[0].record {
+        ContactRecord::Nonsmooth { impacts, .. } => impacts,
+        ContactRecord::Smooth { .. } => panic!("a smooth contact"),
+    }
+}
+
+/// Where impacts accumulate until the contact stays closed, lets go and strikes again, derivatives go on: of what follows, and of all
+/// but the slightest impacts, of which round-off makes one more or less.
 #[test]
-fn derivatives_reach_to_where_impacts_accumulate() {
+fn derivatives_go_on_through_accumulated_impacts_and_rest() {
     let base = [3.1, 7.3e-3, 0.3];
     let settings = Settings::new(0.01, 2e-5);
     let moved = |i: usize, by: f64| {
@@ -299,24 +316,22 @@ fn derivatives_reach_to_where_impacts_accumulate() {
     let model = chatter(base);
     let found = sensitivities(&model, &settings, &[0, 1, 2].map(variation)).unwrap();
     let run = |model: &Model| simulate(model, &settings, &mut NoRecorder).unwrap();
-    let impacts = |s: &RunSummary| match &s.contacts[0].record {
-        ContactRecord::Nonsmooth { impacts, impulse_total, intervals, .. } => {
-            (impacts.clone(), *impulse_total, intervals.clone())
-        }
-        ContactRecord::Smooth { .. } => unreachable!(),
+    let all = impacts(&found.summary);
+    assert_eq!((all, momentum(&found.summary)), (impacts(&run(&model)), momentum(&run(&model))));
+    assert_eq!(found.horizon, None);
+    let ContactRecord::Nonsmooth { intervals, .. } = &found.summary.contacts[0].record else {
+        unreachable!()
     };
-    let (all, total, rests) = impacts(&found.summary);
-    assert_eq!((&all, total), (&impacts(&run(&model)).0, impacts(&run(&model)).1));
-    let horizon = found.horizon.as_ref().unwrap();
-    assert!(horizon.why.contains("`ball` stays closed"), "{horizon:?}");
-    assert!((horizon.time - rests[0].start).abs() < settings.step, "{horizon:?} {:?}", rests[0]);
+    assert!(intervals[0].end < all.last().unwrap().time, "it does not strike again: {intervals:?}");
+    let largest = all.iter().map(|impact| impact.impulse).fold(0.0, f64::max);
     for (i, derivative) in found.derivatives.iter().enumerate() {
-        let (known, total, _) = impacts(derivative);
-        assert!(known.len() >= 5 && known.len() < all.len(), "{} of {}", known.len(), all.len());
-        assert!(total.is_nan() && derivative.projectiles[0].velocity_final[1].is_nan());
-        assert!(derivative.energy.final_.is_nan() && derivative.time.is_nan());
+        let known = impacts(derivative);
+        assert_eq!(known.len(), all.len());
+        for (own, by) in all.iter().zip(known) {
+            assert!(by.impulse.is_finite() || own.impulse < 1e-3 * largest, "{own:?} {by:?}");
+        }
         let change = 1e-5 * base[i];
-        let ends = [-change, change].map(|by| impacts(&run(&moved(i, by))).0);
+        let ends = [-change, change].map(|by| impacts(&run(&moved(i, by))).to_vec());
         for k in 0..3 {
             let difference =
                 |of: fn(&Impact) -> f64| (of(&ends[1][k]) - of(&ends[0][k])) / (2.0 * change);
@@ -326,6 +341,15 @@ fn derivatives_reach_to_where_impacts_accumulate() {
                 assert!((own - difference).abs() < 1e-3 * scale, "{i} {k}: {own} {difference}");
             }
         }
+    }
+    // What lets go does so at the end of a step, and with other parameters at another one: differences know the derivatives between two such
+    // jumps alone, and what sticks, a millionth of the fastest approach, is noise to them. The standoff moves all that happens most.
+    let change = 1e-5 * base[1];
+    let each = [-2.0, -1.0, 1.0, 2.0].map(|k| momentum(&run(&moved(1, k * change))));
+    for (k, own) in momentum(&found.derivatives[1]).into_iter().enumerate() {
+        let [a, b, c, d] = each.map(|run| run[k]);
+        let difference = (8.0 * (c - b) - (d - a)) / (12.0 * change);
+        assert!((own - difference).abs() < 2e-2 * difference.abs(), "{k}: {own} {difference}");
     }
 }
 

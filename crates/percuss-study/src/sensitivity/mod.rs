@@ -250,6 +250,9 @@ fn why(path: &SummaryPath, value: f64, found: &Sensitivities) -> String {
     }
     match &found.horizon {
         Some(horizon) => beyond(horizon),
+        None if path.path().contains(".impacts[") => {
+            "it is one of many slight impacts, of which round-off makes one more or less".into()
+        }
         None if path.path().ends_with(".time") => crest.into(),
         None => "it does not follow from what is differentiated".into(),
     }
