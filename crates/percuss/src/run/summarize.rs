@@ -47,8 +47,8 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
         accumulated_steps: counts.accumulated_steps,
         newton_iterations: counts.effort.iterations,
         factorizations: counts.effort.factorizations,
-        rows: rows,
-        step_control: step_control,
+        rows,
+        step_control,
         energy: EnergySummary {
             initial: ledger.energy_initial,
             final_: measures.total(),
