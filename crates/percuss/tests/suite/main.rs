@@ -5,7 +5,6 @@ mod angular_rates;
 mod arrays;
 mod audit;
 mod beam_ends;
-mod circles;
 mod common;
 mod contact;
 mod contact_resultant;
