@@ -61,7 +61,7 @@ impl<'a> Flight<'a> {
         search.set_run(0, true);
         let (ledger, log) = (LaneLedger::open(&engine), Log::new(&engine));
         let rigid: Vec<usize> = rigid_guides(&engine.numbers).collect();
-        let restitution = |k: &usize| engine.numbers.guides[*k].stiffness.value;
+        let restitution = |k: &usize| engine.numbers.guides[*k].restitution.value;
         let restitutions: Vec<f64> = rigid.iter().map(restitution).collect();
         let pace = Pace::new(settings, model.position_scale(), &restitutions);
         engine.press = rigid.first().map(|k| Press::new(&engine, *k));
@@ -184,7 +184,8 @@ impl<'a> Flight<'a> {
         let Some(press) = &mut self.engine.press else { return Ok(()) };
         press.which = first.is_some();
         if let Some((phase, k)) = first {
-            let (own, rate) = (self.engine.numbers.guides[k].stiffness, self.engine.guides[k].rate);
+            let (own, rate) =
+                (self.engine.numbers.guides[k].restitution, self.engine.guides[k].rate);
             let zero = rate.constant(0.0);
             press.guide = k;
             press.bound = match phase {

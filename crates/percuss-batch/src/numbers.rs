@@ -87,8 +87,10 @@ pub struct GuideNumbers<S> {
     pub mass: S,
     /// Speed along the line of flight at the start \[m/s\].
     pub speed: S,
-    /// Stiffness of the law, or coefficient of restitution.
+    /// Stiffness of the law \[N/m, N/m^(3/2)\]; zero of a rigid one.
     pub stiffness: S,
+    /// Coefficient of restitution of a rigid contact \[-\]; zero of others.
+    pub restitution: S,
 }
 
 /// A dead load, for a factor of one.
@@ -174,6 +176,7 @@ impl<S: Copy> GuideNumbers<S> {
             mass: f(self.mass),
             speed: f(self.speed),
             stiffness: f(self.stiffness),
+            restitution: f(self.restitution),
         }
     }
 }

@@ -145,7 +145,7 @@ impl<S: Number> Paced<S> {
         let guide = &run.numbers.guides[self.guide];
         let mut new = Lane {
             run: self.next,
-            pace: Pace::new(settings, scales.positions, &[guide.stiffness]),
+            pace: Pace::new(settings, scales.positions, &[guide.restitution]),
             rigid: RigidLog::new(0.0),
             scales,
             last: (settings.step, 0.0),

@@ -135,7 +135,7 @@ fn guide(
     i: usize,
     projectile: &ProjectileData,
 ) -> Result<GuideNumbers<f64>, &'static str> {
-    let (law, stiffness) = match &model.contacts[i].law {
+    let (law, stiffness, restitution) = match &model.contacts[i].law {
         TouchLaw::Smooth(law) => {
             if law.force != ContactForce::Conserving {
                 return Err("a contact force other than the conserving one");
@@ -147,8 +147,8 @@ fn guide(
                 return Err("a contact force that dissipates");
             }
             match law.potential {
-                Potential::Linear { stiffness } => (GuideLaw::Linear, stiffness),
-                Potential::Hertz { stiffness } => (GuideLaw::Hertz, stiffness),
+                Potential::Linear { stiffness } => (GuideLaw::Linear, stiffness, 0.0),
+                Potential::Hertz { stiffness } => (GuideLaw::Hertz, stiffness, 0.0),
                 _ => return Err("a contact law given by a table or a function"),
             }
         }
@@ -159,7 +159,7 @@ fn guide(
             if law.impact != ImpactLaw::Newton {
                 return Err("an impact law other than Newton's");
             }
-            (GuideLaw::Rigid, law.restitution)
+            (GuideLaw::Rigid, 0.0, law.restitution)
         }
     };
     let (body, point) = (&model.bodies[projectile.body], &projectile.point);
@@ -178,5 +178,6 @@ fn guide(
         mass: body.mass,
         speed: dot(projectile.direction, body.velocity),
         stiffness,
+        restitution,
     })
 }
