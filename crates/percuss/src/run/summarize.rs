@@ -1,6 +1,8 @@
 //! The summary of a run that has ended.
 
 use super::observing::connector_log;
+use super::observing::contact_log::ContactLog;
+use super::observing::crest::Crest;
 use super::observing::given::Given;
 use super::observing::joint_log;
 use super::observing::monitor::Monitor;
@@ -11,6 +13,7 @@ use crate::ledger::Measures;
 use crate::math::vec2::{dot, norm, scale};
 use crate::model::Model;
 use crate::state::State;
+use crate::step::effective_mass::EffectiveMass;
 use crate::summary::*;
 
 /// A run that has ended.
@@ -35,10 +38,10 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
     let Standing { model, settings, state } = at;
     let ledger = &state.ledger;
     let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
-    let effective = model.effective_masses();
     let [energy_scale, linear_scale, angular_scale] = ledger.audit_scales();
     let audit = monitor.audit;
     let sets = yielding::sets(model, state);
+    let contact_residual_max = monitor.contacts.residual;
     let mut summary = RunSummary {
         termination,
         time: state.time,
@@ -75,35 +78,10 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
             angular_rate_drift_max: relative(audit.angular_rate_drift, energy_scale),
         },
         projectiles: projectiles(model, state, &monitor.given),
-        contacts: (model.contacts.iter().zip(monitor.contacts.records).enumerate())
-            .map(|(i, (contact, mut record))| {
-                record.intervals_mut().iter_mut().for_each(|c| c.energy.balance());
-                let pairs = || contact.pairs.clone();
-                ContactSummary {
-                    name: contact.name.clone(),
-                    between: contact.between.clone(),
-                    effective_mass: effective.get(i).copied().or(monitor.struck_masses[i]),
-                    equivalent_force: None,
-                    no_equivalent_force: None,
-                    permanent_penetration: contact.law.permanent(state, pairs()),
-                    pressed_in: monitor.contacts.pressed[i],
-                    carried_crush: contact.law.carried(state, pairs()),
-                    record,
-                }
-            })
-            .collect(),
-        contact_residual_max: monitor.contacts.residual,
+        contacts: contacts(at, monitor.contacts, &monitor.struck_masses),
+        contact_residual_max,
         shared_blows: monitor.shared_blows,
-        points: (model.points.iter().zip(monitor.points))
-            .map(|(p, mut crests)| {
-                crests.iter_mut().for_each(|crest| crest.close(0, state.time));
-                PointSummary {
-                    name: p.label.clone(),
-                    displacement_max: crests.map(|c| Peak { value: c.value, time: c.time }),
-                    resolved: crests.map(|c| c.is_resolved(0)),
-                }
-            })
-            .collect(),
+        points: points(at, monitor.points),
         supports: monitor.supports,
         plastic: yielding::summaries(model, state, &monitor.yielded, &sets),
         yielding: connector_log::summaries(model, state, &monitor.connectors, &sets),
@@ -118,6 +96,45 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
         }
     }
     summary
+}
+
+fn contacts(
+    at: Standing<'_>,
+    log: ContactLog,
+    struck_masses: &[Option<EffectiveMass>],
+) -> Vec<ContactSummary> {
+    let Standing { model, state, .. } = at;
+    let effective = model.effective_masses();
+    (model.contacts.iter().zip(log.records).enumerate())
+        .map(|(i, (contact, mut record))| {
+            record.intervals_mut().iter_mut().for_each(|c| c.energy.balance());
+            let pairs = || contact.pairs.clone();
+            ContactSummary {
+                name: contact.name.clone(),
+                between: contact.between.clone(),
+                effective_mass: effective.get(i).copied().or(struck_masses[i]),
+                equivalent_force: None,
+                no_equivalent_force: None,
+                permanent_penetration: contact.law.permanent(state, pairs()),
+                pressed_in: log.pressed[i],
+                carried_crush: contact.law.carried(state, pairs()),
+                record,
+            }
+        })
+        .collect()
+}
+
+fn points(at: Standing<'_>, crests: Vec<[Crest<f64>; 2]>) -> Vec<PointSummary> {
+    (at.model.points.iter().zip(crests))
+        .map(|(p, mut crests)| {
+            crests.iter_mut().for_each(|crest| crest.close(0, at.state.time));
+            PointSummary {
+                name: p.label.clone(),
+                displacement_max: crests.map(|c| Peak { value: c.value, time: c.time }),
+                resolved: crests.map(|c| c.is_resolved(0)),
+            }
+        })
+        .collect()
 }
 
 fn projectiles(model: &Model, state: &State, given: &[Given]) -> Vec<ProjectileSummary> {
