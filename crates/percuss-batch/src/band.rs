@@ -12,9 +12,9 @@ use percuss::internals::scalar::Number;
 pub struct Band<S> {
     /// Diagonal blocks, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation the inverses of the pivots.
     pub diag: Vec<Block<S>>,
-    /// Block in row i, column i + 1, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `pivot^-1 upper` \[1, m, 1/m\].
+    /// Block in row i, column i + 1, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `pivot^-1 upper` \[-, m, 1/m\].
     pub upper: Vec<Block<S>>,
-    /// Block in row i + 1, column i, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `lower pivot^-1` \[1, m, 1/m\].
+    /// Block in row i + 1, column i, shape (beam nodes, 4, 4) \[N/m, N, N m\]; after factorisation `lower pivot^-1` \[-, m, 1/m\].
     pub lower: Vec<Block<S>>,
 }
 

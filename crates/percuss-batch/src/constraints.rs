@@ -49,13 +49,13 @@ struct ConstraintState<S> {
     /// Multiplier in the step at hand, and its correction \[N, N m\].
     multiplier: S,
     correction: S,
-    /// Round-off of the steps before that this one takes back \[m, 1\].
+    /// Round-off of the steps before that this one takes back \[m, -\].
     taken_back: S,
-    /// By how much the increment as it stands misses the constraint \[m, 1\].
+    /// By how much the increment as it stands misses the constraint \[m, -\].
     miss: S,
-    /// Gradient in the middle of the step, as it was evaluated last, shape (4, 4) \[1, m, 1/m\].
+    /// Gradient in the middle of the step, as it was evaluated last, shape (4, 4) \[-, m, 1/m\].
     gradient: NodalForm<S>,
-    /// Gradient at the end of the step, in the free directions, of the factors in use, shape (4, 4) \[1, m, 1/m\].
+    /// Gradient at the end of the step, in the free directions, of the factors in use, shape (4, 4) \[-, m, 1/m\].
     row: NodalForm<S>,
     /// What the factors in use answer to its gradient, shape (beam nodes, 4) \[m/N, 1/N\].
     column: Vec<[S; 4]>,

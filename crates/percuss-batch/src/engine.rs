@@ -24,7 +24,7 @@ pub struct Engine<S: Number> {
     pub numbers: Numbers<S>,
     /// Size of the step at hand \[s\].
     pub h: S,
-    /// Displacements of the beams' nodes, shape (beam nodes, 4) \[m, 1\].
+    /// Displacements of the beams' nodes, shape (beam nodes, 4) \[m, -\].
     pub displacement: Vec<[S; 4]>,
     /// Velocities of the same, shape (beam nodes, 4) \[m/s, 1/s\].
     pub velocity: Vec<[S; 4]>,
@@ -51,13 +51,13 @@ pub struct Engine<S: Number> {
     pub load_factors: Vec<S>,
     /// What loads apply to the nodes, shape (beam nodes, 4) \[N, N m\].
     pub applied: Vec<[S; 4]>,
-    /// Increment over the step, shape (beam nodes, 4) \[m, 1\].
+    /// Increment over the step, shape (beam nodes, 4) \[m, -\].
     pub increment: Vec<[S; 4]>,
-    /// What accelerations added to it, as foreseen by the step before, shape (beam nodes, 4) \[m, 1\].
+    /// What accelerations added to it, as foreseen by the step before, shape (beam nodes, 4) \[m, -\].
     pub trend: Vec<[S; 4]>,
     /// Residual in the free directions, shape (beam nodes, 4) \[N, N m\].
     pub residual: Vec<[S; 4]>,
-    /// Correction of the increment, shape (beam nodes, 4) \[m, 1\].
+    /// Correction of the increment, shape (beam nodes, 4) \[m, -\].
     pub correction: Vec<[S; 4]>,
     /// The tangent, once assembled and then factored, and the factors in use.
     pub tangent: Band<S>,

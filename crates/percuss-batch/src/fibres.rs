@@ -16,7 +16,7 @@ use percuss::math::hermite::GAUSS;
 pub struct FibreStates<S: Number> {
     /// What they remember, shape (fibres).
     pub states: Vec<FibreState<S>>,
-    /// Strains at the Gauss points at the start of the step, shape (elements, Gauss points, 2); empty without fibres \[1, 1/m\].
+    /// Strains at the Gauss points at the start of the step, shape (elements, Gauss points, 2); empty without fibres \[-, 1/m\].
     pub strains: Vec<GaussStrains<S>>,
     /// Whether any has flowed in the step accepted last.
     pub flowed: S::Mask,
@@ -170,7 +170,7 @@ impl<S: Number> Task for Advance<'_, S> {
 struct Energies<'a, S: Number> {
     of: &'a ElementFibres<'a, S>,
     table: &'a ElementTable<S>,
-    /// At the Gauss points, shape (Gauss points, 2) \[1, 1/m\].
+    /// At the Gauss points, shape (Gauss points, 2) \[-, 1/m\].
     strains: &'a GaussStrains<S>,
 }
 

@@ -13,7 +13,7 @@ use percuss::math::vec2::{dot, scale};
 pub struct GroundSpringNumbers<S> {
     /// The point it acts on.
     pub point: MaterialPoint<S>,
-    /// Line it acts along, unit vector, shape (2) \[1\].
+    /// Line it acts along, unit vector, shape (2) \[-\].
     pub direction: [S; 2],
     /// Its force over the displacement along the line.
     pub law: ConnectorLaw<S>,

@@ -19,7 +19,7 @@ pub struct Press<S: Number> {
     nodal: Vec<[S; 4]>,
     /// How far it moves the projectiles, shape (guided projectiles) \[m/N\].
     ways: Vec<S>,
-    /// What it changes of the multipliers, shape (constraints) \[1, m\].
+    /// What it changes of the multipliers, shape (constraints) \[-, m\].
     multipliers: Vec<S>,
     /// Whether these are those of the factors in use.
     pub known: bool,

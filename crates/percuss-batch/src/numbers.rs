@@ -13,7 +13,7 @@ pub struct Numbers<S> {
     pub step: S,
     /// Spans of all beams, shape (spans).
     pub spans: Vec<SpanNumbers<S>>,
-    /// Reference position and tangent of the beams' nodes, shape (beam nodes, 4) \[m, 1\].
+    /// Reference position and tangent of the beams' nodes, shape (beam nodes, 4) \[m, -\].
     pub nodes: Vec<[S; 4]>,
     /// Components held at nodes, shape (nodes held).
     pub prescribed: Vec<PrescribedDofs<S>>,
@@ -73,13 +73,13 @@ pub struct GuideNumbers<S> {
     pub node: usize,
     /// Law of its contact.
     pub law: GuideLaw,
-    /// Shape functions of the struck point, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
+    /// Shape functions of the struck point, on (u_a, u_a', u_b, u_b'), shape (4) \[-, m, -, m\].
     pub shape: [S; 4],
     /// Reference position of the struck point, shape (2) \[m\].
     pub struck: [S; 2],
     /// Reference position of the projectile, shape (2) \[m\].
     pub position: [S; 2],
-    /// Line of flight, unit vector towards the beam, shape (2) \[1\].
+    /// Line of flight, unit vector towards the beam, shape (2) \[-\].
     pub direction: [S; 2],
     /// Gap in the reference configuration \[m\].
     pub standoff: S,

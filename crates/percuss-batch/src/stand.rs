@@ -10,7 +10,7 @@ use percuss::math::hermite::GAUSS;
 /// A state and its ledger.
 #[derive(Clone, Debug)]
 pub struct Stand<S: Number> {
-    /// Displacements of the nodes, shape (beam nodes, 4) \[m, 1\].
+    /// Displacements of the nodes, shape (beam nodes, 4) \[m, -\].
     displacement: Vec<[S; 4]>,
     /// Their velocities, shape (beam nodes, 4) \[m/s, 1/s\].
     velocity: Vec<[S; 4]>,

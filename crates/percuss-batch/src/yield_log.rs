@@ -22,13 +22,13 @@ pub struct Noted<S> {
 /// What is noted of a span.
 #[derive(Clone, Copy, Debug)]
 pub struct YieldLog<S> {
-    /// Plastic strain of largest magnitude, signed \[1\].
+    /// Plastic strain of largest magnitude, signed \[-\].
     pub strain: Noted<S>,
-    /// Largest accumulated plastic strain \[1\].
+    /// Largest accumulated plastic strain \[-\].
     pub accumulated: Noted<S>,
     /// Number of the Gauss point at which it first yielded, and when, shape (2); nothing if no plastic strain has accumulated \[-, s\].
     pub first: [S; 2],
-    /// Largest stress before that over the limit at which a fibre yields; noted for derivatives alone \[1\].
+    /// Largest stress before that over the limit at which a fibre yields; noted for derivatives alone \[-\].
     pub near: Noted<S>,
 }
 

@@ -37,7 +37,7 @@ catalogue! {
         /// Period of a rear mass on its spring against the step \[s\].
         RearMass = "W008", "rear mass",
             "The mass behind the spring of a projectile swings faster than the step resolves. Give a shorter `time.step`.";
-        /// Shear deformation, which beams here leave out, against what matters \[1\].
+        /// Shear deformation, which beams here leave out, against what matters \[-\].
         Shear = "W009", "shear deformation",
             "Beams here keep their sections normal to the axis. For short or thick beams, and for short waves, shear deformation is \
              no longer small: frequencies come out too high and deflections too small, by about the share that is told.";

@@ -25,7 +25,7 @@ pub(crate) struct Panel<'a> {
     pub title: String,
     /// Index of the colour.
     pub style: usize,
-    /// Nodal displacements and slopes, of any size, shape (nodes, 4) \[m, 1\].
+    /// Nodal displacements and slopes, of any size, shape (nodes, 4) \[m, -\].
     pub shape: &'a [[f64; 4]],
 }
 

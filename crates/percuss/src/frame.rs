@@ -20,7 +20,7 @@ pub struct FrameForce {
 pub struct Frame<'a> {
     /// Time \[s\].
     pub time: f64,
-    /// Displacements (u1, u2, u1', u2') of beams' nodes, (u1, u2, angle, 0) of bodies, shape (nodes, 4) \[m, 1, rad\].
+    /// Displacements (u1, u2, u1', u2') of beams' nodes, (u1, u2, angle, 0) of bodies, shape (nodes, 4) \[m, -, rad\].
     pub displacement: &'a [[f64; 4]],
     /// Velocities of the same, shape (nodes, 4) \[m/s, 1/s, rad/s\].
     pub velocity: &'a [[f64; 4]],

@@ -112,7 +112,7 @@ pub struct State {
     /// Time \[s\].
     pub time: f64,
     /// Displacements and their gradients (u1, u2, u1', u2') of the beams' nodes, then displacements and angle of the bodies,
-    /// shape (nodes, 4) \[m, 1, rad\].
+    /// shape (nodes, 4) \[m, -, rad\].
     pub displacement: Vec<[f64; 4]>,
     /// Velocities of the same, shape (nodes, 4) \[m/s, 1/s, rad/s\].
     pub velocity: Vec<[f64; 4]>,
@@ -120,7 +120,7 @@ pub struct State {
     pub acceleration: Vec<[f64; 4]>,
     /// Angular rate of the tangent at the Gauss points, shape (elements, Gauss points) \[rad/s\].
     pub spin: Vec<[f64; GAUSS]>,
-    /// Stored strains (membrane, bending) at the Gauss points, shape (elements, Gauss points, 2) \[1, 1/m\]; strain-rate scheme only, empty
+    /// Stored strains (membrane, bending) at the Gauss points, shape (elements, Gauss points, 2) \[-, 1/m\]; strain-rate scheme only, empty
     /// otherwise.
     pub strain: Vec<[[f64; 2]; GAUSS]>,
     /// What fibres remember, shape (fibres).

@@ -62,7 +62,7 @@ impl Fields {
 pub struct StoredFrame {
     /// Time \[s\].
     pub time: f64,
-    /// Displacements of the scene's nodes, shape (n_node, 4) \[m, 1; m, rad for bodies\].
+    /// Displacements of the scene's nodes, shape (n_node, 4) \[m, -; m, rad for bodies\].
     pub displacement: Vec<f32>,
     /// Velocities of the same, shape (n_node, 4) \[m/s, 1/s; m/s, rad/s for bodies\]; empty in runs that kept none.
     pub velocity: Vec<f32>,
@@ -72,7 +72,7 @@ pub struct StoredFrame {
     /// Axial force, shear force, moment at the start and at the end of every interval between two stations of a beam,
     /// shape (n_interval, 2, 3) \[N, N, N m\].
     pub section_forces: Vec<f32>,
-    /// Number of the contact, position, force on its second partner, and 1 where that is an impulse; shape (n, 6) \[1, m, N or N s, 1\].
+    /// Number of the contact, position, force on its second partner, and 1 where that is an impulse; shape (n, 6) \[-, m, N or N s, -\].
     pub contact_forces: Vec<f32>,
     /// Factors of the loads, shape (n_load) \[-\].
     pub load_factors: Vec<f32>,

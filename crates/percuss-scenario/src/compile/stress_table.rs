@@ -19,7 +19,7 @@ const REACH: [f64; 2] = [1.0, 0.5];
 
 /// A table and the test in which it was measured.
 pub(super) struct StressTable<'a> {
-    /// Plastic strain and stress, shape (points, 2) \[1, Pa\].
+    /// Plastic strain and stress, shape (points, 2) \[-, Pa\].
     pub points: &'a [[f64; 2]],
     pub stress: TableStress,
     pub measure: StrainMeasure,

@@ -25,7 +25,7 @@ const NO_LOAD: f64 = 1e-14;
 pub struct BucklingMode {
     /// Factor on the loads that act at time zero.
     pub factor: f64,
-    /// Nodal displacements and slopes, the largest component of a displacement one, shape (nodes, 4) \[1, 1/m\].
+    /// Nodal displacements and slopes, the largest component of a displacement one, shape (nodes, 4) \[-, 1/m\].
     pub shape: Vec<[f64; 4]>,
 }
 

@@ -11,7 +11,7 @@ use crate::state::State;
 pub struct StaticFirstYield {
     /// Arc length from the start of the beam \[m\], that of the Gauss point that has yielded most by then.
     pub s: f64,
-    /// Share of the loads at the end of the load step in which it does \[1\].
+    /// Share of the loads at the end of the load step in which it does \[-\].
     pub share: f64,
 }
 
@@ -22,7 +22,7 @@ pub(super) struct Course {
     pub first_yields: Vec<Option<StaticFirstYield>>,
     /// Share of the loads at the last place.
     share: f64,
-    /// Increments of the nodes there, shape (nodes, 4) \[m, 1\].
+    /// Increments of the nodes there, shape (nodes, 4) \[m, -\].
     increment: Vec<[f64; 4]>,
     /// How far nodes go at most for the share of the loads in the first step, and in any, shape (2) \[m\].
     rates: [f64; 2],

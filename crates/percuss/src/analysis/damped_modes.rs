@@ -21,7 +21,7 @@ const MOSTLY_RIGID: f64 = 0.5;
 struct Still {
     forcing: Forcing,
     rule: Integration,
-    /// No increment, shape (nodes, 4) \[m, 1, rad\].
+    /// No increment, shape (nodes, 4) \[m, -, rad\].
     increment: Vec<[f64; 4]>,
 }
 
@@ -119,7 +119,7 @@ struct SlowSupports<'a> {
     full: &'a Model,
     structure: &'a Linearized<'a>,
     /// Gradients of what is held at nodes and of constraints, with the number of each among the ties, shape (those, nodes, 4)
-    /// \[index of a tie, 1, m\].
+    /// \[index of a tie, -, m\].
     gradients: Vec<(usize, Vec<[f64; 4]>)>,
     /// The matrix of their products, factored.
     gram: DenseLu,

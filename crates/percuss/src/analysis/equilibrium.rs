@@ -43,7 +43,7 @@ pub struct Equilibrium {
     /// Where and under which share of the loads beams first yielded on the way to it, shape (beams); empty at the end of a path.
     pub first_yields: Vec<Option<StaticFirstYield>>,
     /// How many times faster with the loads than in the first load step nodes went where they went fastest: about one of a structure that
-    /// stays elastic, and many of one that passes a plastic mechanism; not a number at the end of a path \[1\].
+    /// stays elastic, and many of one that passes a plastic mechanism; not a number at the end of a path \[-\].
     pub softening: f64,
     /// Whether the structure returns to it: no motion about it grows.
     pub stable: bool,

@@ -120,7 +120,7 @@ fn has_slack_springs(model: &Model) -> bool {
 /// Displacements, and multipliers of constraints.
 #[derive(Clone, Default)]
 struct Solution {
-    /// Of the nodes, shape (nodes, 4) \[m, 1\].
+    /// Of the nodes, shape (nodes, 4) \[m, -\].
     displacement: Vec<[f64; 4]>,
     /// Of the constraints, shape (constraints) \[N, N m\].
     multiplier: Vec<f64>,

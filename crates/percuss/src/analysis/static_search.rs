@@ -356,7 +356,7 @@ pub(crate) fn unbalanced_forces(
     search.work.residual.iter().map(|f| f.map(|c| -c)).collect()
 }
 
-/// Strains of a configuration, as the scheme that stores them keeps them, shape (elements, Gauss points, 2) \[1, 1/m\].
+/// Strains of a configuration, as the scheme that stores them keeps them, shape (elements, Gauss points, 2) \[-, 1/m\].
 pub(crate) fn stored_strains(structure: &Model, state: &State) -> Vec<[[f64; 2]; GAUSS]> {
     let mut search = StaticSearch::at(structure, state);
     search.foresee(true);

@@ -156,11 +156,11 @@ impl Pair {
 struct Mover {
     /// Position, shape (2) \[m\].
     position: [f64; 2],
-    /// The tangent, shape (2) \[1\]; zero for a body, whose angle takes no part.
+    /// The tangent, shape (2) \[-\]; zero for a body, whose angle takes no part.
     tangent: [f64; 2],
     /// Increment of the position, shape (2) \[m\].
     moves: [f64; 2],
-    /// Increment of the tangent, shape (2) \[1\].
+    /// Increment of the tangent, shape (2) \[-\].
     turns: [f64; 2],
     /// Weight of slopes: the square of a length \[m^2\].
     weight: f64,

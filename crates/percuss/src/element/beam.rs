@@ -28,7 +28,7 @@ pub struct ElementTable<S = f64> {
 pub struct NodeFrame {
     /// Position, shape (2) \[m\].
     pub position: [f64; 2],
-    /// Tangent, shape (2) \[1\].
+    /// Tangent, shape (2) \[-\].
     pub tangent: [f64; 2],
 }
 

@@ -35,7 +35,7 @@ pub fn response<S: Real, const TANGENT: bool>(
 /// One end of a step at a Gauss point.
 #[derive(Clone, Copy, Debug)]
 pub struct End<S> {
-    /// Displacement gradient u', shape (2) \[1\].
+    /// Displacement gradient u', shape (2) \[-\].
     pub slope: [S; 2],
     /// Second derivative u'', shape (2) \[1/m\].
     pub bend: [S; 2],
@@ -43,7 +43,7 @@ pub struct End<S> {
     pub stretch: S,
     /// Its reciprocal, in engineering strains that of its square: `kappa = kappa0 - b inverse`.
     pub inverse: S,
-    /// Membrane strain \[1\].
+    /// Membrane strain \[-\].
     pub membrane: S,
 }
 
@@ -165,7 +165,7 @@ pub struct PointStep<'a, S> {
     pub reference: &'a Reference<S>,
     /// Start of the step.
     pub start: &'a End<S>,
-    /// Increment of u', shape (2) \[1\].
+    /// Increment of u', shape (2) \[-\].
     pub d_slope: [S; 2],
     /// Increment of u'', shape (2) \[1/m\].
     pub d_bend: [S; 2],
@@ -234,7 +234,7 @@ pub struct Step<S> {
     end: End<S>,
     /// Bending at the start and at the end, shape (2).
     bent: [Bent<S>; 2],
-    /// Tangent x' at the end, shape (2) \[1\].
+    /// Tangent x' at the end, shape (2) \[-\].
     g: [S; 2],
     /// x'' at the end, shape (2) \[1/m\].
     p: [S; 2],

@@ -89,7 +89,7 @@ impl StressLaw {
 }
 
 impl StressLaw {
-    /// Magnitude of a strain over that at which the fibre fails \[1\]; none where it gapes, and of one that never fails.
+    /// Magnitude of a strain over that at which the fibre fails \[-\]; none where it gapes, and of one that never fails.
     pub fn use_of_failure_strain(&self, strain: f64) -> f64 {
         let Self::Plastic(law) = self else { return 0.0 };
         let gapes = law.slack.is_some_and(|slack| slack.frees(strain));
@@ -155,7 +155,7 @@ impl<S: Number> StressLaw<S> {
         [found.dissipated, viscous * change * change]
     }
 
-    /// Elastic strain of a fibre that has reached a strain: none of one that gapes \[1\].
+    /// Elastic strain of a fibre that has reached a strain: none of one that gapes \[-\].
     #[inline(always)]
     fn elastic_strain(&self, state: &FibreState<S>, strain: S) -> S {
         let none = strain.constant(0.0);

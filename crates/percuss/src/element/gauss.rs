@@ -11,7 +11,7 @@ use crate::scalar::Real;
 /// no other.
 #[derive(Clone, Copy, Debug)]
 pub struct GaussRow<S = f64> {
-    /// Coefficients of u', shape (3) \[1/m, 1, 1\].
+    /// Coefficients of u', shape (3) \[1/m, -, -\].
     pub first: [S; 3],
     /// Coefficients of u'', shape (3) \[1/m^2, 1/m, 1/m\].
     pub second: [S; 3],
@@ -50,9 +50,9 @@ pub struct SectionValues {
 pub struct ElementValues<S> {
     /// u_b - u_a, shape (2) \[m\], or another unit if these are rates.
     pub chord: [S; 2],
-    /// u_a', shape (2) \[1\], or that per unit of time.
+    /// u_a', shape (2) \[-\], or that per unit of time.
     pub slope_a: [S; 2],
-    /// u_b', shape (2) \[1\], or that per unit of time.
+    /// u_b', shape (2) \[-\], or that per unit of time.
     pub slope_b: [S; 2],
 }
 

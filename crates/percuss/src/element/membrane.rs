@@ -20,9 +20,9 @@ pub const SAMPLES: usize = 3;
 /// at one of these, and forces are those of elements that have no such table.
 #[derive(Clone, Copy, Debug)]
 pub struct MembraneTable<S = f64> {
-    /// Coefficients of u' at the sampling points, acting on (u_b - u_a, u_a', u_b'), shape (sampling points, 3) \[1/m, 1, 1\].
+    /// Coefficients of u' at the sampling points, acting on (u_b - u_a, u_a', u_b'), shape (sampling points, 3) \[1/m, -, -\].
     pub rows: [[S; 3]; SAMPLES],
-    /// Reference tangents there, shape (sampling points, 2) \[1\].
+    /// Reference tangents there, shape (sampling points, 2) \[-\].
     pub tangent: [[S; 2]; SAMPLES],
     /// `int EA L_i L_k ds` with the quadratics L through the sampling points, shape (sampling points, sampling points) \[N m\].
     pub stiffness: [[S; SAMPLES]; SAMPLES],
@@ -35,17 +35,17 @@ pub struct MembraneTable<S = f64> {
 /// What a scheme makes of the membrane strain at a sampling point: `deps = alpha g.dg` at the configuration g.
 #[derive(Clone, Copy, Debug)]
 pub struct MembranePoint<S> {
-    /// Membrane strain that sets the stress \[1\].
+    /// Membrane strain that sets the stress \[-\].
     pub strain: S,
-    /// Strain of the geometric stiffness; that of the stress as a rule \[1\].
+    /// Strain of the geometric stiffness; that of the stress as a rule \[-\].
     pub geometric: S,
     /// alpha.
     pub alpha: S,
-    /// Configuration of evaluation: tangent x', shape (2) \[1\].
+    /// Configuration of evaluation: tangent x', shape (2) \[-\].
     pub g: [S; 2],
-    /// Derivative of `strain` with respect to g at the end of the step, shape (2) \[1\].
+    /// Derivative of `strain` with respect to g at the end of the step, shape (2) \[-\].
     pub d_strain: [S; 2],
-    /// Derivative of `alpha` with respect to g at the end of the step, shape (2) \[1\].
+    /// Derivative of `alpha` with respect to g at the end of the step, shape (2) \[-\].
     pub d_alpha: [S; 2],
 }
 
@@ -194,11 +194,11 @@ impl<S: Real> MembraneTable<S> {
 /// The ends of a step at a sampling point.
 #[derive(Clone, Copy, Debug)]
 pub struct MembraneStep<S> {
-    /// Reference tangent, shape (2) \[1\].
+    /// Reference tangent, shape (2) \[-\].
     pub tangent: [S; 2],
-    /// Displacement gradient at the start, shape (2) \[1\].
+    /// Displacement gradient at the start, shape (2) \[-\].
     pub slope_0: [S; 2],
-    /// Its increment, shape (2) \[1\].
+    /// Its increment, shape (2) \[-\].
     pub d_slope: [S; 2],
 }
 

@@ -29,7 +29,7 @@ impl SectionLaw<f64> {
 /// The reference configuration at a Gauss point.
 #[derive(Clone, Copy, Debug)]
 pub struct Reference<S = f64> {
-    /// Tangent X', of unit length, shape (2) \[1\].
+    /// Tangent X', of unit length, shape (2) \[-\].
     pub tangent: [S; 2],
     /// Second derivative X'', shape (2) \[1/m\].
     pub bend: [S; 2],
@@ -42,11 +42,11 @@ pub struct Reference<S = f64> {
 pub struct StepPoint<S> {
     /// Reference configuration.
     pub reference: Reference<S>,
-    /// Displacement gradient u' at the start of the step, shape (2) \[1\].
+    /// Displacement gradient u' at the start of the step, shape (2) \[-\].
     pub slope_0: [S; 2],
     /// Second derivative u'' at the start of the step, shape (2) \[1/m\].
     pub bend_0: [S; 2],
-    /// Increment of u' over the step, shape (2) \[1\].
+    /// Increment of u' over the step, shape (2) \[-\].
     pub d_slope: [S; 2],
     /// Increment of u'' over the step, shape (2) \[1/m\].
     pub d_bend: [S; 2],
@@ -71,10 +71,10 @@ impl<S: Real> StepPoint<S> {
     }
 }
 
-/// Membrane strain \[1\] and bending strain \[1/m\].
+/// Membrane strain \[-\] and bending strain \[1/m\].
 #[derive(Clone, Copy, Debug)]
 pub struct Strains<S> {
-    /// Membrane strain eps \[1\].
+    /// Membrane strain eps \[-\].
     pub membrane: S,
     /// Bending strain kappa \[1/m\].
     pub bending: S,

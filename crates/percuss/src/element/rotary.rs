@@ -7,11 +7,11 @@ use crate::scalar::{Number, Real};
 /// How the tangent turns over a step at a point: from `g0` to `g0 + d_g`, through `g` in the middle.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn<S> {
-    /// Tangent at the start, shape (2) \[1\].
+    /// Tangent at the start, shape (2) \[-\].
     pub g0: [S; 2],
-    /// Its increment, shape (2) \[1\].
+    /// Its increment, shape (2) \[-\].
     pub d_g: [S; 2],
-    /// Tangent in the middle, shape (2) \[1\].
+    /// Tangent in the middle, shape (2) \[-\].
     pub g: [S; 2],
     /// `1 / g.g`.
     pub inv_a: S,

@@ -68,7 +68,7 @@ pub struct FibreEnergies<S> {
     pub hardening: S,
 }
 
-/// Membrane \[1\] and bending strain \[1/m\] at the Gauss points.
+/// Membrane \[-\] and bending strain \[1/m\] at the Gauss points.
 pub type GaussStrains<S = f64> = [[S; 2]; GAUSS];
 
 /// Membrane table of an element with fibres: they always have one.

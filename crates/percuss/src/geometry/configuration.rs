@@ -3,9 +3,9 @@
 /// Displacements `u + share d` of the nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct Configuration<'a> {
-    /// Displacements at the start of the step, shape (nodes, 4) \[m, 1, rad\].
+    /// Displacements at the start of the step, shape (nodes, 4) \[m, -, rad\].
     pub start: &'a [[f64; 4]],
-    /// Their increments, shape (nodes, 4) \[m, 1, rad\].
+    /// Their increments, shape (nodes, 4) \[m, -, rad\].
     pub increment: &'a [[f64; 4]],
     /// Share of the increment.
     pub share: f64,

@@ -10,7 +10,7 @@ use crate::math::vec2::{add, dot, norm, rot90, scale, sub};
 pub struct EdgeTouch {
     /// Signed distance from it \[m\].
     pub distance: f64,
-    /// Unit normal, shape (2) \[1\].
+    /// Unit normal, shape (2) \[-\].
     pub normal: [f64; 2],
     /// The nearest point, seen from the end of the axis along and across it, shape (2) \[m\].
     pub offset: [f64; 2],
@@ -36,9 +36,9 @@ enum Feature {
 struct EndFrame {
     /// Place of the axis' end, shape (2) \[m\].
     origin: [f64; 2],
-    /// Unit vector out of the beam, shape (2) \[1\].
+    /// Unit vector out of the beam, shape (2) \[-\].
     out: [f64; 2],
-    /// Unit vector across the axis, shape (2) \[1\].
+    /// Unit vector across the axis, shape (2) \[-\].
     across: [f64; 2],
 }
 

@@ -34,11 +34,11 @@ pub enum Carrier {
     /// A beam: shape functions and their slopes at a point of its axis, and the reference tangent there. The point itself is off
     /// the axis by `offset`, along it and across it, and turns with the section.
     Beam {
-        /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
+        /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[-, m, -, m\].
         shape: [f64; 4],
-        /// Their slopes, shape (4) \[1/m, 1, 1/m, 1\].
+        /// Their slopes, shape (4) \[1/m, -, 1/m, -\].
         slope: [f64; 4],
-        /// Reference tangent, shape (2) \[1\].
+        /// Reference tangent, shape (2) \[-\].
         tangent: [f64; 2],
         /// From the axis to the point, along it and across it, shape (2) \[m\].
         offset: [f64; 2],
@@ -47,11 +47,11 @@ pub enum Carrier {
 
 /// A section of a beam in a configuration.
 struct PlacedSection<'a> {
-    /// Slopes of the shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1/m, 1, 1/m, 1\].
+    /// Slopes of the shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1/m, -, 1/m, -\].
     slope: &'a [f64; 4],
-    /// Unit tangent of the axis, shape (2) \[1\].
+    /// Unit tangent of the axis, shape (2) \[-\].
     tangent: [f64; 2],
-    /// Unit normal of the axis, shape (2) \[1\].
+    /// Unit normal of the axis, shape (2) \[-\].
     normal: [f64; 2],
     /// Length of the derivative that the slopes give.
     stretch: f64,
@@ -232,7 +232,7 @@ pub enum Target {
     Guided {
         /// The point.
         point: Centre,
-        /// Unit vector from the point back to the projectile, shape (2) \[1\].
+        /// Unit vector from the point back to the projectile, shape (2) \[-\].
         normal: [f64; 2],
         /// Gap in the reference configuration \[m\].
         standoff: f64,
@@ -242,7 +242,7 @@ pub enum Target {
     /// A straight line, with what lies behind it.
     Line {
         point: Centre,
-        /// Unit normal, away from what lies behind the line, shape (2) \[1\].
+        /// Unit normal, away from what lies behind the line, shape (2) \[-\].
         normal: [f64; 2],
     },
     /// A wall between two points, from either side.

@@ -53,7 +53,7 @@ impl AxisElement {
 /// An element in a configuration: position and slope at both ends.
 #[derive(Clone, Copy)]
 pub struct ElementEnds {
-    /// Position and tangent x' at both ends, shape (2, 4) \[m, 1\].
+    /// Position and tangent x' at both ends, shape (2, 4) \[m, -\].
     nodes: [[f64; 4]; 2],
     length: f64,
 }

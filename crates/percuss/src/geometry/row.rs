@@ -10,7 +10,7 @@ pub struct Row {
     len: usize,
     /// Its nodes, those in use first, shape (6) \[index of a node\].
     nodes: [usize; CAPACITY],
-    /// Coefficients of their degrees of freedom, shape (6, 4) \[1, m for a form that is a length\].
+    /// Coefficients of their degrees of freedom, shape (6, 4) \[-, m for a form that is a length\].
     values: [[f64; 4]; CAPACITY],
 }
 

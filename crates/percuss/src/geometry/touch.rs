@@ -24,7 +24,7 @@ pub struct Touch {
     pub gap: f64,
     /// How far the surfaces are apart \[m\].
     pub apart: f64,
-    /// Unit normal, from target to source, shape (2) \[1\].
+    /// Unit normal, from target to source, shape (2) \[-\].
     pub normal: [f64; 2],
     /// Point of the target's axis that is nearest.
     pub closest: Centre,
@@ -52,7 +52,7 @@ pub enum Bend {
     /// The closest point slides along an axis.
     Curve {
         distance: f64,
-        /// Tangent x' there, shape (2) \[1\].
+        /// Tangent x' there, shape (2) \[-\].
         tangent: [f64; 2],
         /// Second derivative x'' there, shape (2) \[1/m\].
         bend: [f64; 2],

@@ -157,7 +157,7 @@ impl SectionConstants {
 pub struct GaussPointView {
     /// Integration weight \[m\].
     pub weight: f64,
-    /// Tangent of the reference, shape (2) \[1\].
+    /// Tangent of the reference, shape (2) \[-\].
     pub tangent: [f64; 2],
     /// The section there.
     pub section: SectionConstants,

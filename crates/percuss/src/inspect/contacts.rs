@@ -25,7 +25,7 @@ pub enum TargetShape {
     Round,
     /// A straight line with its normal.
     Line {
-        /// Unit normal, away from what lies behind the line, shape (2) \[1\].
+        /// Unit normal, away from what lies behind the line, shape (2) \[-\].
         normal: [f64; 2],
     },
     /// A wall between two points.

@@ -52,7 +52,7 @@ pub struct SupportView {
     pub until: f64,
     /// Whether it moves as prescribed.
     pub moves: bool,
-    /// Largest jump of its prescribed velocity, that from rest at the start included, as a share of the largest velocity \[1\].
+    /// Largest jump of its prescribed velocity, that from rest at the start included, as a share of the largest velocity \[-\].
     pub jump: f64,
 }
 
@@ -136,7 +136,7 @@ pub struct GuidedView<'m> {
     pub body: &'m Body,
     /// The mass behind it, if it has one.
     pub rear: Option<&'m Body>,
-    /// Unit vector of the line of flight, from projectile to beam, shape (2) \[1\].
+    /// Unit vector of the line of flight, from projectile to beam, shape (2) \[-\].
     pub direction: [f64; 2],
     /// The point struck.
     pub point: PointView<'m>,

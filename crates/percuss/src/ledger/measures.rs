@@ -30,7 +30,7 @@ pub struct Measures<S = f64> {
     pub angular: S,
     /// Largest distance of a stored bending strain from that of the configuration \[1/m\].
     pub curvature_drift: S,
-    /// Largest distance of a stored membrane strain from that of the configuration \[1\].
+    /// Largest distance of a stored membrane strain from that of the configuration \[-\].
     pub membrane_drift: S,
     /// Kinetic energy with the angular rates that follow from the slopes' velocities, less that with the sections' own rates, which is
     /// conserved \[J\].

@@ -16,10 +16,10 @@ pub struct Chain {
     /// the pivots, transposed as all factors.
     pub diag: Vec<Block>,
     /// Block in row i, column i + 1, shape (nodes, 4, 4) \[as the diagonal\]; the last one is unused. After factorisation `pivot^-1 upper`
-    /// before the middle, `upper pivot^-1` behind it \[1, m, 1/m\].
+    /// before the middle, `upper pivot^-1` behind it \[-, m, 1/m\].
     pub upper: Vec<Block>,
     /// Block in row i + 1, column i, shape (nodes, 4, 4) \[as the diagonal\]; the last one is unused. After factorisation the other way round
-    /// \[1, m, 1/m\].
+    /// \[-, m, 1/m\].
     pub lower: Vec<Block>,
 }
 

@@ -11,7 +11,7 @@ pub enum Piece {
     Straight {
         /// Where it starts, shape (2) \[m\].
         start: [f64; 2],
-        /// Unit tangent, shape (2) \[1\].
+        /// Unit tangent, shape (2) \[-\].
         tangent: [f64; 2],
         length: f64,
     },

@@ -102,7 +102,7 @@ enum Rigid {
         body: usize,
         /// A point of it, shape (2) \[m\].
         point: [f64; 2],
-        /// Unit normal, away from what lies behind it, shape (2) \[1\].
+        /// Unit normal, away from what lies behind it, shape (2) \[-\].
         normal: [f64; 2],
     },
     Segment {

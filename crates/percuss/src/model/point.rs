@@ -12,13 +12,13 @@ pub struct MaterialPoint<S = f64> {
     pub node: usize,
     /// Arc length from the start of the beam \[m\].
     pub s: S,
-    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[1, m, 1, m\].
+    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[-, m, -, m\].
     pub shape: [S; 4],
-    /// Derivatives of the shape functions, shape (4) \[1/m, 1, 1/m, 1\].
+    /// Derivatives of the shape functions, shape (4) \[1/m, -, 1/m, -\].
     pub slope: [S; 4],
     /// Reference position, shape (2) \[m\].
     pub position: [S; 2],
-    /// Reference tangent, shape (2) \[1\].
+    /// Reference tangent, shape (2) \[-\].
     pub tangent: [S; 2],
 }
 

@@ -54,7 +54,7 @@ pub struct DrawnStation {
     pub ends_span: bool,
     /// Position in the reference configuration, shape (2) \[m\].
     pub position: [f64; 2],
-    /// Unit tangent in the reference configuration, shape (2) \[1\].
+    /// Unit tangent in the reference configuration, shape (2) \[-\].
     pub tangent: [f64; 2],
     /// Distance of the extreme fibres from the axis \[m\]; NaN if unknown.
     pub half_depth: f64,
@@ -94,7 +94,7 @@ pub enum BodyShape {
     },
     /// A guided projectile: a point on its line of flight.
     Guided {
-        /// Unit vector of the line of flight, shape (2) \[1\].
+        /// Unit vector of the line of flight, shape (2) \[-\].
         direction: [f64; 2],
         /// Whether it strikes with a spring.
         elastic: bool,
@@ -127,7 +127,7 @@ pub enum ObstacleOutline {
     HalfPlane {
         /// A point of the line, shape (2) \[m\].
         point: [f64; 2],
-        /// Unit normal, out of the obstacle, shape (2) \[1\].
+        /// Unit normal, out of the obstacle, shape (2) \[-\].
         normal: [f64; 2],
     },
     /// A disc.
@@ -170,19 +170,19 @@ pub enum SupportSymbol {
     Pin,
     /// One displacement held; free along the direction.
     Roller {
-        /// Unit vector of free motion, shape (2) \[1\].
+        /// Unit vector of free motion, shape (2) \[-\].
         direction: [f64; 2],
     },
     /// Rotation held, displacements not.
     Guide,
     /// Springs.
     Elastic {
-        /// Unit vector of the stiffer one, shape (2) \[1\].
+        /// Unit vector of the stiffer one, shape (2) \[-\].
         direction: [f64; 2],
     },
     /// A stop after a free way.
     Stop {
-        /// Unit vector of the motion stopped, shape (2) \[1\].
+        /// Unit vector of the motion stopped, shape (2) \[-\].
         direction: [f64; 2],
         /// Free way \[m\].
         gap: f64,

@@ -29,7 +29,7 @@ pub enum BodyKind {
     Guided,
     /// A mass behind it; the body before it in the row is the front.
     Rear {
-        /// Unit vector of the line of flight, shape (2) \[1\].
+        /// Unit vector of the line of flight, shape (2) \[-\].
         direction: [f64; 2],
         /// Stiffness of the spring between both \[N/m\].
         stiffness: f64,
@@ -112,7 +112,7 @@ pub struct ProjectileData {
     /// Its body that strikes; a rear mass is the next one.
     pub body: usize,
     pub has_rear: bool,
-    /// Unit vector of the line of flight, from projectile to beam, shape (2) \[1\].
+    /// Unit vector of the line of flight, from projectile to beam, shape (2) \[-\].
     pub direction: [f64; 2],
     /// The point struck.
     pub point: MaterialPoint,

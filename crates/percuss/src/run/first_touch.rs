@@ -17,7 +17,7 @@ pub struct FirstTouches<'m> {
     model: &'m Model,
     /// The mass matrix of the reference configuration, factored when it is first needed.
     mass: Option<Result<Tangent, Singular>>,
-    /// No displacement of any node, shape (nodes, 4) \[m, 1, rad\].
+    /// No displacement of any node, shape (nodes, 4) \[m, -, rad\].
     rest: Vec<[f64; 4]>,
     /// Velocity of all nodes at the start, shape (nodes, 4) \[m/s, 1/s, rad/s\].
     velocity: Vec<[f64; 4]>,
@@ -27,7 +27,7 @@ pub struct FirstTouches<'m> {
 struct FirstTouch<'a> {
     pair: &'a Pair,
     touch: Touch,
-    /// Displacements of the nodes, shape (nodes, 4) \[m, 1, rad\].
+    /// Displacements of the nodes, shape (nodes, 4) \[m, -, rad\].
     u: Cow<'a, [[f64; 4]]>,
     comes: bool,
 }

@@ -193,7 +193,7 @@ struct StepState<'a> {
     integration: &'a Integration,
     /// Acceleration of gravity, shape (2) \[m/s^2\].
     gravity: [f64; 2],
-    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, 1, rad\].
+    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, -, rad\].
     increment: &'a [[f64; 4]],
 }
 

@@ -17,9 +17,9 @@ struct CondensedBody {
     /// Nodes that it touches, those in use first, shape (2) \[index of a node\].
     nodes: [usize; 2],
     count: usize,
-    /// `C K^-1` of each node's row: what the body's right side leaves there, shape (2, 4, 4) \[1, m, 1/m\].
+    /// `C K^-1` of each node's row: what the body's right side leaves there, shape (2, 4, 4) \[-, m, 1/m\].
     onto: [Block; 2],
-    /// `K^-1 D` of each node's column: what the node's value takes from the body's, shape (2, 4, 4) \[1, m, 1/m\].
+    /// `K^-1 D` of each node's column: what the node's value takes from the body's, shape (2, 4, 4) \[-, m, 1/m\].
     from: [Block; 2],
 }
 

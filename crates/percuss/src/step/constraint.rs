@@ -12,9 +12,9 @@ use crate::scalar::Real;
 /// A step as constraints see it.
 #[derive(Clone, Copy, Debug)]
 pub struct ConstraintStep<'a, S = f64> {
-    /// Displacements at the start, shape (nodes, 4) \[m, 1, rad\].
+    /// Displacements at the start, shape (nodes, 4) \[m, -, rad\].
     pub start: &'a [[S; 4]],
-    /// Their increments, shape (nodes, 4) \[m, 1, rad\].
+    /// Their increments, shape (nodes, 4) \[m, -, rad\].
     pub increment: &'a [[S; 4]],
     /// Prescribed motions.
     pub forcing: &'a Forcing,
@@ -22,7 +22,7 @@ pub struct ConstraintStep<'a, S = f64> {
     pub share: f64,
 }
 
-/// A gradient on the nodes of a constraint's points, two nodes of the first, two of the second, shape (4, 4) \[1, m, 1/m\].
+/// A gradient on the nodes of a constraint's points, two nodes of the first, two of the second, shape (4, 4) \[-, m, 1/m\].
 pub type NodalForm<S> = [[S; 4]; 4];
 
 /// What the ground does on a point through a constraint, a mean over a step.
@@ -219,7 +219,7 @@ impl ConstraintStep<'_> {
         self.forms(c, self.share)[0]
     }
 
-    /// Couple that the constraint of an angle has on its first point for a multiplier of one, zero of the others \[1\].
+    /// Couple that the constraint of an angle has on its first point for a multiplier of one, zero of the others \[-\].
     pub fn couple(&self, c: &Constraint) -> f64 {
         let ConstraintKind::Angle { points, .. } = &c.kind else { return 0.0 };
         cross(self.tangent(&points[0], self.share), self.forms(c, self.share)[0].0)

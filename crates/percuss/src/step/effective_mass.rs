@@ -146,7 +146,7 @@ struct StruckPlace {
     node: usize,
     /// Arc length \[m\].
     s: f64,
-    /// Unit tangent, shape (2) \[1\].
+    /// Unit tangent, shape (2) \[-\].
     tangent: [f64; 2],
 }
 

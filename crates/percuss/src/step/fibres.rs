@@ -88,7 +88,7 @@ struct Moved<'a> {
     span: &'a Span,
     fibres: &'a SpanFibres,
     rule: &'a Integration,
-    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, 1, rad\].
+    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, -, rad\].
     increment: &'a [[f64; 4]],
     state: &'a mut State,
     losses: &'a mut FibreLosses,

@@ -37,7 +37,7 @@ pub struct ModalDamping {
     /// What each mode's coordinate moves by where the ground of a tie moves by one and the structure follows as it does at rest,
     /// shape (modes, ties to the ground) \[kg^(1/2), kg^(1/2) m\].
     pub followed: Vec<Vec<f64>>,
-    /// Positions and tangents of the beams' nodes at the start, shape (nodes of beams, 4) \[m, 1\].
+    /// Positions and tangents of the beams' nodes at the start, shape (nodes of beams, 4) \[m, -\].
     pub start: Vec<[f64; 4]>,
     /// The mass matrix there.
     pub mass: Chain,

@@ -33,7 +33,7 @@ pub struct Tangent {
     of_connector: Vec<usize>,
     /// Number of the first coupling of each constraint, shape (constraints) \[index of a coupling\].
     of_constraint: Vec<usize>,
-    /// Right side of the constraints, then the change of their multipliers, shape (constraints) \[m, 1, then N, N m\].
+    /// Right side of the constraints, then the change of their multipliers, shape (constraints) \[m, -, then N, N m\].
     right: Vec<f64>,
     low_rank: LowRank,
 }

@@ -12,7 +12,7 @@ use crate::model::Model;
 /// Scratch of a step: the increment sought and what is needed to find it.
 #[derive(Clone, Debug)]
 pub struct Workspace {
-    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, 1, rad\].
+    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, -, rad\].
     pub increment: Vec<[f64; 4]>,
     /// Lead of prescribed velocities over those of the scheme.
     pub lead: Lead,
@@ -32,9 +32,9 @@ pub struct Workspace {
     pub residual: Vec<[f64; 4]>,
     /// What acts on the elements.
     pub beams: EndForces,
-    /// Right-hand side, then correction, shape (nodes, 4) \[N, N m, then m, 1, rad\].
+    /// Right-hand side, then correction, shape (nodes, 4) \[N, N m, then m, -, rad\].
     pub correction: Vec<[f64; 4]>,
-    /// The correction before, in iterations that take long, shape (nodes, 4) \[m, 1, rad\].
+    /// The correction before, in iterations that take long, shape (nodes, 4) \[m, -, rad\].
     pub correction_before: Vec<[f64; 4]>,
     /// Modal damping in the middle of the step.
     pub modal: MovingModes,
@@ -42,7 +42,7 @@ pub struct Workspace {
     pub tangent: Tangent,
 
     /// Answers of the model to unit forces at active contacts along normal and tangent: nodal vectors,
-    /// shape (2 active contacts or more, nodes, 4) \[m/N, 1/N\], and multipliers, shape (at least 2 active contacts, constraints) \[1, m\].
+    /// shape (2 active contacts or more, nodes, 4) \[m/N, 1/N\], and multipliers, shape (at least 2 active contacts, constraints) \[-, m\].
     pub contact_columns: Vec<(Vec<[f64; 4]>, Vec<f64>)>,
     /// The impact problem of the active contacts.
     pub impact: ImpactProblem,

@@ -89,7 +89,7 @@ pub struct SectionForceSummary {
     pub shear: SectionRange,
     /// Bending moment, positive where it turns the tangent counter-clockwise along the beam \[N m\].
     pub moment: SectionRange,
-    /// Strain of the extreme fibres, `nu - 1 -+ (theta' - theta0') depth / 2` \[1\]; NaN where no section has a depth.
+    /// Strain of the extreme fibres, `nu - 1 -+ (theta' - theta0') depth / 2` \[-\]; NaN where no section has a depth.
     pub strain: SectionRange,
     /// Stress of the extreme fibres, `N/A -+ M depth / (2 I)` \[Pa\].
     pub stress: SectionRange,

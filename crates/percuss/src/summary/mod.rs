@@ -78,10 +78,10 @@ pub struct MomentumSummary {
 pub struct AuditSummary {
     /// Largest distance of the stored bending strain from that of the configuration, zero but for the strain-rate scheme \[1/m\].
     pub curvature_drift_max: f64,
-    /// Largest distance of the stored membrane strain from that of the configuration, zero but for the strain-rate scheme \[1\].
+    /// Largest distance of the stored membrane strain from that of the configuration, zero but for the strain-rate scheme \[-\].
     pub membrane_drift_max: f64,
     /// Largest difference between the kinetic energy with the angular rates that follow from the slopes' velocities and that with
-    /// the sections' own rates, which is conserved, relative to the scale of energy \[1\].
+    /// the sections' own rates, which is conserved, relative to the scale of energy \[-\].
     pub angular_rate_drift_max: f64,
 }
 
@@ -142,7 +142,7 @@ pub struct RunSummary {
     pub projectiles: Vec<ProjectileSummary>,
     /// One entry a guided projectile, then one a contact, in the model's order, shape (guided projectiles and contacts).
     pub contacts: Vec<ContactSummary>,
-    /// Largest violation of the contacts' complementarity conditions, as a velocity relative to the largest one \[1\].
+    /// Largest violation of the contacts' complementarity conditions, as a velocity relative to the largest one \[-\].
     pub contact_residual_max: f64,
     /// Blows that several touching bodies shared.
     pub shared_blows: SharedBlows,

@@ -36,9 +36,9 @@ pub struct FirstYield {
 pub struct PlasticSummary {
     /// The beam's name.
     pub name: String,
-    /// Plastic strain of largest magnitude, signed \[1\]; with softening or perfect plasticity it grows as elements shrink.
+    /// Plastic strain of largest magnitude, signed \[-\]; with softening or perfect plasticity it grows as elements shrink.
     pub strain_max: SectionPeak,
-    /// Largest accumulated plastic strain \[1\].
+    /// Largest accumulated plastic strain \[-\].
     pub accumulated_max: SectionPeak,
     /// Where and when it first yielded, if it did.
     pub first_yield: Option<FirstYield>,

@@ -1,7 +1,7 @@
 //! The documentation of a field that holds an array says the array's shape and the unit of its entries.
 //!
-//! It says them as `shape (nodes, 4) \[m, 1\]`: for each index, the outermost first, the number of its values or what it counts, and
-//! behind that the unit of an entry, or units where entries are of several kinds. Entries without unit have `\[-\]` or `\[1\]`; indices
+//! It says them as `shape (nodes, 4) \[m, -\]`: for each index, the outermost first, the number of its values or what it counts, and
+//! behind that the unit of an entry, or units where entries are of several kinds. Entries without unit have `\[-\]` or `\[-\]`; indices
 //! and counts say there of what they are, as `\[index of a beam\]`. Truth values, names and types of this crate need no unit: those of a
 //! type stand at its own fields. Matrices stored one row after the other have two indices, so an index more than the type is no fault.
 //!

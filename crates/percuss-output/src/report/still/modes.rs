@@ -18,7 +18,7 @@ pub struct ModesInfo<'a> {
     pub about: &'a str,
     /// The model.
     pub model: &'a Model,
-    /// Nodal displacements of the configuration they are taken about, shape (nodes, 4) \[m, 1\].
+    /// Nodal displacements of the configuration they are taken about, shape (nodes, 4) \[m, -\].
     pub displacement: &'a [[f64; 4]],
     /// The modes, in ascending order, shape (modes).
     pub modes: &'a [Mode],

@@ -25,7 +25,7 @@ const LITTLE: f64 = 1e-4;
 pub(super) struct Mark {
     pub factor: f64,
     pub reached: Reached,
-    /// The last way along the path: increments of the nodal displacements, shape (nodes, 4) \[m, 1\].
+    /// The last way along the path: increments of the nodal displacements, shape (nodes, 4) \[m, -\].
     pub way: Vec<[f64; 4]>,
     /// Which rigid contacts pressed where it began, shape (places of contacts).
     pub pressed: Vec<bool>,
@@ -50,7 +50,7 @@ pub(super) struct Tracer<'m> {
     pub arc: f64,
     pub changed: f64,
     pub given: bool,
-    /// The last way along the path: increments of the nodal displacements, shape (nodes, 4) \[m, 1\].
+    /// The last way along the path: increments of the nodal displacements, shape (nodes, 4) \[m, -\].
     pub way: Vec<[f64; 4]>,
     /// Which rigid contacts pressed where it began, shape (places of contacts).
     pub pressed: Vec<bool>,

@@ -19,7 +19,7 @@ const SMALL: f64 = 1e-8;
 /// Least and largest strain and stress of a section.
 #[derive(Clone, Copy, Debug)]
 pub struct Fibres {
-    /// Least and largest strain, shape (2) \[1\].
+    /// Least and largest strain, shape (2) \[-\].
     pub strain: [f64; 2],
     /// Least and largest stress, shape (2) \[Pa\].
     pub stress: [f64; 2],

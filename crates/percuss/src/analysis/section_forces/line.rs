@@ -47,7 +47,7 @@ pub struct Inner {
 /// The configuration of an element: its nodes in the reference, their displacements, its length.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementShape<S = f64> {
-    /// Tangents x' at both nodes, shape (2, 2) \[1\].
+    /// Tangents x' at both nodes, shape (2, 2) \[-\].
     pub tangents: [[S; 2]; 2],
     /// From the first node to the second, shape (2) \[m\].
     pub chord: [S; 2],

@@ -25,7 +25,7 @@ const AT_NODE: f64 = 1e-9;
 pub struct Acting<'a> {
     /// Start of the step.
     pub state: &'a State,
-    /// The increment that leads to its end, shape (nodes, 4) \[m, 1\].
+    /// The increment that leads to its end, shape (nodes, 4) \[m, -\].
     pub increment: &'a [[f64; 4]],
     /// Scheme and size of the step; that of an equilibrium is static.
     pub rule: &'a Integration,

@@ -16,7 +16,7 @@ const ROUND_OFF: f64 = 1e-9;
 
 /// Motions of a structure that strain nothing.
 pub struct FreeMotions {
-    /// Nodal values of a basis, shape (motions, nodes, 4) \[1, 1/m, to a common factor\].
+    /// Nodal values of a basis, shape (motions, nodes, 4) \[-, 1/m, to a common factor\].
     pub motions: Vec<Nodal>,
     /// As many components of nodes that, held, would stop them all: (node, component), shape (motions)
     /// \[index of a node, index of a component\].

@@ -13,7 +13,7 @@ pub type Nodal = Vec<[f64; 4]>;
 /// A vector and its image under the matrix of the inner product.
 #[derive(Clone, Debug)]
 pub struct ImagePair {
-    /// The vector, shape (nodes, 4) \[1, 1/m, to a common factor\].
+    /// The vector, shape (nodes, 4) \[-, 1/m, to a common factor\].
     pub x: Nodal,
     /// Its image, shape (nodes, 4) \[unit of the matrix times that of the vector\].
     pub image: Nodal,

@@ -55,7 +55,7 @@ pub struct Programme {
 /// A correction, with the forces it is in equilibrium with: of either sign where closed.
 #[derive(Clone)]
 struct Balanced {
-    /// The correction of the nodal values, shape (nodes, 4) \[m, 1\].
+    /// The correction of the nodal values, shape (nodes, 4) \[m, -\].
     correction: Vec<[f64; 4]>,
     /// Forces of the contacts, shape (contacts) \[N\].
     forces: Vec<f64>,
@@ -328,7 +328,7 @@ impl Balanced {
 /// How a structure answers to a load while what is closed stays closed.
 #[derive(Clone, Debug, Default)]
 pub struct Response {
-    /// Displacements, shape (nodes, 4) \[m, 1\].
+    /// Displacements, shape (nodes, 4) \[m, -\].
     pub nodal: Vec<[f64; 4]>,
     /// Forces of constraints, shape (constraints) \[N, N m\].
     pub constraints: Vec<f64>,

@@ -27,7 +27,7 @@ impl StaticSearch<'_> {
         joints::loads(self.model, &step, &self.work.multiplier).collect::<Vec<_>>().into_iter()
     }
 
-    /// Displacements where the search stands, shape (nodes, 4) \[m, 1\].
+    /// Displacements where the search stands, shape (nodes, 4) \[m, -\].
     pub fn displacement(&self) -> Vec<[f64; 4]> {
         let both = self.base.displacement.iter().zip(&self.work.increment);
         both.map(|(u, d)| std::array::from_fn(|i| u[i] + d[i])).collect()

@@ -160,7 +160,7 @@ impl StaticSearch<'_> {
         if in_play > 0.0 { largest(&free) / in_play } else { 0.0 }
     }
 
-    /// Largest error of a constraint \[m, 1\].
+    /// Largest error of a constraint \[m, -\].
     fn apart(&self) -> f64 {
         let step = constraint_step(&self.base, &self.work.increment, &self.forcing);
         let error = |c| (step.start_value(c) + step.change(c)).abs();

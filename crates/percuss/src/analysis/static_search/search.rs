@@ -31,7 +31,7 @@ pub(in crate::analysis) struct StaticSearch<'m> {
 /// A place on the way to an equilibrium.
 #[derive(Clone)]
 pub(in crate::analysis) struct Reached {
-    /// Increment of the nodal displacements from the base, shape (nodes, 4) \[m, 1\].
+    /// Increment of the nodal displacements from the base, shape (nodes, 4) \[m, -\].
     pub increment: Vec<[f64; 4]>,
     /// Multipliers of the constraints, shape (constraints) \[N, N m\].
     pub(super) multiplier: Vec<f64>,

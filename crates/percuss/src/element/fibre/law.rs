@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 /// What a fibre remembers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FibreState<S = f64> {
-    /// Plastic strain \[1\].
+    /// Plastic strain \[-\].
     pub plastic: S,
-    /// Accumulated plastic strain, the sum of the magnitudes of its increments \[1\].
+    /// Accumulated plastic strain, the sum of the magnitudes of its increments \[-\].
     pub accumulated: S,
     /// Energy dissipated so far, per volume \[J/m^3\].
     pub dissipated: S,
@@ -19,7 +19,7 @@ pub struct FibreState<S = f64> {
 /// A straight part of a hardening curve: from here on the yield stress grows by `modulus` per accumulated plastic strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hardening<S = f64> {
-    /// Accumulated plastic strain at which it begins \[1\].
+    /// Accumulated plastic strain at which it begins \[-\].
     pub from: S,
     /// Yield stress there \[Pa\].
     pub stress: S,
@@ -86,7 +86,7 @@ pub struct Plasticity<S = f64> {
     pub kinematic: S,
     /// Viscous overstress; without it stress does not depend on rates.
     pub overstress: Option<Overstress<S>>,
-    /// Magnitude of strain at which a fibre fails \[1\].
+    /// Magnitude of strain at which a fibre fails \[-\].
     pub failure_strain: Option<S>,
 }
 

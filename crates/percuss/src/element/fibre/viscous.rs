@@ -13,7 +13,7 @@ pub(super) struct Viscous<'a, S> {
     pub law: &'a PlasticLaw<S>,
     pub overstress: &'a Overstress<S>,
     pub state: &'a FibreState<S>,
-    /// Strain at both ends of the step, shape (2) \[1\].
+    /// Strain at both ends of the step, shape (2) \[-\].
     pub ends: [S; 2],
     /// Size of the step \[s\].
     pub h: S,
@@ -82,7 +82,7 @@ struct Cut<S> {
 struct ViscousPath<'a, S> {
     law: &'a PlasticLaw<S>,
     overstress: &'a Overstress<S>,
-    /// Strain at both ends, shape (2) \[1\].
+    /// Strain at both ends, shape (2) \[-\].
     ends: [S; 2],
     /// Sign of the flow.
     sign: S,
@@ -210,7 +210,7 @@ struct FlowLine<'a, S> {
     /// Fall of the relative stress per plastic strain \[Pa\].
     stiffness: S,
     part: &'a Hardening<S>,
-    /// Accumulated plastic strain at the start \[1\].
+    /// Accumulated plastic strain at the start \[-\].
     accumulated: S,
     /// Where the line ends, if it does.
     until: Option<S>,

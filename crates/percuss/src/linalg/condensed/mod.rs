@@ -42,7 +42,7 @@ pub struct Condensed {
     interface: Vec<usize>,
     /// Whether interface node i and i + 1 are neighbours in the band, shape (interface nodes less one).
     adjacent: Vec<bool>,
-    /// `pivot^-1 (block to the left interface node)` of the nodes of runs, shape (nodes, 4, 4) \[1, m, 1/m\].
+    /// `pivot^-1 (block to the left interface node)` of the nodes of runs, shape (nodes, 4, 4) \[-, m, 1/m\].
     to_left: Vec<Block>,
     /// Block of the left interface node's row in the column of a node of a run, shape (nodes, 4, 4) \[N/m, N, N m\].
     from_left: Vec<Block>,
@@ -63,11 +63,11 @@ pub struct Condensed {
 struct Scratch {
     /// Right side on the interface, shape (4 interface nodes) \[N, N m\].
     right: Vec<f64>,
-    /// Values of the interface nodes, shape (4 interface nodes) \[m, 1\].
+    /// Values of the interface nodes, shape (4 interface nodes) \[m, -\].
     nodal: Vec<f64>,
     /// What these leave of the right side, shape (4 interface nodes) \[N, N m\].
     left_over: Vec<f64>,
-    /// Right side and solution of the reduced system, shape (reduced unknowns) \[N, N m, then m, 1\].
+    /// Right side and solution of the reduced system, shape (reduced unknowns) \[N, N m, then m, -\].
     reduced: Vec<f64>,
 }
 

@@ -12,7 +12,7 @@ pub struct LinePoint {
     pub length: f64,
     /// Position, shape (2) \[m\].
     pub position: [f64; 2],
-    /// Unit tangent, shape (2) \[1\]; at a corner that of the part before it.
+    /// Unit tangent, shape (2) \[-\]; at a corner that of the part before it.
     pub tangent: [f64; 2],
 }
 

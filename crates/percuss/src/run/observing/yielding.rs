@@ -57,7 +57,7 @@ struct GaussFibres<'a> {
     fibres: &'a [Fibre],
     /// What they remember, shape (fibres of the point).
     states: &'a [FibreState],
-    /// Membrane and bending strain, shape (2) \[1, 1/m\].
+    /// Membrane and bending strain, shape (2) \[-, 1/m\].
     strains: [f64; 2],
 }
 

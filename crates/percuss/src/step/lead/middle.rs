@@ -9,9 +9,9 @@ use crate::model::Model;
 /// A configuration within a step.
 pub(super) struct Middle<'a> {
     pub model: &'a Model,
-    /// Displacements of the nodes at the start of the step, shape (nodes, 4) \[m, 1, rad\].
+    /// Displacements of the nodes at the start of the step, shape (nodes, 4) \[m, -, rad\].
     pub start: &'a [[f64; 4]],
-    /// Their increments over the step, shape (nodes, 4) \[m, 1, rad\].
+    /// Their increments over the step, shape (nodes, 4) \[m, -, rad\].
     pub increment: &'a [[f64; 4]],
     pub share: f64,
     /// Whether no element spans from a node to the next one, as the state says, shape (beam nodes), or empty \[-\].

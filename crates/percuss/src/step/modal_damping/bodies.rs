@@ -133,7 +133,7 @@ fn weighed(damping: &ModalDamping, of_node: &[usize], count: usize) -> [Vec<[f64
     [damping.mass.multiply(&centred), damping.mass.multiply(&turned)]
 }
 
-/// Positions and tangents of the beams' nodes in a configuration, shape (nodes of beams, 4) \[m, 1\].
+/// Positions and tangents of the beams' nodes in a configuration, shape (nodes of beams, 4) \[m, -\].
 pub fn positions(model: &Model, u: &[[f64; 4]]) -> Vec<[f64; 4]> {
     let at = |(frame, u): (&crate::element::beam::NodeFrame, &[f64; 4])| {
         let ([x, y], [g, k]) = (frame.position, frame.tangent);

@@ -19,7 +19,7 @@ pub struct StepView<'a> {
     pub rule: &'a Integration,
     /// What supports do in the step.
     pub forcing: &'a Forcing,
-    /// Increment of the nodal displacements, shape (nodes, 4) \[m, 1, rad\].
+    /// Increment of the nodal displacements, shape (nodes, 4) \[m, -, rad\].
     pub increment: &'a [[f64; 4]],
 }
 
@@ -30,7 +30,7 @@ pub struct Tie {
     pub number: usize,
     /// A node of the body that it holds.
     pub node: usize,
-    /// What it does to a translation of one and to a rotation about the origin, shape (3) \[1, 1, m\].
+    /// What it does to a translation of one and to a rotation about the origin, shape (3) \[-, -, m\].
     pub row: [f64; 3],
     /// What its ground moves by in the step, in the same measure.
     pub moved: f64,
@@ -168,7 +168,7 @@ pub(super) fn acts(view: &StepView, i: usize) -> bool {
 pub(super) struct Freedom {
     /// Motion that the ties give, shape (3) \[m\].
     pub given: [f64; 3],
-    /// Orthonormal directions that they hold, shape (3, 3) \[1\]; the first `held` of them.
+    /// Orthonormal directions that they hold, shape (3, 3) \[-\]; the first `held` of them.
     directions: [[f64; 3]; 3],
     /// How many they hold.
     pub held: usize,
@@ -217,7 +217,7 @@ impl Freedom {
         own
     }
 
-    /// Orthonormal directions that are free, shape (3 less those held, 3) \[1\].
+    /// Orthonormal directions that are free, shape (3 less those held, 3) \[-\].
     pub fn free(&self) -> Vec<[f64; 3]> {
         let mut all = self.directions[..self.held].to_vec();
         while all.len() < 3 {

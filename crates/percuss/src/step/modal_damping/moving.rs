@@ -23,7 +23,7 @@ struct BodyMiddle {
     centre: [f64; 2],
     length: f64,
     freedom: Freedom,
-    /// Cosine and sine of its rotation since the start, shape (2) \[1\].
+    /// Cosine and sine of its rotation since the start, shape (2) \[-\].
     turned: [f64; 2],
     /// Motions that are free, in (a, w L), orthonormal in the inner product of the mass, shape (free motions, 3) \[kg^(-1/2)\].
     free: Vec<[f64; 3]>,

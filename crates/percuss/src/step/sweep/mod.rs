@@ -32,19 +32,19 @@ pub struct Sweep {
     /// Numbers of the elements' tables, one entry a span, shape (spans, numbers of a table, elements) \[each its own\]: empty if its elements
     /// share one; nothing if it is not swept.
     tables: Vec<Option<Columns>>,
-    /// Positions and tangents of the nodes in the reference configuration, shape (4, beam nodes) \[m, 1\].
+    /// Positions and tangents of the nodes in the reference configuration, shape (4, beam nodes) \[m, -\].
     frames: Columns,
     /// Whether the state at the start of the step has been taken in.
     begun: bool,
     /// Whether forces and accelerations are those of the last evaluation.
     evaluated: bool,
-    /// Nodal displacements at the start of the step, shape (4, beam nodes) \[m, 1\].
+    /// Nodal displacements at the start of the step, shape (4, beam nodes) \[m, -\].
     displacement: Columns,
     /// Nodal velocities at the start of the step, shape (4, beam nodes) \[m/s, 1/s\].
     velocity: Columns,
-    /// Increments of the nodal displacements, shape (4, beam nodes) \[m, 1\].
+    /// Increments of the nodal displacements, shape (4, beam nodes) \[m, -\].
     increment: Columns,
-    /// Gauss points at the start of the step, shape (Gauss points times numbers of an end, elements) \[1, 1/m\].
+    /// Gauss points at the start of the step, shape (Gauss points times numbers of an end, elements) \[-, 1/m\].
     starts: Columns,
     /// Angular rates of their tangents at the start, shape (Gauss points, elements) \[rad/s\].
     spin: Columns,
@@ -176,11 +176,11 @@ impl Sweep {
 /// What acts on an element in a step, at both nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct EndActions<S> {
-    /// Reference position and tangent, shape (2, 4) \[m, 1\].
+    /// Reference position and tangent, shape (2, 4) \[m, -\].
     pub frames: [[S; 4]; 2],
-    /// Displacements at the start, shape (2, 4) \[m, 1\].
+    /// Displacements at the start, shape (2, 4) \[m, -\].
     pub displacement: [[S; 4]; 2],
-    /// Their increments, shape (2, 4) \[m, 1\].
+    /// Their increments, shape (2, 4) \[m, -\].
     pub increment: [[S; 4]; 2],
     /// Accelerations as in [`EndForces`](super::assemble::EndForces), shape (2, 4) \[m/s^2, 1/s^2\].
     pub inertia: [[S; 4]; 2],

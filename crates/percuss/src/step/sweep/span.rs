@@ -21,7 +21,7 @@ pub struct SpanStep<'a, const TANGENT: bool> {
     pub rule: &'a Integration,
     /// Acceleration of gravity, shape (2) \[m/s^2\].
     pub gravity: [f64; 2],
-    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, 1, rad\].
+    /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, -, rad\].
     pub increment: &'a [[f64; 4]],
     /// Residual, shape (nodes, 4) \[N, N m\].
     pub residual: &'a mut [[f64; 4]],
