@@ -291,8 +291,8 @@ impl<'a> Flight<'a> {
         }
         if let Some((k, before)) = pressing {
             let impulsive = self.engine.h.value < IMPULSIVE * self.settings.step;
-            let (deed, rests) = (self.engine.deed(k, before), !self.pace.is_impact());
-            self.rigid_logs[k].take(&deed, self.log.time, rests, impulsive);
+            let (part, rests) = (self.engine.part(k, before), !self.pace.is_impact());
+            self.rigid_logs[k].take(&part, self.log.time, rests, impulsive);
             self.engine.guides[k].impulse = before.constant(0.0);
         }
         self.log.time += self.engine.h;

@@ -8,7 +8,7 @@ use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
 use super::pace::Pace;
-use super::rigid_log::{Deed, RigidLog};
+use super::rigid_log::{ContactPart, RigidLog};
 use super::run::LaneRun;
 use super::stand::Stand;
 use super::summary::{Fixed, Reading, Telling};
@@ -293,10 +293,10 @@ impl<S: Number> Paced<S> {
         let state = &self.engine.guides[self.guide];
         let end = [state.gap.lane(number), state.rate.lane(number)];
         if contact.phase.is_some() && (impulse > 0.0 || contact.rests()) {
-            let deed = self.engine.deed(self.guide, seen.start[1]).lane(number);
-            let impulsive = deed.h < IMPULSIVE * self.engine.numbers.step.lane(number);
-            lane.rigid.take(&deed, lane.pace.time, contact.rests(), impulsive);
-            self.weigh(lane, number, &deed);
+            let part = self.engine.part(self.guide, seen.start[1]).lane(number);
+            let impulsive = part.h < IMPULSIVE * self.engine.numbers.step.lane(number);
+            lane.rigid.take(&part, lane.pace.time, contact.rests(), impulsive);
+            self.weigh(lane, number, &part);
         }
         let nothing = self.nothing(lane, number);
         let now = [Seen { end, ..own }];
@@ -310,13 +310,13 @@ impl<S: Number> Paced<S> {
     }
 
     /// How well the impulse meets its conditions, beside the fastest approach of the run so far: slow ones are known to its round-off.
-    fn weigh(&self, lane: &mut Lane, number: usize, deed: &Deed<f64>) {
+    fn weigh(&self, lane: &mut Lane, number: usize, part: &ContactPart<f64>) {
         let Some(press) = &self.engine.press else { return };
-        let mobility = 2.0 * press.opening.lane(number) / (deed.h * deed.h);
+        let mobility = 2.0 * press.opening.lane(number) / (part.h * part.h);
         let bound = press.bound.lane(number);
-        let miss = deed.after - bound;
-        let miss = if deed.impulse > 0.0 { miss.abs() } else { (-miss).max(0.0) };
-        let free = deed.after - mobility * deed.impulse;
+        let miss = part.after - bound;
+        let miss = if part.impulse > 0.0 { miss.abs() } else { (-miss).max(0.0) };
+        let free = part.after - mobility * part.impulse;
         let fastest = lane.pace.contacts[0].approach_max;
         let scale = free.abs().max(bound.abs()).max(fastest);
         if scale > 0.0 {

@@ -7,7 +7,7 @@ use percuss::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Impact,
 
 /// What the contact did in a part of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Deed<T> {
+pub struct ContactPart<T> {
     /// Size of the part \[s\].
     pub h: T,
     /// Impulse \[N s\].
@@ -21,11 +21,11 @@ pub struct Deed<T> {
     pub places: [[T; 2]; 3],
 }
 
-impl<S: Number> Deed<S> {
+impl<S: Number> ContactPart<S> {
     /// That of a lane.
-    pub fn lane(&self, lane: usize) -> Deed<f64> {
+    pub fn lane(&self, lane: usize) -> ContactPart<f64> {
         let of = |x: S| x.lane(lane);
-        Deed {
+        ContactPart {
             h: of(self.h),
             impulse: of(self.impulse),
             before: of(self.before),
@@ -38,11 +38,11 @@ impl<S: Number> Deed<S> {
 
 impl<S: Number> Engine<S> {
     /// What the contact of a rigid projectile did in the part accepted last, which its gap began with this rate.
-    pub fn deed(&self, k: usize, before: S) -> Deed<S> {
+    pub fn part(&self, k: usize, before: S) -> ContactPart<S> {
         let (guide, state, h) = (&self.numbers.guides[k], &self.guides[k], self.h);
         let force = state.impulse / h;
         let [start, middle] = [h, h * 0.5].map(|back| self.struck_before(k, back));
-        Deed {
+        ContactPart {
             h,
             impulse: state.impulse,
             before,
@@ -128,52 +128,52 @@ impl<T: Number> RigidLog<T> {
     }
 
     /// Takes in a part from `start` on, which may be as short as an impact, in which the contact may have pressed: it struck, or `rests`.
-    pub fn take(&mut self, deed: &Deed<T>, start: T, rests: bool, impulsive: bool) {
-        self.impulse_total += deed.impulse;
+    pub fn take(&mut self, part: &ContactPart<T>, start: T, rests: bool, impulsive: bool) {
+        self.impulse_total += part.impulse;
         if rests {
-            self.impulse_resting += deed.impulse;
-            self.rest(deed, start, impulsive);
-        } else if deed.impulse.lane(0) > 0.0 {
+            self.impulse_resting += part.impulse;
+            self.rest(part, start, impulsive);
+        } else if part.impulse.lane(0) > 0.0 {
             self.impact_count += 1;
             if self.impacts.len() < ContactRecord::IMPACTS_KEPT {
                 self.impacts.push(Struck {
-                    time: start + deed.h * 0.5,
-                    impulse: deed.impulse,
-                    approach: -deed.before,
-                    separation: deed.after,
-                    given: deed.given,
-                    place: deed.places[1],
+                    time: start + part.h * 0.5,
+                    impulse: part.impulse,
+                    approach: -part.before,
+                    separation: part.after,
+                    given: part.given,
+                    place: part.places[1],
                 });
             }
         }
     }
 
-    fn rest(&mut self, deed: &Deed<T>, start: T, impulsive: bool) {
-        let (presses, zero) = (deed.impulse.lane(0) > 0.0, start.constant(0.0));
+    fn rest(&mut self, part: &ContactPart<T>, start: T, impulsive: bool) {
+        let (presses, zero) = (part.impulse.lane(0) > 0.0, start.constant(0.0));
         if self.open.is_none() && presses && self.rests.len() < ContactRecord::IMPACTS_KEPT {
             self.open = Some(self.rests.len());
             self.rests.push(Rest {
                 start,
-                approach: (zero - deed.before).max(zero),
+                approach: (zero - part.before).max(zero),
                 end: [f64::NAN; 2],
                 impulse: zero,
                 given: [zero; 2],
                 lost: zero,
                 steps: 0,
-                place: deed.places[0],
-                place_end: deed.places[0],
+                place: part.places[0],
+                place_end: part.places[0],
             });
         }
         let Some(open) = self.open else { return };
         let rest = &mut self.rests[open];
-        rest.impulse += deed.impulse;
-        rest.given = array(|p| rest.given[p] + deed.given[p]);
-        rest.lost += -deed.given[0] - deed.given[1];
+        rest.impulse += part.impulse;
+        rest.given = array(|p| rest.given[p] + part.given[p]);
+        rest.lost += -part.given[0] - part.given[1];
         if presses {
             rest.steps += usize::from(!impulsive);
-            rest.place_end = deed.places[2];
+            rest.place_end = part.places[2];
         } else {
-            let rate = rate_of_rest(deed.before.lane(0), deed.after.lane(0));
+            let rate = rate_of_rest(part.before.lane(0), part.after.lane(0));
             (rest.end, self.open) = ([start.lane(0), rate], None);
         }
     }

@@ -6,7 +6,7 @@ use crate::step::contacts::Phase;
 use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
 
 /// What a pair did in a step.
-struct Deed {
+struct PairPart {
     contact: usize,
     pair: usize,
     phase: Phase,
@@ -21,57 +21,57 @@ struct Deed {
 impl ContactLog {
     pub(super) fn rigid_contacts(&mut self, seen: StepViews<'_>, trial: &Trial) {
         for k in 0..trial.active.len() {
-            let deed = deed(seen, trial, k);
-            let rests = !matches!(deed.phase, Phase::Impact { .. })
+            let done = done(seen, trial, k);
+            let rests = !matches!(done.phase, Phase::Impact { .. })
                 || trial.persistent().get(k).is_some_and(|rests| *rests);
             let ContactRecord::Nonsmooth { impulse_total, impulse_resting, .. } =
-                &mut self.records[deed.contact]
+                &mut self.records[done.contact]
             else {
                 continue;
             };
-            *impulse_total += deed.impulse[0];
+            *impulse_total += done.impulse[0];
             if rests {
-                *impulse_resting += deed.impulse[0];
-                self.rest(seen, &deed);
-            } else if deed.impulse[0] > 0.0 {
-                self.strike(seen, trial.fallback_law, &deed);
+                *impulse_resting += done.impulse[0];
+                self.rest(seen, &done);
+            } else if done.impulse[0] > 0.0 {
+                self.strike(seen, trial.fallback_law, &done);
             }
         }
         self.end_rests(seen);
     }
 
     /// A pair that rests.
-    fn rest(&mut self, seen: StepViews<'_>, deed: &Deed) {
+    fn rest(&mut self, seen: StepViews<'_>, done: &PairPart) {
         let (span, now) = (seen.span, self.part);
-        let resting = &mut self.rests[deed.contact];
-        let ContactRecord::Nonsmooth { intervals, .. } = &mut self.records[deed.contact] else {
+        let resting = &mut self.rests[done.contact];
+        let ContactRecord::Nonsmooth { intervals, .. } = &mut self.records[done.contact] else {
             return;
         };
         let kept = intervals.len() < ContactRecord::IMPACTS_KEPT;
-        if resting.interval.is_none() && deed.impulse[0] > 0.0 && kept {
+        if resting.interval.is_none() && done.impulse[0] > 0.0 && kept {
             resting.interval = Some(intervals.len());
-            self.resting.push(deed.contact);
-            let approach = (-deed.before).max(0.0);
-            let opened = opened(span.start, approach, seen.place(deed.pair, 1.0));
+            self.resting.push(done.contact);
+            let approach = (-done.before).max(0.0);
+            let opened = opened(span.start, approach, seen.place(done.pair, 1.0));
             intervals.push(ContactInterval { tangential_impulse: 0.0, ..opened });
         }
         let Some(open) = resting.interval else { return };
         let interval = &mut intervals[open];
-        interval.impulse += deed.impulse[0];
-        interval.tangential_impulse += deed.impulse[1];
-        (0..2).for_each(|p| interval.energy.given[p] += deed.energy.given[p]);
-        interval.energy.lost += deed.energy.lost;
-        if deed.impulse[0] + deed.phase.carried()[0] > 0.0 {
+        interval.impulse += done.impulse[0];
+        interval.tangential_impulse += done.impulse[1];
+        (0..2).for_each(|p| interval.energy.given[p] += done.energy.given[p]);
+        interval.energy.lost += done.energy.lost;
+        if done.impulse[0] + done.phase.carried()[0] > 0.0 {
             interval.steps += usize::from(resting.pressed != now && !span.impulsive);
-            (resting.pressed, resting.pair) = (now, deed.pair);
-            interval.place_end = seen.place(deed.pair, 0.0);
+            (resting.pressed, resting.pair) = (now, done.pair);
+            interval.place_end = seen.place(done.pair, 0.0);
             return;
         }
         // Nothing has pressed since the step began; an impact interval is the end of what pressed before it.
-        let settles = matches!(deed.phase, Phase::PlasticPostStep { .. });
+        let settles = matches!(done.phase, Phase::PlasticPostStep { .. });
         let end = match settles {
-            true => [seen.state.time, deed.after.max(0.0)],
-            false => [span.start, rate_of_rest(deed.before, deed.after)],
+            true => [seen.state.time, done.after.max(0.0)],
+            false => [span.start, rate_of_rest(done.before, done.after)],
         };
         if resting.ceased != now || end[1] < resting.end[1] {
             (resting.ceased, resting.end) = (now, end);
@@ -104,25 +104,25 @@ impl ContactLog {
     }
 
     /// A pair that strikes; with others of its contact at the same instant it is one impact.
-    fn strike(&mut self, seen: StepViews<'_>, fallback_law: bool, deed: &Deed) {
+    fn strike(&mut self, seen: StepViews<'_>, fallback_law: bool, done: &PairPart) {
         let span = seen.span;
         let ContactRecord::Nonsmooth { impacts, impact_count, fallback_count, .. } =
-            &mut self.records[deed.contact]
+            &mut self.records[done.contact]
         else {
             return;
         };
         // An instant is the middle of an impact interval, or the start of a step at which contacts are looked at.
         let back = if span.impulsive { 0.5 } else { 1.0 };
-        let another = std::mem::replace(&mut self.struck[deed.contact], self.part) == self.part;
+        let another = std::mem::replace(&mut self.struck[done.contact], self.part) == self.part;
         let alone = Impact {
             time: span.start + (1.0 - back) * span.h,
-            impulse: deed.impulse[0],
-            tangential_impulse: deed.impulse[1],
+            impulse: done.impulse[0],
+            tangential_impulse: done.impulse[1],
             points: 1,
-            approach_velocity: -deed.before,
-            separation_velocity: deed.after,
-            place: seen.place(deed.pair, back),
-            energy: deed.energy,
+            approach_velocity: -done.before,
+            separation_velocity: done.after,
+            place: seen.place(done.pair, back),
+            energy: done.energy,
             fallback_law,
         };
         if !another {
@@ -155,7 +155,7 @@ impl Impact {
     }
 }
 
-fn deed(seen: StepViews<'_>, trial: &Trial, k: usize) -> Deed {
+fn done(seen: StepViews<'_>, trial: &Trial, k: usize) -> PairPart {
     let (contact, found, h) = (&trial.active[k], &seen.work.rigid[k], seen.span.h);
     let pair = &seen.model.pairs[contact.pair];
     // The row on velocities: before from the mean and what comes after.
@@ -166,7 +166,7 @@ fn deed(seen: StepViews<'_>, trial: &Trial, k: usize) -> Deed {
     seen.add_energy(&mut energy, pair, &found.normal, normal / h);
     seen.add_energy(&mut energy, pair, &found.tangent, tangential / h);
     energy.lost = -energy.given[0] - energy.given[1];
-    Deed {
+    PairPart {
         contact: pair.contact,
         pair: contact.pair,
         phase: contact.phase,
