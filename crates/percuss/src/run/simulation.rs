@@ -200,10 +200,13 @@ impl<'m> Simulation<'m> {
     pub fn run(mut self, recorder: &mut dyn Recorder) -> RunSummary {
         let termination = self.run_steps(recorder);
         let Self { model, settings, state, measures, solver, step_size, monitor, rows, .. } = self;
+        let counts = solver.counts;
+        // The summary solves for small forces: of very many elements memory does not hold both.
+        drop(solver);
         let run = Ended {
             at: Standing { model, settings: &settings, state: &state },
             measures: &measures,
-            counts: solver.counts,
+            counts,
             rows: rows.count,
             step_control: step_size.as_ref().map(StepSizeControl::told),
             monitor,
@@ -299,7 +302,7 @@ impl<'m> Simulation<'m> {
             state: state.clone(),
             measures: *measures,
             step_size: step_size.clone(),
-            counts: solver.counts,
+            counts,
             search: solver.search.clone(),
             ties: solver.ties(),
             monitor: monitor.clone(),
