@@ -302,7 +302,7 @@ impl<'m> Simulation<'m> {
             state: state.clone(),
             measures: *measures,
             step_size: step_size.clone(),
-            counts,
+            counts: solver.counts,
             search: solver.search.clone(),
             ties: solver.ties(),
             monitor: monitor.clone(),
