@@ -5,6 +5,9 @@ use super::matrix::Layout;
 use super::stiffness::StressTerms;
 use super::{metric, size};
 use crate::analysis::static_search::{StaticSearch, largest};
+use crate::math::vec2::{dot, rot90, scale, sub};
+use crate::model::Model;
+use crate::model::frozen::BeamData;
 use crate::step::tangent::inner;
 
 /// Eigenvalues of unit bending stiffness, against beams as long as all together, that count as none. The least of a structure
@@ -29,6 +32,9 @@ pub struct FreeMotions {
 /// each beam, and springs to match.
 pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
     let model = layout.model;
+    if is_held_beam_by_beam(model, search) {
+        return FreeMotions { motions: Vec::new(), stops: Vec::new() };
+    }
     let length = size(model);
     let metric = metric(model, true);
     // Formed again where it is needed again: few structures have free motions, and it is what takes most memory.
@@ -65,6 +71,51 @@ pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
     }
     let stops = stops(&motions, length);
     FreeMotions { motions, stops }
+}
+
+/// Whether supports hold each beam by itself, whatever joins it to others: an elastic beam strains in all motions but those of a rigid
+/// body. Beams that may have parted are not looked at, nor are those that joints make of several parts.
+fn is_held_beam_by_beam(model: &Model, search: &StaticSearch) -> bool {
+    let elastic = model.spans.iter().all(|span| span.fibres.is_none());
+    elastic && model.constraints.is_empty() && model.beams.iter().all(|b| is_held(model, search, b))
+}
+
+/// Whether supports hold a beam against motions of a rigid body about the base of a search.
+fn is_held(model: &Model, search: &StaticSearch, beam: &BeamData) -> bool {
+    /// Directions nearer to each other than this are left to the eigenvalues: it is more than the root of [`NONE`].
+    const APART: f64 = 1e-3;
+    let displacement = &search.base.displacement;
+    let first = beam.nodes.start;
+    let place = |n: usize| -> [f64; 2] {
+        std::array::from_fn(|i| model.nodes[n].position[i] + displacement[n][i])
+    };
+    let mut known: Vec<[f64; 3]> = Vec::new();
+    for dofs in model.prescribed.iter().filter(|dofs| beam.nodes.contains(&dofs.node)) {
+        let n = dofs.node;
+        let arm = scale(1.0 / beam.length, sub(place(n), place(first)));
+        let slope: [f64; 2] =
+            std::array::from_fn(|i| model.nodes[n].tangent[i] + displacement[n][2 + i]);
+        for normal in &dofs.normals {
+            // What it does to translations along the axes, and to a rotation about the first node by one over the length.
+            let along = [normal[0], normal[1]];
+            let slopes = [normal[2], normal[3]];
+            let turn = dot(along, rot90(arm)) + dot(slopes, rot90(slope)) / beam.length;
+            let mut row = unit([normal[0], normal[1], turn]);
+            for other in &known {
+                let share: f64 = (0..3).map(|k| row[k] * other[k]).sum();
+                (0..3).for_each(|k| row[k] -= share * other[k]);
+            }
+            if row.iter().map(|x| x * x).sum::<f64>().sqrt() > APART {
+                known.push(unit(row));
+            }
+        }
+    }
+    known.len() >= 3
+}
+
+fn unit(row: [f64; 3]) -> [f64; 3] {
+    let size = row.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if size > 0.0 { row.map(|x| x / size) } else { row }
 }
 
 /// Stiffness of a motion against that of bending, both of unit bending stiffness: how much it strains.
