@@ -141,7 +141,7 @@ pub fn align(derivative: &mut RunSummary, run: &RunSummary, own: &RunSummary, st
         };
         let mut aligned = vec![underived(); all.len()];
         for [i, j] in Matched::of(own, all, step).pairs {
-            aligned[j] = impacts[i].clone();
+            aligned[j] = impacts[i];
         }
         (*impacts, *impact_count) = (aligned, count(run));
     }

@@ -67,7 +67,7 @@ impl Pace {
         };
         Self {
             decider: Decider::new(settings, positions, step_behind(settings, 0)),
-            settings: settings.clone(),
+            settings: *settings,
             count: settings.step_count(),
             steps: 0,
             accumulated_steps: 0,

@@ -319,7 +319,7 @@ fn arrays_without_shape_or_unit_are_found() {
             assert_eq!(faults(&variant).len(), 1, "{variant}");
         }
         for right in
-            [r"Meaning, shape (n, 4) \[m, 1\].", r"Of shape (2 n, n), by row \[-\]; or not."]
+            [r"Meaning, shape (n, 4) \[m, -\].", r"Of shape (2 n, n), by row \[-\]; or not."]
         {
             let field = format!("struct A<'a> {{ /** {right} */ field: {of} }}");
             assert_eq!(faults(&field), [], "{field}");

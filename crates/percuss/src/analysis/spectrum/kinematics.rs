@@ -45,29 +45,29 @@ pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
     };
     let count = layout.factor(shifted(-NONE), true).map_or(0, |f| f.negative);
     let mut motions = Vec::new();
-    if count > 0 {
-        if let Some(factored) = layout.factor(shifted(1.0), false) {
-            let image_of = |x: &Nodal| metric.multiply(x);
-            let solve = |image: &Nodal| factored.solve(image);
-            let mut krylov = Krylov::new(model.node_count(), &[], image_of, solve);
-            for _ in 0..count {
-                krylov.join();
-            }
-            let most = 12 * count + 20;
-            let mut found = Vec::new();
-            while krylov.size() < most && krylov.advance() {
-                if krylov.size().is_multiple_of(count) && krylov.size() >= 2 * count {
-                    found = krylov.symmetric();
-                    if krylov.settled(&found, count) {
-                        break;
-                    }
+    if count > 0
+        && let Some(factored) = layout.factor(shifted(1.0), false)
+    {
+        let image_of = |x: &Nodal| metric.multiply(x);
+        let solve = |image: &Nodal| factored.solve(image);
+        let mut krylov = Krylov::new(model.node_count(), &[], image_of, solve);
+        for _ in 0..count {
+            krylov.join();
+        }
+        let most = 12 * count + 20;
+        let mut found = Vec::new();
+        while krylov.size() < most && krylov.advance() {
+            if krylov.size().is_multiple_of(count) && krylov.size() >= 2 * count {
+                found = krylov.symmetric();
+                if krylov.settled(&found, count) {
+                    break;
                 }
             }
-            if found.len() < count {
-                found = krylov.symmetric();
-            }
-            motions = found.iter().take(count).map(|r| krylov.shape(r).x).collect();
         }
+        if found.len() < count {
+            found = krylov.symmetric();
+        }
+        motions = found.iter().take(count).map(|r| krylov.shape(r).x).collect();
     }
     let stops = stops(&motions, length);
     FreeMotions { motions, stops }
