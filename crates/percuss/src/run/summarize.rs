@@ -12,6 +12,7 @@ use crate::analysis::equivalent::equivalent_force;
 use crate::ledger::Measures;
 use crate::math::vec2::{dot, norm, scale};
 use crate::model::Model;
+use crate::settings::SAME_INSTANT;
 use crate::state::State;
 use crate::step::effective_mass::EffectiveMass;
 use crate::summary::*;
@@ -103,10 +104,12 @@ fn contacts(
     log: ContactLog,
     struck_masses: &[Option<EffectiveMass>],
 ) -> Vec<ContactSummary> {
-    let Standing { model, state, .. } = at;
+    let Standing { model, settings, state } = at;
     let effective = model.effective_masses();
+    let last_instant = state.time - SAME_INSTANT * settings.step;
     (model.contacts.iter().zip(log.records).enumerate())
         .map(|(i, (contact, mut record))| {
+            remove_closing_since(&mut record, last_instant);
             record.intervals_mut().iter_mut().for_each(|c| c.energy.balance());
             let pairs = || contact.pairs.clone();
             ContactSummary {
@@ -122,6 +125,17 @@ fn contacts(
             }
         })
         .collect()
+}
+
+/// Takes off the interval of a smooth contact that begins no earlier than this and has not ended: a contact that closes at the very end of a
+/// run has no penetration but round-off.
+fn remove_closing_since(record: &mut ContactRecord, time: f64) {
+    if let ContactRecord::Smooth { peak_force, intervals } = record
+        && intervals.pop_if(|last| last.end.is_nan() && last.start >= time).is_some()
+        && intervals.is_empty()
+    {
+        *peak_force = Peak::default();
+    }
 }
 
 fn points(at: Standing<'_>, crests: Vec<[Crest<f64>; 2]>) -> Vec<PointSummary> {
