@@ -14,6 +14,9 @@ const SLIGHT: f64 = 1e-3;
 /// Runs end alike that differ by less than this share of their energies, and of the fastest approach.
 const ALIKE: f64 = 1e-4;
 
+/// An impact bounces that separates at more than this share of its velocity of approach.
+const BOUNCES: f64 = 1e-3;
+
 /// How far the impacts and times of rest of a run with derivatives are those of the run itself.
 pub fn agreeing(
     own: &RunSummary,
@@ -29,11 +32,17 @@ pub fn agreeing(
         let until = horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time);
         let matched = Matched::of(impacts, others, step);
         let unlike = matched.slight.filter(|_| horizon.is_none() && !ends_alike(own, run));
-        let parted = [matched.parted, unlike, parting_rests(intervals, rests, step)];
+        let again = strikes_again(others, rests);
+        let parted = [matched.parted, unlike, parting_rests(intervals, rests, step), again];
         let parted = parted.into_iter().flatten().reduce(f64::min);
         let Some(time) = parted.filter(|time| *time < until) else { continue };
         let rests = rests.iter().any(|interval| (interval.start - time).abs() <= step);
-        let why = if rests {
+        let why = if again == Some(time) {
+            format!(
+                "`{}` bounces from there on after it let go, at an instant known to a step alone",
+                all.name
+            )
+        } else if rests {
             format!("the contact of `{}` stays closed from there", all.name)
         } else {
             let name = &all.name;
@@ -104,6 +113,16 @@ impl Matched {
         }
         found
     }
+}
+
+/// Time of the first impact that bounces after a contact has rested and let go. It lets go at the end of a step; impacts that bounce magnify what
+/// of a step is missing, until results are a matter of where the steps lie.
+fn strikes_again(impacts: &[Impact], rests: &[ContactInterval]) -> Option<f64> {
+    let released = rests.iter().map(|rest| rest.end).find(|end| end.is_finite())?;
+    let bounces =
+        |impact: &&Impact| impact.separation_velocity > BOUNCES * impact.approach_velocity;
+    let after = impacts.iter().filter(|impact| impact.time > released);
+    after.filter(bounces).map(|impact| impact.time).reduce(f64::min)
 }
 
 /// Time of the first beginning or end of a rest that only one of two lists has.
