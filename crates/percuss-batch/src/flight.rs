@@ -13,7 +13,7 @@ use super::rigid_log::RigidLog;
 use super::sensitivity::{Grazing, Horizon, Onset};
 use super::yield_log::{Noted, YieldLog};
 use percuss::Model;
-use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales, step_behind};
+use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales};
 use percuss::internals::run::locate::Seen;
 use percuss::internals::run::strike::NO_GAIN;
 use percuss::internals::scalar::{Dual, Number, Real};
@@ -207,7 +207,7 @@ impl<'a> Flight<'a> {
     fn step(&self) -> [Derived; 2] {
         let (settings, steps) = (self.settings, self.pace.steps);
         let until = ((steps + 1) as f64 * settings.step).min(settings.end);
-        let mut both = [step_behind(settings, steps), until].map(|x| self.end.constant(x));
+        let mut both = [settings.size_behind(steps), until].map(|x| self.end.constant(x));
         if steps + 1 == settings.step_count() {
             both.iter_mut().for_each(|x| x.slope = self.end.slope);
         }

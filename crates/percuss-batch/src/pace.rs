@@ -3,9 +3,7 @@
 //! What its parts are the [`Decider`] says. To those who solve them all are steps of some size with some contacts pressing; whether one is
 //! accepted, and what comes next, each run decides by itself.
 
-use percuss::internals::run::decider::{
-    Decider, Moment, Negligible, Resolution, RigidPair, step_behind,
-};
+use percuss::internals::run::decider::{Decider, Moment, Negligible, Resolution, RigidPair};
 use percuss::internals::run::locate::{Seen, Verdict};
 use percuss::internals::settings::Settings;
 use percuss::internals::step::contacts::Phase;
@@ -66,7 +64,7 @@ impl Pace {
             phase: None,
         };
         Self {
-            decider: Decider::new(settings, positions, step_behind(settings, 0)),
+            decider: Decider::new(settings, positions, settings.size_behind(0)),
             settings: *settings,
             count: settings.step_count(),
             steps: 0,
@@ -200,6 +198,6 @@ impl Pace {
         if self.steps.is_multiple_of(self.settings.record_every) || self.is_over() {
             self.row();
         }
-        self.decider.open(step_behind(&self.settings, self.steps));
+        self.decider.open(self.settings.size_behind(self.steps));
     }
 }

@@ -10,7 +10,6 @@ use super::paced::{Paced, rigid_guides};
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
 use percuss::Model;
-use percuss::internals::run::decider::step_behind;
 use percuss::internals::scalar::{Lanes, Mask, Number, in_lanes};
 use percuss::internals::settings::Settings;
 use percuss::{RunSummary, Termination};
@@ -150,7 +149,7 @@ impl<S: Number> Ensemble<S> {
         for lane in 0..S::LANES {
             let Some((run, steps)) = self.lanes[lane] else { continue };
             let settings = runs[run].settings;
-            let left = self.engine.h.constant(step_behind(settings, steps));
+            let left = self.engine.h.constant(settings.size_behind(steps));
             self.engine.h.set_lane(lane, left, lane);
             let (start, h) = (steps as f64 * settings.step, self.engine.h.lane(lane));
             for (factor, load) in self.engine.load_factors.iter_mut().zip(&runs[run].model.loads) {

@@ -9,7 +9,7 @@ use super::observing::step_size::StepSizeControl;
 use super::recording::record::{Flow, Recorder};
 use super::simulation::Simulation;
 use super::solving::accept::Acceptance;
-use super::solving::decider::{Decider, Moment, Resolution, step_behind};
+use super::solving::decider::{Decider, Moment, Resolution};
 use super::solving::solver::Solving;
 use super::solving::trial::{Accepted, PartKind, Solved, Trial};
 use crate::error::Error;
@@ -72,7 +72,7 @@ impl Simulation<'_> {
     fn target(&self) -> f64 {
         match &self.step_size {
             Some(step_size) => step_size.target(self.settings.end - self.state.time),
-            None => step_behind(&self.settings, self.state.step),
+            None => self.settings.size_behind(self.state.step),
         }
     }
 

@@ -31,10 +31,14 @@ pub struct FreeMotions {
 /// Their number is the rank that a stiffness matrix lacks, whatever the stiffness: it is found with unit bending stiffness for
 /// each beam, and springs to match.
 pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
-    let model = layout.model;
-    if is_held_beam_by_beam(model, search) {
-        return FreeMotions { motions: Vec::new(), stops: Vec::new() };
+    match is_held_beam_by_beam(layout.model, search) {
+        true => FreeMotions { motions: Vec::new(), stops: Vec::new() },
+        false => found_by_stiffness(layout, search),
     }
+}
+
+fn found_by_stiffness(layout: &Layout, search: &StaticSearch) -> FreeMotions {
+    let model = layout.model;
     let length = size(model);
     let metric = metric(model, true);
     // Formed again where it is needed again: few structures have free motions, and it is what takes most memory.
@@ -165,4 +169,57 @@ fn stops(motions: &[Nodal], length: f64) -> Vec<(usize, usize)> {
         places.push((at.1 / 4, at.1 % 4));
     }
     places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::*;
+
+    /// A straight beam of length 2 from the origin, at 30 degrees to the axes, held at shares of its length.
+    fn held(kinds: &[(f64, SupportKind)]) -> Model {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("steel", 2e11, 7800.0));
+        let section = b.section(Section::new("bar", 1e-3, 1e-7));
+        let end = [3_f64.sqrt(), 1.0];
+        let beam = b.beam(Beam::new("bar", &[[0.0; 2], end], 4, material, section));
+        for (k, (fraction, kind)) in kinds.iter().enumerate() {
+            let along = Along::Fraction(*fraction);
+            let at = PointRef { label: format!("p{k}"), beam, along };
+            b.support(Support::new(format!("s{k}"), at, kind.clone()));
+        }
+        b.build().unwrap()
+    }
+
+    #[test]
+    fn supports_hold_a_beam_where_its_stiffness_leaves_no_motion_free() {
+        // Directions in the axes of the beam. What holds it along its axis stands at an end: inside, it makes two parts of it.
+        let (cos, sin) = (0.75_f64.sqrt(), 0.5);
+        let roller = |x: f64, y: f64| SupportKind::Roller {
+            direction: [cos * x - sin * y, sin * x + cos * y],
+        };
+        let across = || roller(1.0, 0.0);
+        let cases: [(&[(f64, SupportKind)], usize); 8] = [
+            (&[], 3),
+            (&[(0.5, SupportKind::Pin)], 1),
+            (&[(0.0, SupportKind::Clamp)], 0),
+            (&[(0.0, SupportKind::Pin), (1.0, across())], 0),
+            // It turns about the pin: the other support holds it along its axis.
+            (&[(0.0, SupportKind::Pin), (1.0, roller(0.0, 1.0))], 1),
+            (&[(0.0, across()), (1.0, across())], 1),
+            // What three rollers hold meets in one point, about which it turns.
+            (&[(0.0, roller(-1.0, 1.0)), (0.5, across()), (1.0, roller(1.0, 1.0))], 1),
+            (&[(0.0, roller(-1.0, 1.0)), (0.25, across()), (1.0, roller(1.0, 1.0))], 0),
+        ];
+        for (kinds, free) in cases {
+            let model = held(kinds);
+            let search = StaticSearch::new(&model);
+            let found = found_by_stiffness(&Layout::new(&model), &search).motions.len();
+            assert_eq!(
+                (found, is_held_beam_by_beam(&model, &search)),
+                (free, free == 0),
+                "{kinds:?}"
+            );
+        }
+    }
 }

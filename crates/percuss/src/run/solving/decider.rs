@@ -141,13 +141,6 @@ impl RigidPair {
     }
 }
 
-/// Size of the step behind so many of the given size: what is left up to the end of the run, if that is less \[s\].
-pub fn step_behind(settings: &Settings, steps: usize) -> f64 {
-    let target = settings.step.min(settings.end - steps as f64 * settings.step);
-    let whole = (target - settings.step).abs() <= SAME_INSTANT * settings.step;
-    if whole { settings.step } else { target }
-}
-
 /// The decisions of one step.
 #[derive(Clone, Debug)]
 pub struct Decider {

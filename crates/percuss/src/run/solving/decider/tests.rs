@@ -4,7 +4,7 @@ use super::*;
 
 fn first_step() -> Decider {
     let settings = Settings::new(1.0, 0.1);
-    Decider::new(&settings, 1.0, step_behind(&settings, 0))
+    Decider::new(&settings, 1.0, settings.size_behind(0))
 }
 
 fn standing(contact: usize, gap: f64, rate: f64) -> RigidPair {
