@@ -16,7 +16,7 @@ mod tests;
 mod viscous;
 
 use crate::scalar::{Mask, Number};
-pub use flow::FibreFlow;
+pub use flow::{FibreFlow, FibreLosses};
 
 pub use law::{
     FibreState, FibreStep, Hardening, Inelasticity, Overstress, PlasticLaw, Plasticity, Slack,

@@ -1,8 +1,9 @@
 //! Sums residual and tangent of the beams over their elements.
 
+use super::end_forces::EndForces;
 use super::fibres::element_step;
 use super::integration::{Integration, MidpointForces, Rule};
-use super::sweep::{SpanStep, Sweep};
+use super::sweep::SpanStep;
 use crate::element::beam::{ElementSums, ElementValues, GaussRow, step_point};
 use crate::element::energy_momentum::End;
 use crate::element::membrane::{MembranePoint, MembraneStep};
@@ -32,48 +33,21 @@ struct GaussPlace<'a> {
     damping: f64,
 }
 
-/// What acts on the elements, as last assembled: section forces follow from it.
-#[derive(Clone, Debug, Default)]
-pub struct EndForces {
-    /// Forces on both nodes of each element, inertia and gravity included, loads along it not, shape (elements, 2, 4) \[N, N m\].
-    pub on_nodes: Vec<[[f64; 4]; 2]>,
-    /// Accelerations of the beams' nodes, less gravity, with mass-proportional damping, shape (beam nodes, 4) \[m/s^2, 1/s^2\].
-    pub inertia: Vec<[f64; 4]>,
-    /// Elements that are evaluated side by side.
-    pub sweep: Sweep,
-}
-
-impl EndForces {
-    /// Nothing assembled yet.
-    pub fn new(model: &Model) -> Self {
-        Self { sweep: Sweep::new(model), ..Self::one_by_one(model) }
-    }
-
-    /// The same for statics, which evaluates elements one by one.
-    pub fn one_by_one(model: &Model) -> Self {
-        Self {
-            on_nodes: vec![[[0.0; 4]; 2]; model.element_count()],
-            inertia: vec![[0.0; 4]; model.beam_node_count()],
-            sweep: Sweep::default(),
-        }
-    }
-
-    /// Forces of the strains of a state at rest, with gravity.
-    pub fn at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> Self {
-        let mut forces = Self::one_by_one(model);
-        let zero = vec![[0.0; 4]; model.node_count()];
-        let mut residual = zero.clone();
-        let integration = &Integration { h: 1.0, rule: Rule::Static };
-        let ends = StepState { model, state, integration, gravity, increment: &zero };
-        ends.sum::<false>(
-            &mut residual,
-            &mut Chain::default(),
-            &mut forces,
-            |point, place| collocation::response::<f64, false>(&place.row.weighed, point, 1.0),
-            |step, measure, _| step.collocated(measure, 1.0, 0.0),
-        );
-        forces
-    }
+/// Forces of the strains of a state at rest, with gravity.
+pub fn forces_at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> EndForces {
+    let mut forces = EndForces::one_by_one(model);
+    let zero = vec![[0.0; 4]; model.node_count()];
+    let mut residual = zero.clone();
+    let integration = &Integration { h: 1.0, rule: Rule::Static };
+    let ends = StepState { model, state, integration, gravity, increment: &zero };
+    ends.sum::<false>(
+        &mut residual,
+        &mut Chain::default(),
+        &mut forces,
+        |point, place| collocation::response::<f64, false>(&place.row.weighed, point, 1.0),
+        |step, measure, _| step.collocated(measure, 1.0, 0.0),
+    );
+    forces
 }
 
 /// Residual `M (a - gravity) + f_int` of the beams at `increment`, and their tangent if `TANGENT`.

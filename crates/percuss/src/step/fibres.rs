@@ -3,7 +3,7 @@
 use super::integration::Integration;
 use super::sweep::{AdvanceFibres, Sweep};
 use crate::element::beam::{ElementTable, ElementValues};
-use crate::element::fibre::{Fibre, FibreFlow, FibreState, StressLaw};
+use crate::element::fibre::{Fibre, FibreFlow, FibreLosses, FibreState, StressLaw};
 use crate::element::yielding::{
     ElementFibres, ElementStep, FibreEnergies, GaussStrains, gauss_strains,
 };
@@ -11,17 +11,6 @@ use crate::math::hermite::GAUSS;
 use crate::model::Model;
 use crate::model::frozen::{Span, SpanFibres};
 use crate::state::State;
-
-/// What the fibres of all beams, and the connectors that yield, take over a step.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct FibreLosses {
-    /// By plastic flow \[J\].
-    pub plastic: f64,
-    /// Stored in what fails at its end \[J\].
-    pub failure: f64,
-    /// By the viscosity of their materials \[J\].
-    pub viscous: f64,
-}
 
 impl State {
     /// Fibres of the element of number `k` in a span.

@@ -10,7 +10,7 @@ use crate::linalg::chain::Chain;
 use crate::math::hermite::GAUSS;
 use crate::model::{Model, StrainMeasure};
 use crate::scalar::{Lanes, Real, in_lanes};
-use crate::step::assemble::EndForces;
+use crate::step::end_forces::EndForces;
 use crate::step::integration::Integration;
 
 /// Residual of a span's elements at an increment, and their tangent if `TANGENT`.
