@@ -237,8 +237,7 @@ impl<S: Number> ElementStep<'_, S> {
             let mut response = step.response(row.weight * found.moment);
             let (rotary, rate) = (row.weighed.rotary, turn.rate);
             new.turn.add_inertia::<TANGENT>(&mut response, rotary, spin[j], rate, turn.damping);
-            let mean = new.turn.mean_spin(rate);
-            spin[j] = mean + mean - spin[j];
+            spin[j] = new.turn.end_spin(rate, spin[j]);
             sums.add::<TANGENT>(row, &response);
             let gradients = [&interpolated(at, &gradient), &spread(row, &step.gradient)];
             let ends = [&interpolated(at, &end), &spread(row, &step.end)];

@@ -109,6 +109,13 @@ impl Sweep {
         self.end_spin.row(element)
     }
 
+    /// Takes in those of an element that is not swept.
+    pub fn set_end_spin(&mut self, element: usize, spin: [f64; GAUSS]) {
+        for (j, spin) in spin.into_iter().enumerate() {
+            self.end_spin.set(j, element, spin);
+        }
+    }
+
     /// Tables of elements from number `k` of a span on; nothing if they share one.
     #[inline(always)]
     pub fn table<P: Simd>(
