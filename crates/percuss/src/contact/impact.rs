@@ -13,6 +13,15 @@ mod statuses;
 
 pub use problem::{Conditions, ImpactProblem, Stalled};
 
+/// Whether impulses give energy \[J\], more than round-off: their work, and each with the rate along it before. No law of impact may; where
+/// one does, another one stands in for it.
+pub fn gives_energy(work: f64, impulses: impl IntoIterator<Item = (f64, f64)>) -> bool {
+    /// Relative to the work that the impulses would do at the rates before.
+    const ROUND_OFF: f64 = 1e-12;
+    let size: f64 = impulses.into_iter().map(|(impulse, rate)| (impulse * rate).abs()).sum();
+    work > ROUND_OFF * size
+}
+
 impl ImpactProblem {
     /// Sweeps in a round, and how many of them are made before their progress is judged.
     const SWEEPS: i32 = 40;
