@@ -276,6 +276,20 @@ mod tests {
         }
     }
 
+    /// An impulse `(1 + e) m v` against a wall does the work `(e^2 - 1) m v^2 / 2`.
+    #[test]
+    fn impulses_give_energy_where_restitution_is_above_one_by_more_than_round_off() {
+        let (m, v) = (3.0, -7.0);
+        for (e, gives) in
+            [(0.0, false), (0.9, false), (1.0, false), (1.0 + 1e-14, false), (1.0 + 1e-11, true)]
+        {
+            let impulse = -(1.0 + e) * m * v;
+            let work = 0.5 * impulse * (v - e * v);
+            assert_eq!(gives_energy(work, [(impulse, v)]), gives, "{e}");
+        }
+        assert!(!gives_energy(0.0, []));
+    }
+
     #[test]
     fn hundreds_of_redundant_contacts_with_friction_meet_their_conditions() {
         for (n, rank, friction, seed) in [

@@ -1,4 +1,4 @@
-//! Energies and momenta of an element: its share of T and Psi_int of the paper's eqs. (7) and (8).
+//! Accelerations of nodes; energies and momenta of an element: its share of T and Psi_int of the paper's eqs. (7) and (8).
 
 use super::beam::{ElementTable, ElementValues};
 use super::energy_momentum::End;

@@ -1,4 +1,4 @@
-//! Contacts within a step: smooth forces along discrete gradients, impulses from the Delassus operator.
+//! Contacts within a step: what is asked of them, what they came to, their tangents.
 
 use super::tangent::Tangent;
 use crate::contact::law::StepForce;
