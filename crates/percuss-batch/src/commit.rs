@@ -6,7 +6,6 @@ use super::log::Log;
 use percuss::internals::element::beam::ElementValues;
 use percuss::internals::element::energy_momentum::End;
 use percuss::internals::scalar::{Number, Task};
-use percuss::math::hermite::GAUSS;
 
 /// Takes in the solved step of the lanes that `go`: ledger, state and record; of the others only the record stays, what else has to is
 /// put back by [`Stand`](super::stand::Stand).
@@ -58,7 +57,7 @@ impl<S: Number> Engine<S> {
                 v[i] = d[i] * twice - v[i];
             }
         }
-        self.arrive(twice);
+        self.arrive(rate);
         self.advance_fibres();
         self.constraints.commit();
         for k in 0..self.guides.len() {
@@ -70,9 +69,9 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Gauss points as the displacements have them at the end of the step, and their angular rates there; `twice` is 2/h.
+    /// Gauss points as the displacements have them at the end of the step, and their angular rates there.
     #[inline(always)]
-    fn arrive(&mut self, twice: S) {
+    fn arrive(&mut self, rate: S) {
         let mut element = 0;
         for span in &self.numbers.spans {
             for k in 0..span.count {
@@ -81,11 +80,8 @@ impl<S: Number> Engine<S> {
                 let values = ElementValues::new(&u[a], &u[a + 1]);
                 let step = ElementValues::new(&d[a], &d[a + 1]);
                 let (start, spin) = (&mut self.start[element], &mut self.spin[element]);
-                let (ends, angles) = End::after(span.measure, &table.rows, start, &values, &step);
-                *start = ends;
-                for j in 0..GAUSS {
-                    spin[j] = (angles[j] * twice) - spin[j];
-                }
+                let of = (span.measure, &table.rows);
+                End::arrive(of, (start, spin), &values, &step, rate);
                 element += 1;
             }
         }

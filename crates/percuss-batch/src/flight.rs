@@ -13,9 +13,9 @@ use super::rigid_log::RigidLog;
 use super::sensitivity::{Grazing, Horizon, Onset};
 use super::yield_log::{Noted, YieldLog};
 use percuss::Model;
+use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales};
 use percuss::internals::run::locate::Seen;
-use percuss::internals::run::strike::NO_GAIN;
 use percuss::internals::scalar::{Dual, Number, Real};
 use percuss::internals::settings::Settings;
 use percuss::internals::step::contacts::{IMPULSIVE, Phase};
@@ -275,7 +275,7 @@ impl<'a> Flight<'a> {
         let Some(k) = self.pressing().filter(|_| self.pace.is_impact()) else { return Ok(()) };
         let state = &self.engine.guides[k];
         let work = (state.impulse * state.gap_change / self.engine.h).value;
-        match work > NO_GAIN * (state.impulse * state.rate).value.abs() {
+        match gives_energy(work, [(state.impulse.value, state.rate.value)]) {
             true => Err(self.horizon("there Newton's law would give energy".into())),
             false => Ok(()),
         }

@@ -12,9 +12,9 @@ use super::rigid_log::{ContactPart, RigidLog};
 use super::run::LaneRun;
 use super::stand::Stand;
 use super::summary::{Fixed, Reading, Telling};
+use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::decider::{Negligible, RunScales};
 use percuss::internals::run::locate::Seen;
-use percuss::internals::run::strike::NO_GAIN;
 use percuss::internals::scalar::{Mask, Number};
 use percuss::internals::step::contacts::IMPULSIVE;
 use percuss::{RunSummary, Termination};
@@ -284,11 +284,9 @@ impl<S: Number> Paced<S> {
         let own = seen.lane(number);
         let impulse = seen.impulse.lane(number);
         let contact = lane.pace.contacts[0];
-        if lane.pace.is_impact() {
-            let most = NO_GAIN * (impulse * own.start[1]).abs();
-            if seen.work.lane(number) > most {
-                return false; // another law stands in for the contact's own
-            }
+        let work = seen.work.lane(number);
+        if lane.pace.is_impact() && gives_energy(work, [(impulse, own.start[1])]) {
+            return false; // another law stands in for the contact's own
         }
         let state = &self.engine.guides[self.guide];
         let end = [state.gap.lane(number), state.rate.lane(number)];

@@ -178,6 +178,8 @@ impl<S: Number> Telling<'_, S> {
         let each = guides.zip(&self.model.projectiles).zip(&self.log.guides);
         let each = each.map(|(((guide, state), data), log)| ProjectileSummary {
             name: self.model.bodies[data.body].name.clone(),
+            direction: Some(data.direction),
+            strikes: Some(data.point.label.clone()),
             velocity_final: guide.direction.map(|e| read(e * state.velocity) + 0.0),
             spin_final: 0.0,
             momentum_transferred: read(log.given[0]) + 0.0,

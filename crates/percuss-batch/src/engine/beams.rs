@@ -5,6 +5,7 @@ use crate::band::Band;
 use percuss::StrainMeasure;
 use percuss::internals::element::beam::ElementValues;
 use percuss::internals::element::invariant::InvariantStep;
+use percuss::internals::element::motion::accelerations;
 use percuss::internals::linalg::chain::add_element;
 use percuss::internals::scalar::{Number, array};
 
@@ -96,13 +97,7 @@ impl<S: Number> Engine<S> {
     /// Acceleration of a node in the equation of motion, with what mass-proportional damping adds.
     #[inline(always)]
     fn inertia<const DAMPED: bool>(&self, n: usize, rate: S, damping: S) -> [S; 4] {
-        let (d, v) = (&self.increment[n], &self.velocity[n]);
-        let mut acceleration = array(|i| (d[i] * rate - v[i]) * (rate + rate));
-        if DAMPED {
-            for i in 0..4 {
-                acceleration[i] += d[i] * rate * damping;
-            }
-        }
-        acceleration
+        let mean = array(|i| self.increment[n][i] * rate);
+        accelerations(mean, &self.velocity[n], rate, DAMPED.then_some(damping))
     }
 }

@@ -58,12 +58,10 @@ pub(super) fn all(data: &ReportData) -> Result<Vec<Figure>, Error> {
     draft::finish(entries, history, (time, &canvas.time_scale), &bins)
 }
 
-/// Some rows of the time, the projectiles, the gaps and the points' displacements; the rest stays empty.
+/// Some rows of the time, the projectiles and the gaps; the rest stays empty.
 fn sample(history: &HistorySource) -> Result<Vec<Vec<f64>>, Error> {
-    let motion = |name: &str| {
-        let displacement = name.starts_with("point.") && name.contains(".displacement_");
-        name == "time" || name.starts_with("projectile.") || name.ends_with(".gap") || displacement
-    };
+    let motion =
+        |name: &str| name == "time" || name.starts_with("projectile.") || name.ends_with(".gap");
     let channels = history.channels();
     let wanted: Vec<usize> = (0..channels.len()).filter(|&k| motion(&channels[k].name)).collect();
     let mut sample = vec![Vec::new(); channels.len()];

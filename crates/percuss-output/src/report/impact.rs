@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::canvas::{Canvas, names};
+use super::canvas::Canvas;
 use super::draft::{Curve, Draft, Entry, Omit};
 use super::figure::{Figure, Section, Series, Shape, Table, largest};
 use super::quantity::{Scale, quantity};
@@ -17,7 +17,7 @@ pub(super) fn figures(
     name: &str,
     several: bool,
 ) -> Vec<Entry> {
-    let Some(flight) = Flight::new(canvas, name) else { return Vec::new() };
+    let Some(flight) = Flight::new(canvas, summary, name) else { return Vec::new() };
     let frame = Frame { canvas, name, several };
     let contact = &summary["contact"][name];
     let force = canvas.history.position(&format!("contact.{name}.force"));
@@ -81,45 +81,27 @@ struct Flight {
 }
 
 impl Flight {
-    fn new(canvas: &Canvas<'_>, name: &str) -> Option<Self> {
+    fn new(canvas: &Canvas<'_>, summary: &Value, name: &str) -> Option<Self> {
         let (history, sample) = (canvas.history, canvas.sample);
         let channel = |what: &str| history.position(&format!("projectile.{name}.{what}"));
         let position = [channel("position_1")?, channel("position_2")?];
         let velocity = [channel("velocity_1")?, channel("velocity_2")?];
         let gap = history.position(&format!("contact.{name}.gap"))?;
-        let direction = direction(velocity.map(|k| sample[k].as_slice()))?;
-        let start =
-            dot(direction, position.map(|k| sample[k].first().copied().unwrap_or(f64::NAN)));
-        let standoff = sample[gap].first().copied().unwrap_or(0.0);
-        let mut flight = Self { direction, position, velocity, gap, start, standoff, struck: None };
-        flight.struck = flight.find_struck(canvas);
-        Some(flight)
+        let own = &summary["projectile"][name];
+        let direction = [own["direction"][0].as_f64()?, own["direction"][1].as_f64()?];
+        let first = |k: usize, none: f64| sample[k].first().copied().unwrap_or(none);
+        let [x, y] = position.map(|k| first(k, f64::NAN));
+        let start = direction[0] * x + direction[1] * y;
+        let standoff = first(gap, 0.0);
+        let recorded = |point: &&str| components(canvas, point, "displacement").is_some();
+        let struck = own["strikes"].as_str().filter(recorded).map(str::to_owned);
+        Some(Self { direction, position, velocity, gap, start, standoff, struck })
     }
 
     /// Along the line of flight: the sum of two components.
     fn along(&self, channels: [usize; 2]) -> Vec<(usize, f64)> {
         let terms = channels.into_iter().zip(self.direction);
         terms.filter(|(_, factor)| *factor != 0.0).collect()
-    }
-
-    /// The recorded point whose displacement agrees with gap and way in all sampled rows.
-    fn find_struck(&self, canvas: &Canvas<'_>) -> Option<String> {
-        let sample = canvas.sample;
-        let at = |channels: [usize; 2], row: usize| {
-            dot(self.direction, channels.map(|k| sample[k][row]))
-        };
-        let way = |row: usize| at(self.position, row) - self.start;
-        let rows = 0..sample[self.gap].len();
-        let struck: Vec<f64> =
-            rows.clone().map(|r| sample[self.gap][r] + way(r) - self.standoff).collect();
-        let ways: Vec<f64> = rows.clone().map(way).collect();
-        let size = largest(struck.iter().chain(&ways));
-        names(canvas.history, "point.", ".displacement_1").into_iter().find(|point| {
-            let Some(channels) = components(canvas, point, "displacement") else { return false };
-            // A run from static equilibrium starts with a displacement; the standoff is counted from there.
-            let moved = |r: usize| at(channels, r) - at(channels, 0);
-            rows.clone().all(|r| (moved(r) - (struck[r] - struck[0])).abs() <= 1e-7 * size)
-        })
     }
 
     /// What legends call the struck point.
@@ -131,23 +113,6 @@ impl Flight {
 fn components(canvas: &Canvas<'_>, point: &str, what: &str) -> Option<[usize; 2]> {
     let channel = |i: usize| canvas.history.position(&format!("point.{point}.{what}_{i}"));
     Some([channel(1)?, channel(2)?])
-}
-
-/// Direction of the velocity at the start, or else of the largest one.
-fn direction(velocity: [&[f64]; 2]) -> Option<[f64; 2]> {
-    let size = |r: usize| f64::hypot(velocity[0][r], velocity[1][r]);
-    let rows = velocity[0].len().min(velocity[1].len());
-    let row = if rows > 0 && size(0) > 0.0 {
-        0
-    } else {
-        (0..rows).max_by(|a, b| size(*a).total_cmp(&size(*b)))?
-    };
-    let speed = size(row);
-    (speed > 0.0 && speed.is_finite()).then(|| velocity.map(|v| v[row] / speed))
-}
-
-fn dot(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[0] + a[1] * b[1]
 }
 
 fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {

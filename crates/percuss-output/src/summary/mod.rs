@@ -249,6 +249,8 @@ fn projectiles(run: &RunSummary) -> Value {
 
 fn projectile(projectile: &ProjectileSummary) -> Value {
     json!({
+        "direction": projectile.direction,
+        "strikes": projectile.strikes,
         "velocity_final": projectile.velocity_final,
         "spin_final": projectile.spin_final,
         "momentum_transferred": projectile.momentum_transferred,

@@ -103,7 +103,7 @@ fn a_rigid_run_has_the_figures_of_the_paper() -> Outcome {
 }
 
 #[test]
-fn the_struck_point_is_found_among_the_recorded_ones() -> Outcome {
+fn legends_name_the_point_that_the_summary_says_is_struck() -> Outcome {
     assert!(page(&rigid()?)?.contains("contact point girder.mid"));
     Ok(())
 }

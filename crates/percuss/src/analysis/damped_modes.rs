@@ -2,6 +2,7 @@
 
 use super::modes::{Linearized, Mode};
 use super::spectrum::Layout;
+use crate::linalg::block::inner;
 use crate::linalg::dense::DenseLu;
 use crate::math::vec2::dot;
 use crate::model::frozen::{Connector, ConnectorLaw, Coordinate};
@@ -12,7 +13,7 @@ use crate::step::constraint::ConstraintStep;
 use crate::step::forcing::Forcing;
 use crate::step::integration::Integration;
 use crate::step::modal_damping::{ModalDamping, MovingModes, StepView, positions, tie_count};
-use crate::step::tangent::{inner, project};
+use crate::step::tangent::project;
 
 /// A mode of which more than this share is motion of bodies as a whole, such as a pendulum's, is not one of deformation.
 const MOSTLY_RIGID: f64 = 0.5;

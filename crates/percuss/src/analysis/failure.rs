@@ -219,7 +219,7 @@ impl StaticSearch<'_> {
             for (gauss, points) in fibres.of(k).iter().enumerate() {
                 let [membrane, bending] = strains[gauss];
                 for (fibre, number) in points.iter().zip(&mut numbers) {
-                    if fibre.area == 0.0 || self.base.fibres[number].failed {
+                    if !fibre.bears || self.base.fibres[number].failed {
                         continue;
                     }
                     let strain = membrane + fibre.height * bending;

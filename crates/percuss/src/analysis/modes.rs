@@ -8,12 +8,12 @@ use super::spectrum::{
 };
 use super::spectrum::{free_motions, metric, size, strain_share, stress_share};
 use super::static_search::StaticSearch;
+use crate::linalg::block::inner;
 use crate::linalg::chain::Chain;
 use crate::model::Model;
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::effective_mass::mass_band;
-use crate::step::tangent::inner;
 
 /// Times the shift is raised where modes lie below it.
 const MOST_SHIFTS: usize = 60;

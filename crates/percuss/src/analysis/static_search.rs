@@ -13,6 +13,7 @@ use super::static_contacts::{Pressing, StaticContacts};
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::collocation;
 use crate::element::membrane::green_or_engineering;
+use crate::linalg::block::inner;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, scale};
 use crate::model::Model;
@@ -23,7 +24,7 @@ use crate::step::constraint::ConstraintStep;
 use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
 use crate::step::newton::prescribe;
-use crate::step::tangent::{Singular, inner, project};
+use crate::step::tangent::{Singular, project};
 use crate::step::workspace::Workspace;
 use crate::step::{assemble, connectors, external, fibres};
 

@@ -11,10 +11,10 @@ use super::static_search::StaticSearch;
 use super::yields::at_rest;
 use crate::error::Error;
 use crate::inspect::loose_ends;
+use crate::linalg::block::inner;
 use crate::model::frozen::BeamData;
 use crate::model::{Fault, Model};
 use crate::state::State;
-use crate::step::tangent::inner;
 
 /// Load steps, as a share of the load: small enough to stay on the branch that starts at rest where a beam has several
 /// equilibria (a roll of one turn more or less).

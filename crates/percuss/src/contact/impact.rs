@@ -13,6 +13,15 @@ mod statuses;
 
 pub use problem::{Conditions, ImpactProblem, Stalled};
 
+/// Whether impulses give energy \[J\], more than round-off: their work, and each with the rate along it before. No law of impact may; where
+/// one does, another one stands in for it.
+pub fn gives_energy(work: f64, impulses: impl IntoIterator<Item = (f64, f64)>) -> bool {
+    /// Relative to the work that the impulses would do at the rates before.
+    const ROUND_OFF: f64 = 1e-12;
+    let size: f64 = impulses.into_iter().map(|(impulse, rate)| (impulse * rate).abs()).sum();
+    work > ROUND_OFF * size
+}
+
 impl ImpactProblem {
     /// Sweeps in a round, and how many of them are made before their progress is judged.
     const SWEEPS: i32 = 40;
@@ -265,6 +274,20 @@ mod tests {
             assert!((rates[0] - rate).abs() < 1e-14);
             assert!((impulse[1] + 0.3 * carried - friction).abs() < 1e-14, "{impulse:?}");
         }
+    }
+
+    /// An impulse `(1 + e) m v` against a wall does the work `(e^2 - 1) m v^2 / 2`.
+    #[test]
+    fn impulses_give_energy_where_restitution_is_above_one_by_more_than_round_off() {
+        let (m, v) = (3.0, -7.0);
+        for (e, gives) in
+            [(0.0, false), (0.9, false), (1.0, false), (1.0 + 1e-14, false), (1.0 + 1e-11, true)]
+        {
+            let impulse = -(1.0 + e) * m * v;
+            let work = 0.5 * impulse * (v - e * v);
+            assert_eq!(gives_energy(work, [(impulse, v)]), gives, "{e}");
+        }
+        assert!(!gives_energy(0.0, []));
     }
 
     #[test]

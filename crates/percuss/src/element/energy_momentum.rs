@@ -4,33 +4,11 @@
 mod bending;
 
 use super::beam::{ElementValues, GaussRow};
-use super::point::{Form, PointResponse, Reference, SectionLaw, StepPoint, Stress, form_b};
+use super::point::{Form, PointResponse, Reference, SectionLaw, Stress, form_b};
 use super::rotary::Turn;
 use super::strain::StrainMeasure;
 use crate::math::vec2::{add, cross, dot, middle};
-use crate::scalar::{Real, array, reciprocals};
-
-/// Stress power of a step from (g0, p0) to (g1, p1):
-///
-/// `N = EA (eps0 + eps1)/2`, `deps = alpha g_m.dg`, `B = EI (kappa0 + kappa1)/2`,
-/// `dkappa = c1 (dg x p_m + g_m x dp) + c2 g_m.dg`; on the increment of the step itself `deps` and `dkappa` are exactly
-/// `eps1 - eps0` and `kappa1 - kappa0`.
-///
-/// `lag` is the retardation time of Kelvin-Voigt damping over the step size, of an undamped material none: stresses
-/// `EA tau deps/h` and `EI tau dkappa/h` are added. They are made of the increment, not of a difference of strains, so that of a beam
-/// that moves as a rigid body they round at the size of the increment, however short the step.
-#[inline(always)]
-pub fn response<S: Real, const TANGENT: bool>(
-    law: &SectionLaw<S>,
-    point: &StepPoint<S>,
-    lag: Option<S>,
-) -> PointResponse<S> {
-    let start = End::new(law.measure, point.reference.tangent, point.slope_0, point.bend_0);
-    let StepPoint { reference, d_slope, d_bend, .. } = point;
-    let way = PointStep { reference, start: &start, d_slope: *d_slope, d_bend: *d_bend };
-    let [quotients] = Quotients::of(law.measure, &[way]);
-    Step::new(law.measure, &way, &quotients).response::<TANGENT>(law, &start, lag)
-}
+use crate::scalar::{Real, reciprocals};
 
 /// One end of a step at a Gauss point.
 #[derive(Clone, Copy, Debug)]
@@ -97,26 +75,31 @@ impl<S: Real> End<S> {
         ends
     }
 
-    /// Those at the end of a step, from displacements there and their increments, and the angles by which the tangents have
-    /// turned, `(g_m x Dg) / a_m`.
+    /// Moves them to the end of a step of size `1 / rate`, with the angular rates of their tangents, from displacements there and their
+    /// increments.
     #[inline(always)]
-    pub fn after<const N: usize>(
-        measure: StrainMeasure,
-        rows: &[GaussRow<S>; N],
-        starts: &[Self; N],
+    pub fn arrive<const N: usize>(
+        (measure, rows): (StrainMeasure, &[GaussRow<S>; N]),
+        (ends, spin): (&mut [Self; N], &mut [S; N]),
         displacement: &ElementValues<S>,
         step: &ElementValues<S>,
-    ) -> ([Self; N], [S; N]) {
-        let ends = Self::all(measure, rows, displacement);
+        rate: S,
+    ) {
         let like = rows[0].weight;
-        let (mut across, mut squared) = ([like; N], [like; N]);
+        let mut turns = [Turn { g0: [like; 2], d_g: [like; 2], g: [like; 2], inv_a: like }; N];
+        let mut squared = [like; N];
         for i in 0..N {
-            let d_g = step.at(&rows[i].first);
-            let g = middle(add(rows[i].reference.tangent, starts[i].slope), d_g);
-            (across[i], squared[i]) = (cross(g, d_g), dot(g, g));
+            let (g0, d_g) =
+                (add(rows[i].reference.tangent, ends[i].slope), step.at(&rows[i].first));
+            let g = middle(g0, d_g);
+            squared[i] = dot(g, g);
+            turns[i] = Turn { g0, d_g, g, inv_a: like };
         }
         let inverse = S::ordinary_recips(squared);
-        (ends, array(|i| across[i] * inverse[i]))
+        for i in 0..N {
+            spin[i] = Turn { inv_a: inverse[i], ..turns[i] }.end_spin(rate, spin[i]);
+        }
+        *ends = Self::all(measure, rows, displacement);
     }
 
     /// The same where the stretch is known, and the reciprocal.
@@ -271,6 +254,16 @@ impl<S: Real> Step<S> {
     }
 
     /// Forces of the section, and their tangent if `TANGENT`.
+    ///
+    /// Stress power of a step from (g0, p0) to (g1, p1):
+    ///
+    /// `N = EA (eps0 + eps1)/2`, `deps = alpha g_m.dg`, `B = EI (kappa0 + kappa1)/2`,
+    /// `dkappa = c1 (dg x p_m + g_m x dp) + c2 g_m.dg`; on the increment of the step itself `deps` and `dkappa` are exactly
+    /// `eps1 - eps0` and `kappa1 - kappa0`.
+    ///
+    /// `lag` is the retardation time of Kelvin-Voigt damping over the step size, of an undamped material none: stresses
+    /// `EA tau deps/h` and `EI tau dkappa/h` are added. They are made of the increment, not of a difference of strains, so that of a beam
+    /// that moves as a rigid body they round at the size of the increment, however short the step.
     #[inline(always)]
     pub fn response<const TANGENT: bool>(
         &self,

@@ -16,7 +16,7 @@ mod tests;
 mod viscous;
 
 use crate::scalar::{Mask, Number};
-pub use flow::FibreFlow;
+pub use flow::{FibreFlow, FibreLosses};
 
 pub use law::{
     FibreState, FibreStep, Hardening, Inelasticity, Overstress, PlasticLaw, Plasticity, Slack,
@@ -31,10 +31,24 @@ use viscous::Viscous;
 pub struct Fibre<S = f64> {
     /// Height above the centre line, along the normal to the left of the beam's direction \[m\].
     pub height: S,
-    /// Area \[m^2\]; zero for one that only tells strain and stress at the surface.
+    /// Area \[m^2\].
     pub area: S,
+    /// Whether it bears; one that does not has no area and tells strain and stress at the surface only.
+    pub bears: bool,
     /// Number of its law among those of the span.
     pub law: usize,
+}
+
+impl Fibre {
+    /// One that bears.
+    pub fn bearing(height: f64, area: f64, law: usize) -> Self {
+        Self { height, area, bears: true, law }
+    }
+
+    /// One that tells strain and stress at a surface, of the first law.
+    pub fn at_surface(height: f64) -> Self {
+        Self { height, area: 0.0, bears: false, law: 0 }
+    }
 }
 
 impl StressLaw {

@@ -67,8 +67,7 @@ impl<S: Number> InvariantStep<'_, S> {
             let mut point = new.response::<TANGENT>(&law, &starts[j], lag);
             new.turn.add_inertia::<TANGENT>(&mut point, law.rotary, spin[j], rate, damping);
             sums.add::<TANGENT>(row, &point);
-            let mean = new.turn.mean_spin(rate);
-            spin[j] = mean + mean - spin[j];
+            spin[j] = new.turn.end_spin(rate, spin[j]);
         }
         if let Some(samples) = &table.membrane {
             let [s0, s1, s2] = &samples.step(&self.start, &self.increment);

@@ -1,4 +1,4 @@
-//! Energies and momenta of an element: its share of T and Psi_int of the paper's eqs. (7) and (8).
+//! Accelerations of nodes; energies and momenta of an element: its share of T and Psi_int of the paper's eqs. (7) and (8).
 
 use super::beam::{ElementTable, ElementValues};
 use super::energy_momentum::End;
@@ -7,7 +7,7 @@ use super::strain::StrainMeasure;
 use super::yielding::FibreEnergies;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{cross, dot4};
-use crate::scalar::Number;
+use crate::scalar::{Number, Real};
 
 /// Energies and momenta of an element, or sums of several.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +27,26 @@ pub struct ElementMeasures<S> {
     /// Angular momentum about the origin, and the sum of the magnitudes of its parts \[kg m^2/s\].
     pub angular: S,
     pub angular_size: S,
+}
+
+/// Accelerations of a node in the equation of motion by the midpoint rule in a step of size `1 / rate`, `2 (d/h - v0)/h`, with what
+/// mass-proportional `damping` adds; `mean` is d/h.
+#[inline(always)]
+pub fn accelerations<S: Real>(
+    mean: [S; 4],
+    velocity: &[S; 4],
+    rate: S,
+    damping: Option<S>,
+) -> [S; 4] {
+    let twice = rate + rate;
+    let mut out = mean;
+    for i in 0..4 {
+        out[i] = (mean[i] - velocity[i]) * twice;
+        if let Some(damping) = damping {
+            out[i] = out[i].add_product(damping, mean[i]);
+        }
+    }
+    out
 }
 
 impl<S: Number> ElementMeasures<S> {

@@ -37,6 +37,13 @@ impl<S: Real> Turn<S> {
         self.angle() * rate
     }
 
+    /// Angular rate at the end of such a step, `w1 = 2 w_m - w0`.
+    #[inline(always)]
+    pub fn end_spin(&self, rate: S, spin_0: S) -> S {
+        let mean = self.mean_spin(rate);
+        mean + mean - spin_0
+    }
+
     /// Adds rotary inertia: `rhoI (w1 - w0)/h (g_m x dg)/a_m` with `w1 = 2 w_m - w0`, and mass-proportional damping
     /// `rhoI damping w_m`.
     #[inline(always)]

@@ -144,7 +144,7 @@ impl<S: Number> ElementFibres<'_, S> {
         let viscous = none.less(step.lag).any();
         let mut out = SectionResponse::zero(none);
         for (fibre, state) in self.at(j) {
-            if !none.less(fibre.area).any() {
+            if !fibre.bears {
                 continue;
             }
             let law = &self.laws[fibre.law];
@@ -166,7 +166,7 @@ impl ElementFibres<'_> {
     /// Forces of the section at the end of a step that knows no time.
     fn end(&self, j: usize, [membrane, bending]: [f64; 2]) -> SectionResponse<f64> {
         let mut out = SectionResponse::zero(0.0);
-        for (fibre, state) in self.at(j).filter(|(fibre, _)| fibre.area > 0.0) {
+        for (fibre, state) in self.at(j).filter(|(fibre, _)| fibre.bears) {
             let strain = membrane + fibre.height * bending;
             let law = &self.laws[fibre.law];
             let found = law.at_rest(state, strain);
@@ -237,8 +237,7 @@ impl<S: Number> ElementStep<'_, S> {
             let mut response = step.response(row.weight * found.moment);
             let (rotary, rate) = (row.weighed.rotary, turn.rate);
             new.turn.add_inertia::<TANGENT>(&mut response, rotary, spin[j], rate, turn.damping);
-            let mean = new.turn.mean_spin(rate);
-            spin[j] = mean + mean - spin[j];
+            spin[j] = new.turn.end_spin(rate, spin[j]);
             sums.add::<TANGENT>(row, &response);
             let gradients = [&interpolated(at, &gradient), &spread(row, &step.gradient)];
             let ends = [&interpolated(at, &end), &spread(row, &step.end)];

@@ -14,6 +14,11 @@ pub const ZERO: Block = [[0.0; 4]; 4];
 pub const IDENTITY: Block =
     [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
 
+/// Inner product of nodal values.
+pub fn inner(a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
+    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
+}
+
 /// `a b`.
 #[inline(always)]
 pub fn mul<S: Real>(a: &Block<S>, b: &Block<S>) -> Block<S> {

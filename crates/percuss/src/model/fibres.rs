@@ -122,7 +122,8 @@ fn given(make: &Make, mut add: impl FnMut(&Material) -> usize) -> Option<Vec<Fib
         known[known.len() - 1].1
     };
     let fibres = make.section.given_fibres()?.iter();
-    Some(fibres.map(|f| Fibre { height: f.height, area: f.area, law: number(f) }).collect())
+    let fibre = |f: &SectionFibre| Fibre::bearing(f.height, f.area, number(f));
+    Some(fibres.map(fibre).collect())
 }
 
 /// Fibres of a section that follow from its shape.
@@ -163,14 +164,13 @@ impl<'a> ProfileLayout<'a> {
     }
 
     /// Fibres at a fraction of the beam's length: the profiles of the stations before and behind, both scaled to the area and the radius of
-    /// gyration there and weighed by the distances to them; then those of no area at both surfaces.
+    /// gyration there and weighed by the distances to them; then those at both surfaces, which do not bear.
     fn at(&self, fraction: f64) -> Vec<Fibre> {
         let here = self.section.at(fraction);
         let mut out = Vec::new();
         let mut add = |unit: &[[f64; 2]], weight: f64| {
             let (taller, larger) = (here.gyration(), weight * here.area);
-            let fibre =
-                |[y, area]: &[f64; 2]| Fibre { height: y * taller, area: area * larger, law: 0 };
+            let fibre = |[y, area]: &[f64; 2]| Fibre::bearing(y * taller, area * larger, 0);
             out.extend(unit.iter().map(fibre));
         };
         match (self.profiles.as_slice(), self.section.stations_about(fraction)) {
@@ -184,7 +184,7 @@ impl<'a> ProfileLayout<'a> {
         }
         let most = out.iter().map(|f| f.height).fold(0.0, f64::max);
         let half = here.depth.map_or(most, |d| 0.5 * d);
-        out.extend([-half, half].map(|height| Fibre { height, area: 0.0, law: 0 }));
+        out.extend([-half, half].map(Fibre::at_surface));
         out
     }
 }

@@ -11,7 +11,7 @@ pub struct SpanFibres<S = f64> {
     /// Laws of its materials, shape (laws).
     pub laws: Vec<StressLaw<S>>,
     /// Fibres at the Gauss points, as many entries as the span has tables, shape (tables, Gauss points, fibres at one); those of
-    /// a shape end with two of no area, at the lower and the upper surface.
+    /// a shape end with two that do not bear, at the lower and the upper surface.
     pub at: Vec<[Vec<Fibre<S>>; GAUSS]>,
     /// Fibres of an element, all its Gauss points together.
     pub count: usize,

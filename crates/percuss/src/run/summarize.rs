@@ -156,12 +156,14 @@ fn projectiles(model: &Model, state: &State, given: &[Given]) -> Vec<ProjectileS
         let body = &model.bodies[first];
         let v = &state.velocity[model.body_node(first)];
         // At rest at the start, it has a direction only if it is guided.
-        let guide = model.projectiles.iter().find(|p| p.body == first).map(|p| p.direction);
-        let speed = norm(body.velocity);
-        let along = guide.unwrap_or(scale(1.0 / speed, body.velocity));
+        let guide = model.projectiles.iter().find(|p| p.body == first);
+        let (direction, speed) = (guide.map(|p| p.direction), norm(body.velocity));
+        let along = direction.unwrap_or(scale(1.0 / speed, body.velocity));
         let plain = |x: f64| x + 0.0; // no -0.0
         ProjectileSummary {
             name: body.name.clone(),
+            direction,
+            strikes: guide.map(|p| p.point.label.clone()),
             velocity_final: [plain(v[0]), plain(v[1])],
             spin_final: plain(v[2]),
             momentum_transferred: if speed > 0.0 || guide.is_some() {

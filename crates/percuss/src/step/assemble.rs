@@ -1,79 +1,55 @@
 //! Sums residual and tangent of the beams over their elements.
 
+use super::end_forces::EndForces;
 use super::fibres::element_step;
-use super::integration::{Integration, MidpointForces, Rule};
+use super::integration::{AlphaWeights, Integration, MidpointForces, Rule};
 use super::sweep::{SpanStep, Sweep};
-use crate::element::beam::{ElementSums, ElementValues, GaussRow, step_point};
+use crate::element::beam::{ElementSums, ElementTable, ElementValues, step_point};
 use crate::element::energy_momentum::End;
+use crate::element::invariant::InvariantStep;
 use crate::element::membrane::{MembranePoint, MembraneStep};
-use crate::element::point::{PointResponse, StepPoint, Strains};
+use crate::element::point::{PointResponse, SectionLaw, StepPoint, Strains};
 use crate::element::rotary::{self, Turn};
-use crate::element::yielding::{ElementFibres, ElementStep, ElementTurn};
-use crate::element::{collocation, energy_momentum, strain_rate};
+use crate::element::{collocation, strain_rate};
 use crate::linalg::block::ZERO;
 use crate::linalg::chain::{Chain, add_element};
-use crate::math::hermite::GAUSS;
 use crate::math::vec2::add;
+use crate::model::Model;
 use crate::model::frozen::Span;
-use crate::model::{Model, StrainMeasure};
 use crate::state::State;
 
-/// Where a Gauss point stands: its element and its number there.
-#[derive(Clone, Copy)]
-struct GaussPlace<'a> {
-    row: &'a GaussRow,
-    /// Node `a` of the element.
+/// An element in a step.
+struct ElementAt<'a> {
+    span: &'a Span,
+    table: &'a ElementTable,
+    /// Its number in the span.
+    k: usize,
+    /// Its node `a`.
     node: usize,
     element: usize,
-    gauss: usize,
+    /// Nodal values at the start, and their increments.
+    old: ElementValues<f64>,
+    step: ElementValues<f64>,
     /// Retardation time over the step size.
     lag: f64,
-    /// Mass-proportional damping \[1/s\].
-    damping: f64,
 }
 
-/// What acts on the elements, as last assembled: section forces follow from it.
-#[derive(Clone, Debug, Default)]
-pub struct EndForces {
-    /// Forces on both nodes of each element, inertia and gravity included, loads along it not, shape (elements, 2, 4) \[N, N m\].
-    pub on_nodes: Vec<[[f64; 4]; 2]>,
-    /// Accelerations of the beams' nodes, less gravity, with mass-proportional damping, shape (beam nodes, 4) \[m/s^2, 1/s^2\].
-    pub inertia: Vec<[f64; 4]>,
-    /// Elements that are evaluated side by side.
-    pub sweep: Sweep,
-}
+/// A Gauss point, or a sampling point of the membrane: its element and its number there.
+type PointAt<'a> = (&'a ElementAt<'a>, usize);
 
-impl EndForces {
-    /// Nothing assembled yet.
-    pub fn new(model: &Model) -> Self {
-        Self { sweep: Sweep::new(model), ..Self::one_by_one(model) }
-    }
-
-    /// The same for statics, which evaluates elements one by one.
-    pub fn one_by_one(model: &Model) -> Self {
-        Self {
-            on_nodes: vec![[[0.0; 4]; 2]; model.element_count()],
-            inertia: vec![[0.0; 4]; model.beam_node_count()],
-            sweep: Sweep::default(),
-        }
-    }
-
-    /// Forces of the strains of a state at rest, with gravity.
-    pub fn at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> Self {
-        let mut forces = Self::one_by_one(model);
-        let zero = vec![[0.0; 4]; model.node_count()];
-        let mut residual = zero.clone();
-        let integration = &Integration { h: 1.0, rule: Rule::Static };
-        let ends = StepState { model, state, integration, gravity, increment: &zero };
-        ends.sum::<false>(
-            &mut residual,
-            &mut Chain::default(),
-            &mut forces,
-            |point, place| collocation::response::<f64, false>(&place.row.weighed, point, 1.0),
-            |step, measure, _| step.collocated(measure, 1.0, 0.0),
-        );
-        forces
-    }
+/// Forces of the strains of a state at rest, with gravity.
+pub fn forces_at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> EndForces {
+    let mut forces = EndForces::one_by_one(model);
+    let zero = vec![[0.0; 4]; model.node_count()];
+    let mut residual = zero.clone();
+    let integration = &Integration { h: 1.0, rule: Rule::Static };
+    let ends = StepState { model, state, integration, gravity, increment: &zero };
+    ends.sum_points::<false>(
+        (&mut residual, &mut Chain::default(), &mut forces),
+        |law, point, _| collocation::response::<f64, false>(law, point, 1.0),
+        |step, (at, _)| step.collocated(at.span.measure, 1.0, 0.0),
+    );
+    forces
 }
 
 /// Residual `M (a - gravity) + f_int` of the beams at `increment`, and their tangent if `TANGENT`.
@@ -88,103 +64,58 @@ pub fn beams<const TANGENT: bool>(
     residual: &mut [[f64; 4]],
     sums: (&mut Chain, &mut EndForces),
 ) {
-    let (chain, forces) = sums;
-    let h = integration.h;
+    let sums = (residual, sums.0, sums.1);
     let ends = StepState { model, state, integration, gravity, increment };
-    let stored = |place: GaussPlace| {
-        let [membrane, bending] = state.strain[place.element][place.gauss];
+    let stored = |(at, j): PointAt| {
+        let [membrane, bending] = state.strain[at.element][j];
         Strains { membrane, bending }
     };
     match integration.rule {
-        Rule::Midpoint(MidpointForces::Invariant) => {
-            for (i, span) in model.spans.iter().enumerate() {
-                if forces.sweep.has(i) {
-                    let (rule, chain, forces) = (integration, &mut *chain, &mut *forces);
-                    let residual = &mut *residual;
-                    SpanStep::<TANGENT> {
-                        model,
-                        span: i,
-                        rule,
-                        gravity,
-                        increment,
-                        residual,
-                        chain,
-                        forces,
-                    }
-                    .evaluate();
-                } else {
-                    ends.invariant_span::<TANGENT>(span, residual, chain, forces);
-                }
-            }
-        }
-        Rule::Midpoint(MidpointForces::StrainRate) => ends.sum::<TANGENT>(
-            residual,
-            chain,
-            forces,
-            |point, place| {
-                let (law, old) = (&place.row.weighed, stored(place));
-                let mut r = strain_rate::response::<f64, TANGENT>(law, point, old, place.lag);
-                add_rotary::<TANGENT>(&mut r, point, place, state, h);
+        Rule::Midpoint(MidpointForces::Invariant) => ends.sum_invariant::<TANGENT>(sums),
+        Rule::Midpoint(MidpointForces::StrainRate) => ends.sum_points::<TANGENT>(
+            sums,
+            |law, point, here| {
+                let (old, lag) = (stored(here), here.0.lag);
+                let mut r = strain_rate::response::<f64, TANGENT>(law, point, old, lag);
+                ends.add_rotary::<TANGENT>(&mut r, law, point, here);
                 r
             },
-            |step, measure, place| step.strain_rate(measure, stored(place).membrane, place.lag),
+            |step, (at, j)| step.strain_rate(at.span.measure, stored((at, j)).membrane, at.lag),
         ),
-        Rule::Midpoint(MidpointForces::Collocated) => ends.sum::<TANGENT>(
-            residual,
-            chain,
-            forces,
-            |point, place| {
-                let mut r =
-                    collocation::damped::<f64, TANGENT>(&place.row.weighed, point, place.lag);
-                add_rotary::<TANGENT>(&mut r, point, place, state, h);
+        Rule::Midpoint(MidpointForces::Collocated) => ends.sum_points::<TANGENT>(
+            sums,
+            |law, point, here| {
+                let mut r = collocation::damped::<f64, TANGENT>(law, point, here.0.lag);
+                ends.add_rotary::<TANGENT>(&mut r, law, point, here);
                 r
             },
-            |step, measure, place| step.collocated(measure, 0.5, place.lag),
+            |step, (at, _)| step.collocated(at.span.measure, 0.5, at.lag),
         ),
-        Rule::Static => ends.sum::<TANGENT>(
-            residual,
-            chain,
-            forces,
-            |point, place| {
-                let law = &place.row.weighed;
-                collocation::foreseeing::<f64, TANGENT>(law, point, stored(place))
-            },
-            |step, measure, place| MembranePoint {
-                geometric: stored(place).membrane,
-                ..step.collocated(measure, 1.0, 0.0)
+        Rule::Static => ends.sum_points::<TANGENT>(
+            sums,
+            |law, point, here| collocation::foreseeing::<f64, TANGENT>(law, point, stored(here)),
+            |step, here| MembranePoint {
+                geometric: stored(here).membrane,
+                ..step.collocated(here.0.span.measure, 1.0, 0.0)
             },
         ),
-        Rule::Alpha(_) => {
+        Rule::Alpha(w) => {
             let theta = integration.theta();
-            ends.sum::<TANGENT>(
-                residual,
-                chain,
-                forces,
-                |point, place| {
-                    let law = &place.row.weighed;
+            ends.sum_points::<TANGENT>(
+                sums,
+                |law, point, here| {
                     let mut r = collocation::response::<f64, TANGENT>(law, point, theta);
-                    ends.add_alpha_rotary::<TANGENT>(&mut r, point, place);
+                    ends.add_alpha_rotary::<TANGENT>(&mut r, &w, point, here);
                     r
                 },
-                |step, measure, _| step.collocated(measure, theta, 0.0),
+                |step, (at, _)| step.collocated(at.span.measure, theta, 0.0),
             );
         }
     }
 }
 
-#[inline(always)]
-fn add_rotary<const TANGENT: bool>(
-    response: &mut PointResponse<f64>,
-    point: &StepPoint<f64>,
-    place: GaussPlace,
-    state: &State,
-    h: f64,
-) {
-    let g0 = add(point.reference.tangent, point.slope_0);
-    let spin = state.spin[place.element][place.gauss];
-    let (rotary, damping) = (place.row.weighed.rotary, place.damping);
-    Turn::new(g0, point.d_slope).add_inertia::<TANGENT>(response, rotary, spin, h.recip(), damping);
-}
+/// Residual, tangent and forces that are summed up.
+type Sums<'a> = (&'a mut [[f64; 4]], &'a mut Chain, &'a mut EndForces);
 
 /// The start of the step and the increment that leads to its end.
 struct StepState<'a> {
@@ -198,129 +129,133 @@ struct StepState<'a> {
 }
 
 impl StepState<'_> {
-    /// Sums over all elements `response` at their Gauss points, `membrane` at the sampling points of slender ones, and inertia.
-    #[inline(always)]
-    fn sum<const TANGENT: bool>(
-        &self,
-        residual: &mut [[f64; 4]],
-        chain: &mut Chain,
-        forces: &mut EndForces,
-        response: impl Fn(&StepPoint<f64>, GaussPlace) -> PointResponse<f64>,
-        membrane: impl Fn(&MembraneStep<f64>, StrainMeasure, GaussPlace) -> MembranePoint<f64>,
-    ) {
-        for span in &self.model.spans {
-            self.sum_span::<TANGENT>(span, residual, (chain, forces), &response, &membrane);
+    /// Sums the invariant scheme, spans that are swept side by side.
+    fn sum_invariant<const TANGENT: bool>(&self, (residual, chain, forces): Sums) {
+        let Self { model, integration: rule, gravity, increment, .. } = *self;
+        for (span, own) in model.spans.iter().enumerate() {
+            let (residual, chain, forces) = (&mut *residual, &mut *chain, &mut *forces);
+            if forces.sweep.has(span) {
+                SpanStep::<TANGENT> {
+                    model,
+                    span,
+                    rule,
+                    gravity,
+                    increment,
+                    residual,
+                    chain,
+                    forces,
+                }
+                .evaluate();
+            } else {
+                let forces_of = |at: &ElementAt, s: &mut Sweep| self.invariant::<TANGENT>(at, s);
+                self.sum_span::<TANGENT>(own, (residual, chain, forces), &forces_of);
+            }
         }
     }
 
-    /// The same over a span.
+    /// Sums over all elements `response` at their Gauss points, and `membrane` at the sampling points of slender ones; those of fibres,
+    /// which know the invariant scheme and rest alone, are at rest here.
+    #[inline(always)]
+    fn sum_points<const TANGENT: bool>(
+        &self,
+        (residual, chain, forces): Sums,
+        response: impl Fn(&SectionLaw<f64>, &StepPoint<f64>, PointAt) -> PointResponse<f64>,
+        membrane: impl Fn(&MembraneStep<f64>, PointAt) -> MembranePoint<f64>,
+    ) {
+        let forces_of = |at: &ElementAt, _: &mut Sweep| {
+            let mut sums = ElementSums::zero(0.0);
+            if let Some(fibres) = &at.span.fibres {
+                let fibres = self.state.fibres_of(fibres, at.k);
+                let step = element_step((at.span, at.table), [&at.old, &at.step], self.integration);
+                let foreseen = self.state.strain.get(at.element);
+                let foreseen = foreseen.copied().unwrap_or_else(|| step.strains()[1]);
+                step.add_static::<TANGENT>(&fibres, &foreseen, &mut sums);
+                return sums;
+            }
+            for (j, row) in at.table.rows.iter().enumerate() {
+                let point = step_point(row, &at.old, &at.step);
+                sums.add::<TANGENT>(row, &response(&row.weighed, &point, (at, j)));
+            }
+            if let Some(samples) = &at.table.membrane {
+                let steps = samples.step(&at.old, &at.step);
+                let points = std::array::from_fn(|j| membrane(&steps[j], (at, j)));
+                samples.add::<TANGENT>(&points, self.integration.theta(), &mut sums);
+            }
+            sums
+        };
+        for span in &self.model.spans {
+            self.sum_span::<TANGENT>(span, (residual, chain, forces), &forces_of);
+        }
+    }
+
+    /// Sums over a span what `forces_of` gives of its elements, and inertia.
     #[inline(always)]
     fn sum_span<const TANGENT: bool>(
         &self,
         span: &Span,
-        residual: &mut [[f64; 4]],
-        (chain, forces): (&mut Chain, &mut EndForces),
-        response: &impl Fn(&StepPoint<f64>, GaussPlace) -> PointResponse<f64>,
-        membrane: &impl Fn(&MembraneStep<f64>, StrainMeasure, GaussPlace) -> MembranePoint<f64>,
+        (residual, chain, forces): Sums,
+        forces_of: &impl Fn(&ElementAt, &mut Sweep) -> ElementSums<f64>,
     ) {
-        let theta = self.integration.theta();
-        {
-            let slope = self.integration.inertia_slope()
-                + span.mass_damping * self.integration.rate_slope();
-            let first = span.nodes.start;
-            residual[first] = [0.0; 4];
+        let slope =
+            self.integration.inertia_slope() + span.mass_damping * self.integration.rate_slope();
+        let first = span.nodes.start;
+        residual[first] = [0.0; 4];
+        if TANGENT {
+            chain.diag[first] = ZERO;
+        }
+        let lag = self.integration.lag(span.retardation);
+        let mut start = self.inertia(span, first);
+        forces.inertia[first] = start;
+        for (k, element) in span.elements.clone().enumerate() {
+            let (a, table) = (first + k, span.table(k));
+            let end = self.inertia(span, a + 1);
+            forces.inertia[a + 1] = end;
+            let u = &self.state.displacement;
+            let old = ElementValues::new(&u[a], &u[a + 1]);
+            let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
+            let sums = if self.state.has_parted(a) {
+                ElementSums::zero(0.0) // inertia alone
+            } else {
+                let at = ElementAt { span, table, k, node: a, element, old, step, lag };
+                forces_of(&at, &mut forces.sweep)
+            };
+            let [mut on_a, mut on_b] = sums.nodal_force();
+            table.add_inertia(&start, &end, &mut on_a, &mut on_b);
+            forces.on_nodes[element] = [on_a, on_b];
+            for i in 0..4 {
+                residual[a][i] += on_a[i];
+            }
+            residual[a + 1] = on_b;
             if TANGENT {
-                chain.diag[first] = ZERO;
+                spread(&sums, &table.mass, slope, a, chain);
             }
-            let lag = self.integration.lag(span.retardation);
-            let damping = span.mass_damping;
-            let mut start = self.inertia(span, first);
-            forces.inertia[first] = start;
-            for (k, element) in span.elements.clone().enumerate() {
-                let a = first + k;
-                let table = span.table(k);
-                let end = self.inertia(span, a + 1);
-                forces.inertia[a + 1] = end;
-                let u = &self.state.displacement;
-                let old = ElementValues::new(&u[a], &u[a + 1]);
-                let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
-                let mut sums = ElementSums::zero(0.0);
-                let place = |row, gauss| GaussPlace { row, node: a, element, gauss, lag, damping };
-                if self.state.has_parted(a) {
-                    // Inertia alone, which is added below.
-                } else if let Some(fibres) = &span.fibres {
-                    let ends = element_step((span, table), [&old, &step], self.integration);
-                    let fibres = self.state.fibres_of(fibres, k);
-                    self.add_fibres::<TANGENT>(&ends, &fibres, (element, damping), &mut sums);
-                } else {
-                    for gauss in 0..GAUSS {
-                        let row = &table.rows[gauss];
-                        let point = step_point(row, &old, &step);
-                        sums.add::<TANGENT>(row, &response(&point, place(row, gauss)));
-                    }
-                    if let Some(samples) = &table.membrane {
-                        let steps = samples.step(&old, &step);
-                        let points = std::array::from_fn(|i| {
-                            membrane(&steps[i], span.measure, place(&table.rows[i], i))
-                        });
-                        samples.add::<TANGENT>(&points, theta, &mut sums);
-                    }
-                }
-                let [mut on_a, mut on_b] = sums.nodal_force();
-                table.add_inertia(&start, &end, &mut on_a, &mut on_b);
-                forces.on_nodes[element] = [on_a, on_b];
-                for i in 0..4 {
-                    residual[a][i] += on_a[i];
-                }
-                residual[a + 1] = on_b;
-                if TANGENT {
-                    spread(&sums, &table.mass, slope, a, chain);
-                }
-                start = end;
-            }
+            start = end;
         }
     }
 
-    /// Sums the invariant scheme over a span that is not swept.
-    fn invariant_span<const TANGENT: bool>(
+    /// The invariant scheme, of which the sweep gets the angular rates at the end.
+    fn invariant<const TANGENT: bool>(
         &self,
-        span: &Span,
-        residual: &mut [[f64; 4]],
-        chain: &mut Chain,
-        forces: &mut EndForces,
-    ) {
-        let (state, h) = (self.state, self.integration.h);
-        self.sum_span::<TANGENT>(
-            span,
-            residual,
-            (chain, forces),
-            &|point, place| {
-                let law = &place.row.weighed;
-                let mut r = energy_momentum::response::<f64, TANGENT>(law, point, Some(place.lag));
-                add_rotary::<TANGENT>(&mut r, point, place, state, h);
-                r
-            },
-            &|step, measure, place| step.invariant(measure, Some(place.lag)),
-        );
-    }
-
-    /// Adds the forces of an element of fibres.
-    fn add_fibres<const TANGENT: bool>(
-        &self,
-        step: &ElementStep,
-        fibres: &ElementFibres,
-        (element, damping): (usize, f64),
-        sums: &mut ElementSums<f64>,
-    ) {
-        if self.integration.rule == Rule::Static {
-            let foreseen = self.state.strain.get(element);
-            let foreseen = foreseen.copied().unwrap_or_else(|| step.strains()[1]);
-            return step.add_static::<TANGENT>(fibres, &foreseen, sums);
-        }
-        let (spin, rate) = (&self.state.spin[element], self.integration.h.recip());
-        let starts = &End::all(step.measure, &step.table.rows, step.start);
-        let turn = ElementTurn { starts, spin, rate, damping };
-        *sums = step.sums::<TANGENT>(fibres, &turn).0;
+        at: &ElementAt,
+        sweep: &mut Sweep,
+    ) -> ElementSums<f64> {
+        let fibres = at.span.fibres.as_ref().map(|own| self.state.fibres_of(own, at.k));
+        let h = self.integration.h;
+        let step = InvariantStep {
+            table: at.table,
+            measure: at.span.measure,
+            starts: &End::all(at.span.measure, &at.table.rows, &at.old),
+            spin: &self.state.spin[at.element],
+            start: at.old,
+            increment: at.step,
+            h,
+            rate: h.recip(),
+            lag: (at.span.retardation > 0.0).then_some(at.lag),
+            damping: at.span.mass_damping,
+        };
+        let (sums, spin) = step.sums::<TANGENT>(fibres.as_ref());
+        sweep.set_end_spin(at.element, spin);
+        sums
     }
 
     /// Acceleration of a node in the equation of motion, less gravity, with what mass-proportional damping adds.
@@ -340,35 +275,51 @@ impl StepState<'_> {
         out
     }
 
+    /// Rotary inertia of the midpoint family.
+    #[inline(always)]
+    fn add_rotary<const TANGENT: bool>(
+        &self,
+        response: &mut PointResponse<f64>,
+        law: &SectionLaw<f64>,
+        point: &StepPoint<f64>,
+        (at, j): PointAt,
+    ) {
+        let g0 = add(point.reference.tangent, point.slope_0);
+        let (spin, rate) = (self.state.spin[at.element][j], self.integration.h.recip());
+        let (turn, damping) = (Turn::new(g0, point.d_slope), at.span.mass_damping);
+        turn.add_inertia::<TANGENT>(response, law.rotary, spin, rate, damping);
+    }
+
     /// Rotary inertia of the schemes that advance accelerations.
     #[inline(always)]
     fn add_alpha_rotary<const TANGENT: bool>(
         &self,
         response: &mut PointResponse<f64>,
+        w: &AlphaWeights,
         point: &StepPoint<f64>,
-        place: GaussPlace,
+        (at, j): PointAt,
     ) {
-        let Rule::Alpha(w) = self.integration.rule else { return };
         let theta = 1.0 - w.alpha_f;
+        let (row, damping) = (&at.table.rows[j], at.span.mass_damping);
         let g0 = add(point.reference.tangent, point.slope_0);
         let g = [g0[0] + theta * point.d_slope[0], g0[1] + theta * point.d_slope[1]];
-        let at = |nodal: &[[f64; 4]]| {
-            ElementValues::new(&nodal[place.node], &nodal[place.node + 1]).at(&place.row.first)
+        let value = |nodal: &[[f64; 4]]| {
+            ElementValues::new(&nodal[at.node], &nodal[at.node + 1]).at(&row.first)
         };
-        let (v0, a0) = (at(&self.state.velocity), at(&self.state.acceleration));
+        let (v0, a0) = (value(&self.state.velocity), value(&self.state.acceleration));
         let rule = self.integration;
         let g_dot: [f64; 2] = std::array::from_fn(|i| {
             (1.0 - theta) * v0[i] + theta * rule.velocity(point.d_slope[i], v0[i], a0[i])
         });
         // Mass-proportional damping turns with the same arm: its couple is that of an acceleration.
         let g_ddot = std::array::from_fn(|i| {
-            rule.inertia(point.d_slope[i], v0[i], a0[i]) + place.damping * g_dot[i]
+            rule.inertia(point.d_slope[i], v0[i], a0[i]) + damping * g_dot[i]
         });
         let rate = theta * w.gamma / (w.beta * rule.h);
-        let slopes = [theta, rate, rule.inertia_slope() + place.damping * rate];
+        let slopes = [theta, rate, rule.inertia_slope() + damping * rate];
         rotary::add_collocated::<f64, TANGENT>(
             response,
-            place.row.weighed.rotary,
+            row.weighed.rotary,
             g,
             g_dot,
             g_ddot,

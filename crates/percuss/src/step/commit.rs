@@ -14,7 +14,7 @@ use crate::element::strain_rate;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, dot};
 use crate::model::Model;
-use crate::model::frozen::{BodyKind, Connector, Coordinate, Span};
+use crate::model::frozen::{BodyKind, Connector, Coordinate};
 use crate::state::State;
 
 /// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger; tells the elements that have no fibre left
@@ -95,8 +95,8 @@ fn advance_masses(model: &Model, state: &mut State, rule: &Integration, work: &W
     for (i, mass) in model.masses.iter().enumerate() {
         let p = &mass.point;
         let g0 = add(p.tangent, p.gradient(&state.displacement));
-        let mean = Turn::new(g0, p.gradient(&work.increment)).mean_spin(rule.h.recip());
-        state.mass_spin[i] = 2.0 * mean - state.mass_spin[i];
+        let turn = Turn::new(g0, p.gradient(&work.increment));
+        state.mass_spin[i] = turn.end_spin(rule.h.recip(), state.mass_spin[i]);
     }
 }
 
@@ -105,8 +105,11 @@ fn advance_histories(model: &Model, state: &mut State, rule: &Integration, work:
         return;
     }
     if rule.sweeps() {
-        for (i, span) in model.spans.iter().enumerate() {
-            advance_spins(i, span, state, rule, work);
+        for (_, _, a, element) in model.each_element() {
+            // Nothing turns the sections of what has parted any more.
+            if !state.has_parted(a) {
+                state.spin[element] = work.beams.sweep.end_spin(element);
+            }
         }
         return;
     }
@@ -118,9 +121,8 @@ fn advance_histories(model: &Model, state: &mut State, rule: &Integration, work:
         for j in 0..GAUSS {
             let point = step_point(&table.rows[j], &old, &step);
             let g0 = add(point.reference.tangent, point.slope_0);
-            let mean = Turn::new(g0, point.d_slope).mean_spin(rule.h.recip());
             let spin = &mut state.spin[element][j];
-            *spin = 2.0 * mean - *spin;
+            *spin = Turn::new(g0, point.d_slope).end_spin(rule.h.recip(), *spin);
             if let Some(stored) = state.strain.get_mut(element) {
                 let [membrane, bending] = stored[j];
                 let old = Strains { membrane, bending };
@@ -135,29 +137,6 @@ fn advance_histories(model: &Model, state: &mut State, rule: &Integration, work:
             for (sample, stored) in samples.step(&old, &step).iter().zip(stored) {
                 stored[0] += sample.midpoint_change(span.measure);
             }
-        }
-    }
-}
-
-/// Angular rates of a span in the invariant scheme.
-fn advance_spins(i: usize, span: &Span, state: &mut State, rule: &Integration, work: &Workspace) {
-    let sweep = &work.beams.sweep;
-    for (k, element) in span.elements.clone().enumerate() {
-        if sweep.has(i) {
-            state.spin[element] = sweep.end_spin(element);
-            continue;
-        }
-        let (u, d, a) = (&state.displacement, &work.increment, span.nodes.start + k);
-        if state.has_parted(a) {
-            // Nothing turns its sections any more.
-            continue;
-        }
-        let old = ElementValues::new(&u[a], &u[a + 1]);
-        let step = ElementValues::new(&d[a], &d[a + 1]);
-        for (row, spin) in span.table(k).rows.iter().zip(&mut state.spin[element]) {
-            let point = step_point(row, &old, &step);
-            let g0 = add(point.reference.tangent, point.slope_0);
-            *spin = 2.0 * Turn::new(g0, point.d_slope).mean_spin(rule.h.recip()) - *spin;
         }
     }
 }

@@ -16,11 +16,8 @@ use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 use crate::model::Model;
 use crate::model::frozen::{Connector, ConnectorEnd, Coordinate, MaterialPoint};
 use crate::state::State;
-use form::{CoordinateForm, add_to, angle_form, distance_form, product};
+use form::{Blocks, CoordinateForm, add_to, angle_form, distance_form, product};
 pub use inelastic::{advanced, bring_to_rest};
-
-/// A matrix between the two ends of a connector, 2 x 2 blocks.
-type Blocks = [[[[f64; 2]; 2]; 2]; 2];
 
 /// What a connector does in a step.
 #[derive(Clone, Copy, Debug)]

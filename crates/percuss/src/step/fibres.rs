@@ -3,7 +3,7 @@
 use super::integration::Integration;
 use super::sweep::{AdvanceFibres, Sweep};
 use crate::element::beam::{ElementTable, ElementValues};
-use crate::element::fibre::{Fibre, FibreFlow, FibreState, StressLaw};
+use crate::element::fibre::{Fibre, FibreFlow, FibreLosses, FibreState, StressLaw};
 use crate::element::yielding::{
     ElementFibres, ElementStep, FibreEnergies, GaussStrains, gauss_strains,
 };
@@ -11,17 +11,6 @@ use crate::math::hermite::GAUSS;
 use crate::model::Model;
 use crate::model::frozen::{Span, SpanFibres};
 use crate::state::State;
-
-/// What the fibres of all beams, and the connectors that yield, take over a step.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct FibreLosses {
-    /// By plastic flow \[J\].
-    pub plastic: f64,
-    /// Stored in what fails at its end \[J\].
-    pub failure: f64,
-    /// By the viscosity of their materials \[J\].
-    pub viscous: f64,
-}
 
 impl State {
     /// Fibres of the element of number `k` in a span.
@@ -143,7 +132,7 @@ fn gap(fibres: &[Vec<Fibre>; GAUSS], mut states: &[FibreState]) -> Option<usize>
     fibres.iter().position(|points| {
         let (here, rest) = states.split_at(points.len());
         states = rest;
-        let bears = |(fibre, state): (&Fibre, &FibreState)| fibre.area > 0.0 && !state.failed;
+        let bears = |(fibre, state): (&Fibre, &FibreState)| fibre.bears && !state.failed;
         !points.iter().zip(here).any(bears)
     })
 }
@@ -182,7 +171,7 @@ pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], all: &mut [FibreS
             for (fibre, state) in points.iter().zip(&mut states) {
                 let (law, strain) = (&fibres.laws[fibre.law], membrane + fibre.height * bending);
                 *state = law.at_rest(state, strain).state;
-                state.failed |= fibre.area == 0.0 && law.fails(strain);
+                state.failed |= !fibre.bears && law.fails(strain);
             }
         }
     }

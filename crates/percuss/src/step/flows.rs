@@ -2,18 +2,16 @@
 
 mod reactions;
 
-pub use reactions::reactions_at_start;
-
 use super::bodies::rear_spring;
 use super::constraint::ConstraintStep;
 use super::damping::{MassDamping, viscous};
 use super::external;
-use super::fibres::FibreLosses;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
 use crate::element::beam::{ElementValues, step_point};
+use crate::element::fibre::FibreLosses;
 use crate::element::point::Strains;
 use crate::element::strain::strains;
 use crate::element::strain_rate;
@@ -24,8 +22,8 @@ use crate::model::Model;
 use crate::model::frozen::{ConnectorEnd, Coordinate, MaterialPoint, Span};
 use crate::scalar::array;
 use crate::settings::Scheme;
-use crate::state::State;
-use reactions::{average_reactions, supports_so_far};
+use crate::state::{Instant, State};
+use reactions::{average_reactions, instant, supports_so_far};
 
 /// Enters the step from `state` that stands solved in `work`.
 pub fn enter(
@@ -62,6 +60,24 @@ pub fn enter(
         state.instant = None;
     }
     state.ledger.put_on(so_far);
+}
+
+/// Reactions at the start of a step, of which `work` holds the residual; those kept by multipliers are the step's.
+pub fn reactions_at_start(
+    model: &Model,
+    state: &State,
+    rule: &Integration,
+    forcing: &Forcing,
+    work: &Workspace,
+) -> Instant {
+    let mut scratch = state.clone();
+    scratch.reacting.begin();
+    let before = supports_so_far(&scratch);
+    let mut entry = Entry { model, state: &mut scratch, rule, forcing, work };
+    entry.prescribed();
+    entry.constraints();
+    entry.connectors();
+    instant(&scratch, rule.h, before, 0.0)
 }
 
 struct Entry<'a> {

@@ -8,8 +8,8 @@
 
 mod middle;
 
-use super::assemble::EndForces;
 use super::constraint::ConstraintStep;
+use super::end_forces::EndForces;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use crate::math::vec2::{add, cross, dot, scale};

@@ -28,6 +28,8 @@ pub mod convergence;
 pub mod damping;
 pub mod effective_mass;
 #[allow(missing_docs)]
+pub mod end_forces;
+#[allow(missing_docs)]
 pub mod external;
 #[allow(missing_docs)]
 pub mod fibres;

@@ -4,6 +4,7 @@
 //! always those of the current increment, so the result does not depend on how often the tangent was renewed.
 
 mod balance;
+mod contacts;
 
 use serde::{Deserialize, Serialize};
 

@@ -302,7 +302,11 @@ impl Tangent {
         self.matrix
             .factor()
             .map_err(|at| at.map_or(Singular::Constraints, |p| Singular::Node(p.node)))?;
-        if self.factor_damping(model, damping) { Ok(()) } else { Err(Singular::Constraints) }
+        let mut low_rank = std::mem::take(&mut self.low_rank);
+        let solve = |x: &mut [_], border: &mut [_]| self.solve_plain(model, x, border);
+        let regular = low_rank.factor(damping, model.constraints.len(), solve);
+        self.low_rank = low_rank;
+        if regular { Ok(()) } else { Err(Singular::Constraints) }
     }
 
     fn solve_plain(&mut self, model: &Model, x: &mut [[f64; 4]], border: &mut [f64]) {
@@ -336,7 +340,7 @@ impl Tangent {
             };
         }
         self.solve_plain(model, x, &mut right);
-        self.correct_for_damping(x, &mut right);
+        self.low_rank.correct(x, &mut right);
         for (m, change) in multiplier.iter_mut().zip(&right) {
             *m += change;
         }
@@ -365,11 +369,6 @@ fn condensed(model: &Model, linked: &[bool], couplings: &[(usize, usize)]) -> Co
     let first = model.bodies.iter().position(alone).unwrap_or(model.bodies.len());
     matrix.chain.isolated = model.body_node(first);
     matrix
-}
-
-/// Inner product of nodal values.
-pub fn inner(a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
-    a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a * b).sum()
 }
 
 /// Adds `left^T k right` between two nodes' values and slopes.

@@ -1,8 +1,8 @@
 //! Scratch of a step; may be dropped and rebuilt without changing a result by more than round-off, and by nothing if the tangent keeps
 //! its pattern.
 
-use super::assemble::EndForces;
 use super::contacts::{RigidContact, SmoothContact};
+use super::end_forces::EndForces;
 use super::lead::Lead;
 use super::modal_damping::MovingModes;
 use super::tangent::Tangent;

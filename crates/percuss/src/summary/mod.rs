@@ -95,6 +95,10 @@ impl AuditSummary {
 pub struct ProjectileSummary {
     /// The user's name for it.
     pub name: String,
+    /// Unit vector of its line of flight, from it to the beam, shape (2) \[-\]; none of a free one.
+    pub direction: Option<[f64; 2]>,
+    /// Name of the point that it strikes; none of a free one.
+    pub strikes: Option<String>,
     /// Velocity at the end, shape (2) \[m/s\].
     pub velocity_final: [f64; 2],
     /// Angular velocity at the end \[rad/s\]; zero for a guided one.

@@ -163,6 +163,20 @@ fn impulses_of_the_rows_add_up_to_the_momentum_handed_over() {
 }
 
 #[test]
+fn the_summary_names_the_line_of_flight_and_the_struck_point_also_of_a_projectile_that_turns_back()
+{
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+    b.projectile(rigid("shot", at("girder.mid", girder, 0.5), [12.0, 16.0], 1.0));
+    let summary = simulate(&b.build().unwrap(), &Settings::new(0.12, 1e-4), &mut NoRecorder);
+    let shot = &summary.unwrap().projectiles[0];
+    let [x, y] = shot.direction.unwrap();
+    assert!((x - 0.6).abs() < 1e-15 && (y - 0.8).abs() < 1e-15, "{x} {y}");
+    assert_eq!(shot.strikes.as_deref(), Some("girder.mid"));
+}
+
+#[test]
 fn energy_given_by_a_projectile_is_told_apart_from_that_received() {
     // A free beam with a local mass of 20 kg at the struck point: 1 kg at 10 m/s gives nearly all of its 50 J, most of which the impact takes.
     let mut b = ModelBuilder::new();

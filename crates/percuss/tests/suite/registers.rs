@@ -1,12 +1,12 @@
 //! Elements side by side: the same bits whatever registers the processor has.
 
+use percuss::internals::element::fibre::FibreLosses;
 use percuss::internals::element::fibre::{Hardening, Inelasticity, Overstress, Plasticity};
 use percuss::internals::linalg::chain::Chain;
 use percuss::internals::scalar::use_at_most;
 use percuss::internals::settings::Scheme;
 use percuss::internals::state::State;
-use percuss::internals::step::assemble::EndForces;
-use percuss::internals::step::fibres::FibreLosses;
+use percuss::internals::step::end_forces::EndForces;
 use percuss::internals::step::integration::Integration;
 use percuss::internals::step::sweep::{AdvanceFibres, SpanStep};
 use percuss::{Beam, Material, Model, ModelBuilder, Profile, Section, Station};

@@ -279,6 +279,8 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
         },
         projectiles: vec![ProjectileSummary {
             name: projectile.to_owned(),
+            direction: Some([0.0, 1.0]),
+            strikes: Some("girder.mid".to_owned()),
             velocity_final: [0.0, -19.10077444],
             spin_final: 0.0,
             momentum_transferred: 19550.3,

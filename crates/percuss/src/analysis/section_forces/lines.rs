@@ -10,8 +10,9 @@ use crate::model::Model;
 use crate::model::frozen::{LoadAction, MaterialPoint, Span};
 use crate::scalar::in_lanes;
 use crate::state::State;
-use crate::step::assemble::EndForces;
+use crate::step::assemble::forces_at_rest;
 use crate::step::columns::Columns;
+use crate::step::end_forces::EndForces;
 use crate::step::external::{tangent_at, turned};
 use crate::step::forcing::Forcing;
 use crate::step::integration::{Integration, Rule};
@@ -63,7 +64,7 @@ impl Lines {
         if moved {
             forcing.set_static(model, 1.0);
         }
-        let beams = &EndForces::at_rest(model, state, forcing.gravity);
+        let beams = &forces_at_rest(model, state, forcing.gravity);
         let increment = &vec![[0.0; 4]; model.node_count()];
         let mut lines = Self::default();
         let forcing = &forcing;

@@ -5,10 +5,10 @@ use super::matrix::Layout;
 use super::stiffness::StressTerms;
 use super::{metric, size};
 use crate::analysis::static_search::{StaticSearch, largest};
+use crate::linalg::block::inner;
 use crate::math::vec2::{dot, rot90, scale, sub};
 use crate::model::Model;
 use crate::model::frozen::BeamData;
-use crate::step::tangent::inner;
 
 /// Eigenvalues of unit bending stiffness, against beams as long as all together, that count as none. The least of a structure
 /// that is held is of order one; the greatest of round-off, for 100 000 elements, below 1e-11.

@@ -5,7 +5,7 @@
 
 use nalgebra::{Complex, DMatrix, DVector, SymmetricEigen};
 
-use crate::step::tangent::inner;
+use crate::linalg::block::inner;
 
 /// Nodal values.
 pub type Nodal = Vec<[f64; 4]>;

@@ -3,12 +3,13 @@
 use super::{INVERSE_ITERATIONS, Motions, RULE, Reached, StaticSearch, constraint_step};
 use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::analysis::spectrum::{metric, random, size};
+use crate::linalg::block::inner;
 use crate::math::vec2::{add, cross, scale};
 use crate::model::Model;
 use crate::model::frozen::{Connector, Coordinate, MaterialPoint};
 use crate::state::State;
 use crate::step::connectors::ConnectorStep;
-use crate::step::tangent::{inner, project};
+use crate::step::tangent::project;
 use crate::step::workspace::Workspace;
 use crate::step::{connectors, external, fibres};
 use crate::summary::SectionForceSummary;

@@ -10,8 +10,9 @@ use crate::analysis::spectrum::{metric, size};
 use crate::element::fibre::StressLaw;
 use crate::model::Model;
 
+use crate::linalg::block::inner;
 use crate::step::newton::prescribe;
-use crate::step::tangent::{inner, project};
+use crate::step::tangent::project;
 
 /// Corrections before an equilibrium counts as not found.
 const MOST_ITERATIONS: usize = 3000;

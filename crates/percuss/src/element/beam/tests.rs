@@ -1,9 +1,10 @@
 //! Forces and tangents of every scheme at a Gauss point, against derivatives in dual numbers.
 
 use super::*;
+use crate::element::energy_momentum::{End, PointStep, Quotients, Step};
 use crate::element::point::{PointResponse, Reference, SectionLaw, StepPoint, Strains};
 use crate::element::strain::StrainMeasure;
-use crate::element::{collocation, energy_momentum, rotary, strain, strain_rate};
+use crate::element::{collocation, rotary, strain, strain_rate};
 use crate::math::vec2::{add, cross, dot};
 use crate::scalar::Dual;
 use proptest::prelude::*;
@@ -20,6 +21,19 @@ fn law<S: Real>(like: S, measure: StrainMeasure) -> SectionLaw<S> {
     SectionLaw { axial, bending, rotary, measure }
 }
 
+/// The invariant scheme.
+fn invariant<S: Real, const TANGENT: bool>(
+    law: &SectionLaw<S>,
+    point: &StepPoint<S>,
+    lag: Option<S>,
+) -> PointResponse<S> {
+    let start = End::new(law.measure, point.reference.tangent, point.slope_0, point.bend_0);
+    let StepPoint { reference, d_slope, d_bend, .. } = point;
+    let way = PointStep { reference, start: &start, d_slope: *d_slope, d_bend: *d_bend };
+    let [quotients] = Quotients::of(law.measure, &[way]);
+    Step::new(law.measure, &way, &quotients).response::<TANGENT>(law, &start, lag)
+}
+
 /// A scheme as a function of its step point; `spin`, `old` are its histories.
 fn evaluate<S: Real, const T: bool>(
     scheme: usize,
@@ -33,7 +47,7 @@ fn evaluate<S: Real, const T: bool>(
     let (spin, h) = (like.constant(3.0), like.constant(H));
     match scheme {
         0 => {
-            let mut r = energy_momentum::response::<S, T>(&law, point, Some(like.constant(LAG)));
+            let mut r = invariant::<S, T>(&law, point, Some(like.constant(LAG)));
             rotary::Turn::new(g0, point.d_slope).add_inertia::<T>(
                 &mut r,
                 law.rotary,
@@ -151,7 +165,7 @@ proptest! {
                 let s = strain::strains(measure, &p.reference, slope, bend);
                 0.5 * law.axial * s.membrane.powi(2) + 0.5 * law.bending * s.bending.powi(2)
             };
-            let r = energy_momentum::response::<f64, false>(&law, &p, None);
+            let r = invariant::<f64, false>(&law, &p, None);
             let work = dot(r.force_g, p.d_slope) + dot(r.force_p, p.d_bend);
             let change = energy(add(p.slope_0, p.d_slope), add(p.bend_0, p.d_bend))
                 - energy(p.slope_0, p.bend_0);
@@ -169,7 +183,7 @@ proptest! {
         for measure in measures() {
             let law = law(0.0, measure);
             for r in [
-                energy_momentum::response::<f64, false>(&law, &p, Some(LAG)),
+                invariant::<f64, false>(&law, &p, Some(LAG)),
                 strain_rate::response::<f64, false>(&law, &p, old, LAG),
                 collocation::damped::<f64, false>(&law, &p, LAG),
             ] {

@@ -3,6 +3,17 @@
 use super::{Fibre, FibreState, StressLaw};
 use crate::scalar::Number;
 
+/// What the fibres of all beams, and the connectors that yield, take over a step.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct FibreLosses {
+    /// By plastic flow \[J\].
+    pub plastic: f64,
+    /// Stored in what fails at its end \[J\].
+    pub failure: f64,
+    /// By the viscosity of their materials \[J\].
+    pub viscous: f64,
+}
+
 /// What fibres do on their way to the end of a step (theory, section 11).
 #[derive(Clone, Copy, Debug)]
 pub struct FibreFlow<S: Number> {

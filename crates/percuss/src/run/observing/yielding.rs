@@ -191,7 +191,7 @@ pub fn summaries(
                 let volume = point.weight * fibre.area;
                 out.dissipated += volume * memory.dissipated;
                 out.hardening += volume * point.of.laws[fibre.law].hardening_energy(memory);
-                out.failed += usize::from(memory.failed && fibre.area > 0.0);
+                out.failed += usize::from(memory.failed && fibre.bears);
             }
         }
         out
@@ -237,7 +237,7 @@ fn plastic_curvature(point: &GaussFibres) -> f64 {
 /// Curvature at which a fibre of a Gauss point first yields in pure bending \[1/m\].
 fn first_yield_curvature(point: &GaussFibres) -> f64 {
     let curvature = |fibre: &Fibre| match &point.of.laws[fibre.law] {
-        StressLaw::Plastic(law) if fibre.area > 0.0 => {
+        StressLaw::Plastic(law) if fibre.bears => {
             let first = law.plasticity.curve.first().map_or(0.0, |part| part.stress);
             first / (law.young * fibre.height.abs())
         }
@@ -252,7 +252,7 @@ fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
     let mut out: Vec<PlasticHinge> = Vec::new();
     let mut side = 0.0;
     for point in points(model, state, beam, true) {
-        let bears = |(fibre, s): (&Fibre, &FibreState)| fibre.area > 0.0 && !s.failed;
+        let bears = |(fibre, s): (&Fibre, &FibreState)| fibre.bears && !s.failed;
         let whole = point.fibres.iter().zip(point.states).any(bears);
         // What gapes turns without yielding, and no moment tells one from the other.
         let gapes = point.of.laws.iter().any(|law| law.slack().is_some());

@@ -4,12 +4,11 @@ use super::decider::Part;
 use super::solve::Attempt;
 use super::solver::Solving;
 use super::trial::{PartKind, Trial};
+use crate::contact::impact::gives_energy;
+use crate::geometry::row::Row;
 use crate::model::{ImpactLaw, RigidLaw};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
 use crate::step::newton::Failure;
-
-/// Energy that impulses may give, relative to the work they do: round-off.
-pub const NO_GAIN: f64 = 1e-12;
 
 impl Solving<'_> {
     /// The impact interval in which all contacts that touch strike; those that rest stay closed.
@@ -67,13 +66,12 @@ impl Solving<'_> {
 
     /// Whether the impulses of the step solved last, and those before that did so much work, give energy.
     pub(super) fn impulses_give(&self, h: f64, before: f64) -> bool {
-        let mut size = 0.0_f64;
-        for found in &self.work.rigid {
-            for (impulse, row) in found.impulse.iter().zip([&found.normal, &found.tangent]) {
-                size += (impulse * row.on(&self.state.velocity)).abs();
-            }
-        }
-        self.work_of_impulses(h) + before > NO_GAIN * size
+        let rate = |row: &Row| row.on(&self.state.velocity);
+        let rates = |found: &RigidContact| {
+            let [normal, tangent] = found.impulse;
+            [(normal, rate(&found.normal)), (tangent, rate(&found.tangent))]
+        };
+        gives_energy(self.work_of_impulses(h) + before, self.work.rigid.iter().flat_map(rates))
     }
 
     /// Work of the impulses of the step of size `h` solved last \[J\].

@@ -1,9 +1,11 @@
 //! The change of a distance or an angle over a step, written exactly as a linear form of the increment.
 
 use super::super::integration::{Integration, Rule};
-use super::Blocks;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::frozen::ConnectorEnd;
+
+/// A matrix between the two ends of a connector, 2 x 2 blocks.
+pub(super) type Blocks = [[[[f64; 2]; 2]; 2]; 2];
 
 /// The exact change of a coordinate over a step, its form at the middle (`mean`), the derivative at the end (`end`), and the
 /// derivative of `mean` with respect to the end (`bend`).

@@ -1,9 +1,8 @@
 //! Connectors that yield: the law of a fibre, with force and extension in place of stress and strain.
 
-use super::super::fibres::FibreLosses;
 use super::super::forcing::Forcing;
 use super::super::integration::{Integration, Rule};
-use crate::element::fibre::{FibreState, StressLaw};
+use crate::element::fibre::{FibreLosses, FibreState, StressLaw};
 use crate::model::Model;
 use crate::model::frozen::{Connector, YieldingLaw};
 use crate::state::State;

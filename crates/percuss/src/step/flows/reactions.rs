@@ -1,11 +1,7 @@
 //! Reactions of an instant, and means over a step that lie between two of them.
 
-use super::super::forcing::Forcing;
-use super::super::integration::Integration;
-use super::super::workspace::Workspace;
-use super::Entry;
-use crate::model::Model;
 use crate::state::{Instant, State};
+use crate::step::integration::Integration;
 
 /// Impulse and angular impulse of all supports and guides so far.
 pub(super) fn supports_so_far(state: &State) -> [f64; 3] {
@@ -14,7 +10,7 @@ pub(super) fn supports_so_far(state: &State) -> [f64; 3] {
 }
 
 /// Reactions that the part at hand has entered in the ledger, as those of an instant.
-fn instant(state: &State, h: f64, before: [f64; 3], since: f64) -> Instant {
+pub(super) fn instant(state: &State, h: f64, before: [f64; 3], since: f64) -> Instant {
     let mut reactions = vec![[0.0; 3]; state.reactions.len()];
     for (support, before) in state.reacting.list() {
         let now = &state.reactions[*support];
@@ -46,22 +42,4 @@ pub(super) fn average_reactions(state: &mut State, rule: &Integration, before: [
         ledger.angular_impulse_supports -= back(t[2], l[2]);
     }
     state.instant = Some(now);
-}
-
-/// Reactions at the start of a step, of which `work` holds the residual; those kept by multipliers are the step's.
-pub fn reactions_at_start(
-    model: &Model,
-    state: &State,
-    rule: &Integration,
-    forcing: &Forcing,
-    work: &Workspace,
-) -> Instant {
-    let mut scratch = state.clone();
-    scratch.reacting.begin();
-    let before = supports_so_far(&scratch);
-    let mut entry = Entry { model, state: &mut scratch, rule, forcing, work };
-    entry.prescribed();
-    entry.constraints();
-    entry.connectors();
-    instant(&scratch, rule.h, before, 0.0)
 }

@@ -1,6 +1,6 @@
 //! Inertia of a velocity field in a configuration within a step.
 
-use super::super::assemble::EndForces;
+use super::super::end_forces::EndForces;
 use crate::element::beam::{ElementSums, ElementTable, ElementValues};
 use crate::element::point::PointResponse;
 use crate::math::vec2::{add, cross, dot, scale};

@@ -3,8 +3,13 @@
 use super::ModalDamping;
 use super::bodies::Bodies;
 use super::ground::{Freedom, StepView, Tie, about, each_tie, moment, turn_between};
+use crate::ledger::StepWork;
+use crate::linalg::block::inner;
 use crate::math::vec2::dot4;
+use crate::model::Model;
+use crate::state::State;
 use crate::step::constraint::turn;
+use crate::step::external::middle;
 
 /// Vectors of modal damping in the middle of a step, and what supports that move bring along.
 #[derive(Clone, Debug, Default)]
@@ -13,7 +18,18 @@ pub struct MovingModes {
     /// `P^T Q M phi`, shape (modes, nodes, 4) \[kg^(1/2), kg^(1/2) m\].
     vectors: Vec<Vec<[f64; 4]>>,
     /// What each mode's coordinate moves by with the supports, shape (modes) \[kg^(1/2) m\].
-    pub(super) followed: Vec<f64>,
+    followed: Vec<f64>,
+}
+
+/// What modal damping does in a step.
+#[derive(Clone, Copy, Debug)]
+pub struct ModalFlow {
+    /// Work, impulse and angular impulse of its forces on the structure.
+    pub done: StepWork,
+    /// Energy that it takes \[J\].
+    pub loss: f64,
+    /// Of that, what supports that move have brought \[J\].
+    pub brought: f64,
 }
 
 /// A body in the middle of a step.
@@ -190,6 +206,52 @@ impl MovingModes {
             middle.free = orthonormal(&middle.freedom.free(), &gram);
         }
         weighed
+    }
+
+    /// Adds the damping forces of an increment in a step of size `h` to a residual.
+    pub fn apply(
+        &self,
+        damping: &ModalDamping,
+        increment: &[[f64; 4]],
+        h: f64,
+        residual: &mut [[f64; 4]],
+    ) {
+        for (k, vector) in self.vectors(damping).iter().enumerate() {
+            let force = damping.rates[k] * self.moved(k, vector, increment) / h;
+            for (target, v) in residual.iter_mut().zip(vector) {
+                (0..4).for_each(|i| target[i] += force * v[i]);
+            }
+        }
+    }
+
+    /// What a mode's coordinate moves by, relative to rigid motion and supports.
+    fn moved(&self, k: usize, vector: &[[f64; 4]], increment: &[[f64; 4]]) -> f64 {
+        inner(vector, increment) - self.followed.get(k).unwrap_or(&0.0)
+    }
+
+    /// What the damping does in a step by an increment from a state.
+    pub fn flow(
+        &self,
+        model: &Model,
+        damping: &ModalDamping,
+        state: &State,
+        increment: &[[f64; 4]],
+        h: f64,
+    ) -> ModalFlow {
+        let mut force = vec![[0.0; 4]; increment.len()];
+        self.apply(damping, increment, h, &mut force);
+        let mut done = StepWork::default();
+        for (node, f) in force.iter().enumerate() {
+            let place = middle(model, state, increment, node);
+            done.add_nodal(&f.map(|x| -x), place, &increment[node], h);
+        }
+        let (mut loss, mut brought) = (0.0, 0.0);
+        for (k, vector) in self.vectors(damping).iter().enumerate() {
+            let moved = self.moved(k, vector, increment);
+            loss += damping.rates[k] / h * moved * moved;
+            brought -= damping.rates[k] / h * moved * self.followed.get(k).unwrap_or(&0.0);
+        }
+        ModalFlow { done, loss, brought }
     }
 }
 

@@ -3,6 +3,7 @@
 //! Every element sees the same operations in the same order, whatever registers the processor has, and nodal sums are taken element
 //! by element: bits depend on neither.
 
+mod advance;
 mod fibres;
 mod span;
 mod start;
@@ -20,7 +21,7 @@ use crate::model::Model;
 use crate::model::frozen::Span;
 use crate::scalar::{Lanes, Real};
 
-pub use fibres::AdvanceFibres;
+pub use advance::AdvanceFibres;
 pub use span::SpanStep;
 
 /// Numbers of an [`End`].
@@ -50,7 +51,7 @@ pub struct Sweep {
     spin: Columns,
     /// The same at the end, shape (Gauss points, elements) \[rad/s\].
     end_spin: Columns,
-    /// Accelerations as in [`EndForces::inertia`](super::assemble::EndForces::inertia), shape (4, beam nodes) \[m/s^2, 1/s^2\].
+    /// Accelerations as in [`EndForces::inertia`](super::end_forces::EndForces::inertia), shape (4, beam nodes) \[m/s^2, 1/s^2\].
     inertia: Columns,
     /// Forces on both nodes, shape (8, elements) \[N, N m\].
     forces: Columns,
@@ -106,6 +107,13 @@ impl Sweep {
     /// Angular rates at the end of the step, from the evaluation before.
     pub fn end_spin(&self, element: usize) -> [f64; GAUSS] {
         self.end_spin.row(element)
+    }
+
+    /// Takes in those of an element that is not swept.
+    pub fn set_end_spin(&mut self, element: usize, spin: [f64; GAUSS]) {
+        for (j, spin) in spin.into_iter().enumerate() {
+            self.end_spin.set(j, element, spin);
+        }
     }
 
     /// Tables of elements from number `k` of a span on; nothing if they share one.
@@ -182,7 +190,7 @@ pub struct EndActions<S> {
     pub displacement: [[S; 4]; 2],
     /// Their increments, shape (2, 4) \[m, -\].
     pub increment: [[S; 4]; 2],
-    /// Accelerations as in [`EndForces`](super::assemble::EndForces), shape (2, 4) \[m/s^2, 1/s^2\].
+    /// Accelerations as in [`EndForces`](super::end_forces::EndForces), shape (2, 4) \[m/s^2, 1/s^2\].
     pub inertia: [[S; 4]; 2],
     /// Forces as there, shape (2, 4) \[N, N m\].
     pub forces: [[S; 4]; 2],

@@ -5,12 +5,13 @@ use pulp::{Simd, WithSimd};
 use super::{Alike, Sweep, values};
 use crate::element::beam::ElementValues;
 use crate::element::invariant::InvariantStep;
+use crate::element::motion::accelerations;
 use crate::linalg::block::{Block, ZERO};
 use crate::linalg::chain::Chain;
 use crate::math::hermite::GAUSS;
 use crate::model::{Model, StrainMeasure};
 use crate::scalar::{Lanes, Real, in_lanes};
-use crate::step::assemble::EndForces;
+use crate::step::end_forces::EndForces;
 use crate::step::integration::Integration;
 
 /// Residual of a span's elements at an increment, and their tangent if `TANGENT`.
@@ -61,21 +62,19 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
         increment.gather(nodes.start, &self.increment[nodes.clone()]);
         let h = like.constant(self.rule.h);
         let rate = h.recip();
-        let twice = rate + rate;
         let damping = like.constant(span.mass_damping);
         for n in nodes.clone().step_by(P::F64_LANES) {
-            for i in 0..4 {
-                let d = increment.load(like, i, n);
+            let mut mean: [Lanes<P>; 4] = increment.load_row(like, n);
+            for d in &mut mean {
                 // d/h as the divider rounds it: velocities are made of the same.
-                let near = d * rate;
-                let mean = near.add_product(d.sub_product(near, h), rate);
-                let mut a = (mean - velocity.load(like, i, n)) * twice;
-                a = a.add_product(damping, mean);
-                if i < 2 {
-                    a = a - like.constant(self.gravity[i]);
-                }
-                inertia.store(i, n, a);
+                let near = *d * rate;
+                *d = near.add_product(d.sub_product(near, h), rate);
             }
+            let mut a = accelerations(mean, &velocity.load_row(like, n), rate, Some(damping));
+            for i in 0..2 {
+                a[i] = a[i] - like.constant(self.gravity[i]);
+            }
+            (0..4).for_each(|i| inertia.store(i, n, a[i]));
         }
         for n in nodes {
             self.forces.inertia[n] = self.forces.sweep.inertia.row(n);

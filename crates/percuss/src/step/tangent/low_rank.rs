@@ -1,8 +1,7 @@
 //! Modal damping in the tangent: a low-rank part (Woodbury).
 
-use super::{Tangent, inner};
+use crate::linalg::block::inner;
 use crate::linalg::dense::DenseLu;
-use crate::model::Model;
 
 /// Solutions for the vectors of modal damping, and the small system between them (Woodbury).
 #[derive(Clone, Debug, Default)]
@@ -29,46 +28,47 @@ pub struct DampedVectors<'a> {
     pub h: f64,
 }
 
-impl Tangent {
-    /// Solutions for the vectors of modal damping; `false` if the system between them is singular.
-    pub(super) fn factor_damping(&mut self, model: &Model, damping: Option<DampedVectors>) -> bool {
+impl LowRank {
+    /// Takes in the vectors of modal damping, with what `solve` makes of them; `false` if the system between them is singular.
+    pub(super) fn factor(
+        &mut self,
+        damping: Option<DampedVectors>,
+        constraints: usize,
+        mut solve: impl FnMut(&mut [[f64; 4]], &mut [f64]),
+    ) -> bool {
         let Some(damping) = damping.filter(|d| !d.vectors.is_empty()) else {
-            self.low_rank.columns.clear();
+            self.columns.clear();
             return true;
         };
         let n = damping.vectors.len();
-        let mut low_rank = std::mem::take(&mut self.low_rank);
         // Kept: those of later increments turn with their bodies, and are not those of this tangent.
-        low_rank.vectors.clear();
-        low_rank.vectors.extend_from_slice(damping.vectors);
-        low_rank.columns.resize(n, Vec::new());
-        low_rank.multipliers.resize(n, Vec::new());
+        self.vectors.clear();
+        self.vectors.extend_from_slice(damping.vectors);
+        self.columns.resize(n, Vec::new());
+        self.multipliers.resize(n, Vec::new());
         let mut matrix = vec![0.0; n * n];
         for (j, vector) in damping.vectors.iter().enumerate() {
-            low_rank.columns[j].clone_from(vector);
-            low_rank.multipliers[j] = vec![0.0; model.constraints.len()];
-            self.solve_plain(model, &mut low_rank.columns[j], &mut low_rank.multipliers[j]);
+            self.columns[j].clone_from(vector);
+            self.multipliers[j] = vec![0.0; constraints];
+            solve(&mut self.columns[j], &mut self.multipliers[j]);
             for (i, other) in damping.vectors.iter().enumerate() {
-                matrix[i * n + j] = inner(other, &low_rank.columns[j]);
+                matrix[i * n + j] = inner(other, &self.columns[j]);
             }
             matrix[j * n + j] += damping.h / damping.rates[j];
         }
-        let regular = low_rank.lu.factor(n, &matrix);
-        self.low_rank = low_rank;
-        regular
+        self.lu.factor(n, &matrix)
     }
 
     /// Takes from a solution without modal damping what the damping takes.
-    pub(super) fn correct_for_damping(&mut self, x: &mut [[f64; 4]], border: &mut [f64]) {
-        let low_rank = &mut self.low_rank;
-        if low_rank.columns.is_empty() {
+    pub(super) fn correct(&mut self, x: &mut [[f64; 4]], border: &mut [f64]) {
+        if self.columns.is_empty() {
             return;
         }
-        low_rank.right.clear();
-        low_rank.right.extend(low_rank.vectors.iter().map(|v| inner(v, x)));
-        low_rank.lu.solve(&mut low_rank.right);
+        self.right.clear();
+        self.right.extend(self.vectors.iter().map(|v| inner(v, x)));
+        self.lu.solve(&mut self.right);
         for ((column, multipliers), share) in
-            low_rank.columns.iter().zip(&low_rank.multipliers).zip(&low_rank.right)
+            self.columns.iter().zip(&self.multipliers).zip(&self.right)
         {
             for (target, c) in x.iter_mut().zip(column) {
                 (0..4).for_each(|i| target[i] -= share * c[i]);
