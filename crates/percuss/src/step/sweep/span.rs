@@ -63,7 +63,7 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
         let rate = h.recip();
         let twice = rate + rate;
         let damping = like.constant(span.mass_damping);
-        for n in nodes.clone().step_by(P::F64_LANES) {
+        for n in nodes.step_by(P::F64_LANES) {
             for i in 0..4 {
                 let d = increment.load(like, i, n);
                 // d/h as the divider rounds it: velocities are made of the same.
@@ -76,9 +76,6 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
                 }
                 inertia.store(i, n, a);
             }
-        }
-        for n in nodes {
-            self.forces.inertia[n] = self.forces.sweep.inertia.row(n);
         }
     }
 
@@ -147,13 +144,10 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
     #[inline(always)]
     fn sum(&mut self) {
         let span = &self.model.spans[self.span];
-        let EndForces { on_nodes, sweep, .. } = &mut *self.forces;
         self.residual[span.nodes.start] = [0.0; 4];
         for (k, element) in span.elements.clone().enumerate() {
             let a = span.nodes.start + k;
-            let [a1, a2, a3, a4, b1, b2, b3, b4] = sweep.forces.row(element);
-            let (on_a, on_b) = ([a1, a2, a3, a4], [b1, b2, b3, b4]);
-            on_nodes[element] = [on_a, on_b];
+            let [on_a, on_b] = self.forces.sweep.on_nodes(element);
             for i in 0..4 {
                 self.residual[a][i] += on_a[i];
             }
