@@ -100,7 +100,7 @@ impl EndForces {
     pub fn at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> Self {
         let mut forces = Self::default();
         let zero = vec![[0.0; 4]; model.node_count()];
-        let mut residual = zero.clone();
+        let mut residual = vec![[0.0; 4]; model.node_count()];
         let integration = &Integration { h: 1.0, rule: Rule::Static };
         let ends = StepState { model, state, integration, gravity, increment: &zero };
         ends.sum::<false>(

@@ -31,11 +31,13 @@ pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
     let entry = |beam: &BeamData| {
         let n = PLACES.len() * beam.elements.len();
         let places = |w: &[f64]| PLACES.map(|xi| station(w[0], w[1], xi));
-        let s = model.spans[beam.spans.clone()]
-            .iter()
-            .flat_map(|span| span.stations.windows(2).flat_map(places))
-            .collect();
+        let mut s = Vec::with_capacity(n);
+        for span in &model.spans[beam.spans.clone()] {
+            s.extend(span.stations.windows(2).flat_map(places));
+        }
         let open = || [vec![f64::NAN; n], vec![f64::NAN; n]];
+        let stressed = model.spans[beam.spans.clone()].iter().any(|span| !is_plain(span));
+        let stress = if stressed { open() } else { Default::default() };
         let none = SectionRange::default();
         SectionForceSummary {
             name: beam.name.clone(),
@@ -45,7 +47,7 @@ pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
             strain: none,
             stress: none,
             beyond: None,
-            envelope: Envelope { s, axial: open(), shear: open(), moment: open(), stress: open() },
+            envelope: Envelope { s, axial: open(), shear: open(), moment: open(), stress },
         }
     };
     model.beams.iter().map(entry).collect()
