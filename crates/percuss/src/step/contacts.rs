@@ -213,12 +213,26 @@ impl StepProblem<'_> {
         };
         if TANGENT && force.force > 0.0 {
             let mid = at.at(0.5);
-            let middle = pair.normal_row(&step.middle, &mid);
+            // The form of a guided projectile's gap is that of the middle.
+            let (of_middle, of_end);
+            let middle = match pair.target.is_guided() {
+                true => &row,
+                false => {
+                    of_middle = pair.normal_row(&step.middle, &mid);
+                    &of_middle
+                }
+            };
             // Where the closest point crosses into another element the gradients know other nodes; those of the middle will do.
             let crosses = step.end.closest.node != step.middle.closest.node;
-            let end = if crosses { middle } else { pair.normal_row(&step.end, &at) };
+            let end = match crosses {
+                true => middle,
+                false => {
+                    of_end = pair.normal_row(&step.end, &at);
+                    &of_end
+                }
+            };
             let (turning, bend) = (pair.turning(&step.middle, &mid), 0.5 * force.force);
-            add_tangent(tangent, &middle, &end, force.slope, bend, turning.as_ref());
+            add_tangent(tangent, middle, end, force.slope, bend, turning.as_ref());
             let of_sections = pair.section_turnings(&step.middle, &mid);
             of_sections.iter().flatten().for_each(|t| add_turning(tangent, bend, t));
         }

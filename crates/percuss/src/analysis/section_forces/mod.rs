@@ -124,7 +124,11 @@ fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
 /// ahead of the point, and the stress is the worse of both sides.
 pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoint) -> [f64; 4] {
     let mut found: Option<[f64; 4]> = None;
-    for (node, xi, ahead) in sides(model, point).into_iter().flatten() {
+    let [behind, front] = sides(model, point);
+    // Without stresses, what is behind has no say.
+    let plain = |(node, ..): &(usize, f64, bool)| is_plain(model.element_of(*node).0);
+    let behind = behind.filter(|side| front.is_none() || !plain(side));
+    for (node, xi, ahead) in [behind, front].into_iter().flatten() {
         let (span, k) = model.element_of(node);
         let (line, inner) = lines.of(span.elements.start + k);
         let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));
