@@ -163,17 +163,8 @@ fn advance_spins(i: usize, span: &Span, state: &mut State, rule: &Integration, w
 }
 
 fn advance_nodes(state: &mut State, rule: &Integration, work: &Workspace) {
-    for (n, d) in work.increment.iter().enumerate() {
-        let a0 = state.acceleration.get(n).copied().unwrap_or([0.0; 4]);
-        for i in 0..4 {
-            let v0 = state.velocity[n][i];
-            state.displacement[n][i] += d[i];
-            state.velocity[n][i] = rule.velocity(d[i], v0, a0[i]);
-            if let (Rule::Alpha(_), Some(a)) = (rule.rule, state.acceleration.get_mut(n)) {
-                a[i] = rule.acceleration(d[i], v0, a0[i]);
-            }
-        }
-    }
+    let State { displacement, velocity, acceleration, .. } = &mut *state;
+    rule.advance_all(&work.increment, displacement, velocity, acceleration);
     for (v, lead) in state.velocity.iter_mut().zip(&work.lead.velocity) {
         (0..4).for_each(|i| v[i] += lead[i]);
     }
