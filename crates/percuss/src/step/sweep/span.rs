@@ -47,7 +47,7 @@ impl<const TANGENT: bool> WithSimd for SpanStep<'_, TANGENT> {
             StrainMeasure::Green => self.elements(like, StrainMeasure::Green),
             StrainMeasure::Engineering => self.elements(like, StrainMeasure::Engineering),
         }
-        self.sum();
+        self.sum(like);
     }
 }
 
@@ -140,18 +140,25 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
         }
     }
 
-    /// Sums the forces up at the nodes.
+    /// Sums the forces up at the nodes: of the element before a node, then of the one behind it.
     #[inline(always)]
-    fn sum(&mut self) {
+    fn sum<P: Simd>(&mut self, like: Lanes<P>) {
         let span = &self.model.spans[self.span];
-        self.residual[span.nodes.start] = [0.0; 4];
-        for (k, element) in span.elements.clone().enumerate() {
-            let a = span.nodes.start + k;
-            let [on_a, on_b] = self.forces.sweep.on_nodes(element);
+        let (sweep, count) = (&self.forces.sweep, span.elements.len());
+        let (first, last) = (span.elements.start, span.elements.end - 1);
+        let residual = &mut self.residual[span.nodes.clone()];
+        residual[0] = sweep.on_nodes(first)[0].map(|force| 0.0 + force);
+        residual[count] = sweep.on_nodes(last)[1];
+        for k in (1..count).step_by(P::F64_LANES) {
+            let before: [Lanes<P>; 8] = sweep.forces.load_row(like, first + k - 1);
+            let behind: [Lanes<P>; 4] = sweep.forces.load_row(like, first + k);
+            let mut sums = behind;
             for i in 0..4 {
-                self.residual[a][i] += on_a[i];
+                sums[i] = before[4 + i] + behind[i];
             }
-            self.residual[a + 1] = on_b;
+            for (lane, own) in residual[k..count].iter_mut().take(P::F64_LANES).enumerate() {
+                *own = [sums[0].at(lane), sums[1].at(lane), sums[2].at(lane), sums[3].at(lane)];
+            }
         }
     }
 }
