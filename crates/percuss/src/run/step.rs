@@ -124,6 +124,7 @@ impl Simulation<'_> {
             measures: &self.measures,
             awake: self.solver.search.awake(),
             parted: &reached.parted,
+            yielded: reached.yielded,
         };
         self.monitor.take(&accepted);
         self.rows.take(&accepted);

@@ -18,7 +18,7 @@ use crate::model::frozen::{BodyKind, Connector, Coordinate, Span};
 use crate::state::State;
 
 /// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger; tells the elements that have no fibre left
-/// at its end.
+/// at its end, and whether any fibre has yielded.
 pub fn commit(
     model: &Model,
     state: &mut State,
@@ -26,7 +26,7 @@ pub fn commit(
     forcing: &Forcing,
     damping: &ModalDamping,
     work: &Workspace,
-) -> Vec<PartedElement> {
+) -> (Vec<PartedElement>, bool) {
     let h = integration.h;
     // Entered with the other flows, below.
     let (increment, sweep) = (&work.increment, &work.beams.sweep);
@@ -48,7 +48,7 @@ pub fn commit(
     forcing.follow(&mut state.followed);
     state.multiplier.copy_from_slice(&work.multiplier);
     state.time += h;
-    parted
+    (parted, losses.yielded)
 }
 
 /// Gives obstacles the velocities of their motions, whatever the rule makes of their increments; steps have the size `step`.

@@ -21,6 +21,8 @@ pub struct FibreLosses {
     pub failure: f64,
     /// By the viscosity of their materials \[J\].
     pub viscous: f64,
+    /// Whether any fibre has yielded in it.
+    pub yielded: bool,
 }
 
 impl State {
@@ -115,7 +117,9 @@ impl Moved<'_> {
             for (fibre, state) in points.iter().zip(&mut states) {
                 let law = &fibres.laws[fibre.law];
                 let on = (table.rows[j].weight, [from[j], to[j]]);
+                let before = state.accumulated;
                 flow.advance((law, fibre), state, on, (h, lag));
+                self.losses.yielded |= state.accumulated != before;
             }
         }
         [self.losses.plastic, self.losses.viscous] = flow.taken;

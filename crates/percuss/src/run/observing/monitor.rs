@@ -157,7 +157,9 @@ impl Monitor {
         if !solved.jumps {
             section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
-        yielding::note(model, state, &mut self.yielded);
+        if part.yielded {
+            yielding::note(model, state, &mut self.yielded);
+        }
         yielding::note_parted(model, state.time, part.parted, &mut self.yielded);
         connector_log::note(model, state, &mut self.connectors);
         joint_log::note(model, state.time, &solved.joint_loads, &mut self.joints);
