@@ -1,6 +1,8 @@
 //! One of some standard runs, everything recorded in memory: `standard-runs NAME STEPS`. `scripts/instructions` counts what those of
 //! [`NAMES`] take; numbers of elements may be others.
 //!
+//! `standard-runs NAME STEPS --bits` prints a number that differs where any bit of the rows does.
+//!
 //! Without arguments it says which runs there are, and which vector registers a run would use here: counts differ between them.
 
 use percuss::*;
@@ -52,4 +54,12 @@ fn main() {
     let summary = simulate(&model, &Settings::new(steps * STEP, STEP), &mut recorder)
         .expect("sound settings");
     println!("{} steps, {} corrections", summary.steps, summary.newton_iterations);
+    if arguments.get(2).is_some_and(|argument| argument == "--bits") {
+        let told = format!("{:?}", summary.section_forces);
+        let bits = recorder.values.iter().flat_map(|value| value.to_bits().to_le_bytes());
+        // Fowler, Noll and Vo's hash.
+        let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        let hash = bits.chain(told.bytes()).fold(0xcbf2_9ce4_8422_2325, mix);
+        println!("{hash:016x}");
+    }
 }

@@ -35,9 +35,9 @@ struct GaussPlace<'a> {
 /// What acts on the elements, as last assembled: section forces follow from it.
 #[derive(Clone, Debug, Default)]
 pub struct EndForces {
-    /// As [`Self::on_nodes`] tells of spans that are not swept, shape (elements, 2, 4) \[N, N m\]; empty while all are.
+    /// As [`Self::on_nodes()`] tells of spans that are not swept, shape (elements, 2, 4) \[N, N m\]; empty while all are.
     on_nodes: Vec<[[f64; 4]; 2]>,
-    /// As [`Self::inertia`] does, shape (beam nodes, 4) \[m/s^2, 1/s^2\]; empty while all are.
+    /// As [`Self::inertia()`] does, shape (beam nodes, 4) \[m/s^2, 1/s^2\]; empty while all are.
     inertia: Vec<[f64; 4]>,
     /// Elements that are evaluated side by side.
     pub sweep: Sweep,

@@ -98,6 +98,9 @@ impl Lines {
                 let (sweep, theta) = (&acting.beams.sweep, acting.rule.theta());
                 in_lanes(SpanLines { span, number: i, sweep, theta, lines: &mut self.lines });
             }
+            if swept && rest.is_empty() {
+                continue;
+            }
             for (k, element) in span.elements.clone().enumerate() {
                 let own = rest.iter().take_while(|one| one.element == element).count();
                 if swept && own == 0 {

@@ -50,7 +50,7 @@ pub struct Sweep {
     spin: Columns,
     /// The same at the end, shape (Gauss points, elements) \[rad/s\].
     end_spin: Columns,
-    /// Accelerations as [`EndForces::inertia`](super::assemble::EndForces::inertia) tells, shape (4, beam nodes) \[m/s^2, 1/s^2\].
+    /// Accelerations as [`EndForces::inertia()`](super::assemble::EndForces::inertia()) tells, shape (4, beam nodes) \[m/s^2, 1/s^2\].
     inertia: Columns,
     /// Forces on both nodes, shape (8, elements) \[N, N m\].
     forces: Columns,
