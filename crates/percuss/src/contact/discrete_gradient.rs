@@ -77,6 +77,29 @@ impl Pair {
 }
 
 impl Pair {
+    /// Gap of a guided projectile, which is linear; nothing for other pairs, and where the struck point belongs to no piece of a beam any
+    /// more \[m\]. As [`Pair::touch`] tells it, for the many looks within an iteration.
+    pub fn guided_gap(&self, at: &Configuration) -> Option<f64> {
+        let Target::Guided { point, normal, standoff } = &self.target else { return None };
+        if self.source.is_parted(at) || point.is_parted(at) {
+            return None;
+        }
+        let apart = sub(self.source.displacement(at), point.displacement(at));
+        Some(standoff + dot(*normal, apart))
+    }
+
+    /// Its gradient, as [`Pair::normal_row`] tells it; empty for other pairs.
+    pub fn guided_row(&self, at: &Configuration) -> Row {
+        let mut row = Row::default();
+        if let Target::Guided { point, normal: n, .. } = &self.target {
+            self.source.add_force(&mut row, *n, at);
+            point.add_force(&mut row, [-n[0], -n[1]], at);
+            let arm = sub(point.place(at), self.source.place(at));
+            self.source.add_couple(&mut row, cross(arm, *n), at);
+        }
+        row
+    }
+
     /// The form of the gap to a line through `point`: exact on the increment.
     fn line_row(&self, point: &Centre, normal: [f64; 2], at: &Configuration) -> Row {
         let mut row = Row::default();
