@@ -46,7 +46,10 @@ impl WithSimd for PlainSpan<'_> {
             }
             self.widen(k, &places, own.len());
             if turns.any() {
-                own.filter(|lane| turns.lane(*lane)).for_each(|lane| self.take_between(k + lane));
+                for lane in own.filter(|lane| turns.lane(*lane)) {
+                    let places = places.each_ref().map(|at| at.lane(lane));
+                    self.take_between(k + lane, &places);
+                }
             }
         }
     }
@@ -117,12 +120,11 @@ impl PlainSpan<'_> {
     }
 
     /// Takes the largest section forces of an element between the places looked at.
-    fn take_between(&mut self, k: usize) {
+    fn take_between(&mut self, k: usize, places: &[SectionForces; 3]) {
         let Self { span, lines, state, .. } = *self;
         let (line, inner) = lines.of(span.elements.start + k);
         let piece = ElementForces { span, k, line, inner, strained: None, yielded: None };
-        let places = PLACES.map(|xi| piece.line.at(xi, &[], false));
-        piece.take_between_places(self.out, &places, state.time);
+        piece.take_between_places(self.out, places, state.time);
     }
 }
 
