@@ -143,10 +143,14 @@ fn widen_places<P: Simd>(
         }
     }
     let own = index..index + PLACES.len() * count;
-    for ((min, max), value) in min[own.clone()].iter_mut().zip(&mut max[own]).zip(values) {
+    let values = &values[..own.len()];
+    let (min, max) = (&mut min[own.clone()], &mut max[own]);
+    for i in 0..values.len() {
         // The first value replaces NaN.
-        *min = if value < *min || min.is_nan() { value } else { *min };
-        *max = if value > *max || max.is_nan() { value } else { *max };
+        min[i] = if values[i] < min[i] || min[i].is_nan() { values[i] } else { min[i] };
+    }
+    for i in 0..values.len() {
+        max[i] = if values[i] > max[i] || max[i].is_nan() { values[i] } else { max[i] };
     }
 }
 
