@@ -60,6 +60,10 @@ pub enum Besides {
     Slender,
     /// No supports.
     Unsupported,
+    /// A section whose depth is known, and so its stresses.
+    Deep,
+    /// The same of a material that yields early.
+    Yielding,
 }
 
 /// The elastic example with something more.
@@ -76,9 +80,15 @@ fn struck(elements: usize, besides: Besides, kind: ProjectileKind) -> Model {
     let (retardation, mass_damping) =
         if besides == Besides::Damped { (1e-5, 1.0) } else { (0.0, 0.0) };
     let composite = Material::new("composite", 0.2e10, 3e3);
-    let material = b.material(Material { retardation, mass_damping, ..composite });
-    let inertia = if besides == Besides::Slender { 8.33e-7 } else { 8.33e-5 };
-    let section = b.section(Section::new("plank", 0.1, inertia));
+    let curve = vec![Hardening { from: 0.0, stress: 30e6, modulus: 2e7 }];
+    let law = Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: None };
+    let inelasticity = (besides == Besides::Yielding).then_some(Inelasticity::Plastic(law));
+    let material = b.material(Material { retardation, mass_damping, inelasticity, ..composite });
+    let section = b.section(match besides {
+        Besides::Deep | Besides::Yielding => Section::rectangle("plank", 1.0, 0.1),
+        Besides::Slender => Section::new("plank", 0.1, 8.33e-7),
+        _ => Section::new("plank", 0.1, 8.33e-5),
+    });
     let points = vec![[0.0, 0.0], [3.0, 0.0]];
     let girder = b.beam(Beam::new("girder", &points, elements, material, section));
     let at =

@@ -1,21 +1,28 @@
-//! One of five standard runs, everything recorded in memory: `standard-runs NAME STEPS`. `scripts/instructions` counts what they take.
+//! One of some standard runs, everything recorded in memory: `standard-runs NAME STEPS`. `scripts/instructions` counts what those of
+//! [`NAMES`] take; numbers of elements may be others.
+//!
+//! `standard-runs NAME STEPS --bits` prints a number that differs where any bit of the rows does.
 //!
 //! Without arguments it says which runs there are, and which vector registers a run would use here: counts differ between them.
 
 use percuss::*;
-use percuss_bench::{elastic_example, frame, rigid_example};
+use percuss_bench::{Besides, elastic_example, frame, rigid_example, varied};
 
 const STEP: f64 = 1e-4;
 const NAMES: [&str; 5] = ["elastic-6", "elastic-60", "elastic-600", "rigid-6", "frame"];
 
 fn model(name: &str) -> Option<Model> {
-    Some(match name {
-        "elastic-6" => elastic_example(6),
-        "elastic-60" => elastic_example(60),
-        "elastic-600" => elastic_example(600),
-        "rigid-6" => rigid_example(6, 0.5),
+    if name == "frame" {
         // Three storeys of two bays, 15 members of six elements.
-        "frame" => frame(3, 2, 6),
+        return Some(frame(3, 2, 6));
+    }
+    let (kind, elements) = name.split_once('-')?;
+    let elements = elements.parse().ok()?;
+    Some(match kind {
+        "elastic" => elastic_example(elements),
+        "rigid" => rigid_example(elements, 0.5),
+        "deep" => varied(elements, Besides::Deep),
+        "yielding" => varied(elements, Besides::Yielding),
         _ => return None,
     })
 }
@@ -47,4 +54,12 @@ fn main() {
     let summary = simulate(&model, &Settings::new(steps * STEP, STEP), &mut recorder)
         .expect("sound settings");
     println!("{} steps, {} corrections", summary.steps, summary.newton_iterations);
+    if arguments.get(2).is_some_and(|argument| argument == "--bits") {
+        let told = format!("{:?}", summary.section_forces);
+        let bits = recorder.values.iter().flat_map(|value| value.to_bits().to_le_bytes());
+        // Fowler, Noll and Vo's hash.
+        let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        let hash = bits.chain(told.bytes()).fold(0xcbf2_9ce4_8422_2325, mix);
+        println!("{hash:016x}");
+    }
 }

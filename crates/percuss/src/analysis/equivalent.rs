@@ -191,11 +191,14 @@ impl SmallForces {
         for (d, u) in search.work.increment.iter_mut().zip(&moved) {
             *d = u.map(|u| small * u);
         }
+        drop(moved);
         let multipliers = weight.multiplier.iter().zip(&unit.multiplier);
         for (m, (w, u)) in search.work.multiplier.iter_mut().zip(multipliers) {
             *m = small * both(*w, *u);
         }
         search.assemble::<false>();
+        // Of very many elements memory is not to hold what has no part in section forces.
+        search.work.residual = Vec::new();
         let (row, force) = (row(projectile), small * shares[1]);
         let state = search.state();
         let Workspace { increment, beams, .. } = &search.work;

@@ -77,6 +77,29 @@ impl Pair {
 }
 
 impl Pair {
+    /// Gap of a guided projectile, which is linear; nothing for other pairs, and where the struck point belongs to no piece of a beam any
+    /// more \[m\]. As [`Pair::touch`] tells it, for the many looks within an iteration.
+    pub fn guided_gap(&self, at: &Configuration) -> Option<f64> {
+        let Target::Guided { point, normal, standoff } = &self.target else { return None };
+        if self.source.is_parted(at) || point.is_parted(at) {
+            return None;
+        }
+        let apart = sub(self.source.displacement(at), point.displacement(at));
+        Some(standoff + dot(*normal, apart))
+    }
+
+    /// Its gradient, as [`Pair::normal_row`] tells it; empty for other pairs.
+    pub fn guided_row(&self, at: &Configuration) -> Row {
+        let mut row = Row::default();
+        if let Target::Guided { point, normal: n, .. } = &self.target {
+            self.source.add_force(&mut row, *n, at);
+            point.add_force(&mut row, [-n[0], -n[1]], at);
+            let arm = sub(point.place(at), self.source.place(at));
+            self.source.add_couple(&mut row, cross(arm, *n), at);
+        }
+        row
+    }
+
     /// The form of the gap to a line through `point`: exact on the increment.
     fn line_row(&self, point: &Centre, normal: [f64; 2], at: &Configuration) -> Row {
         let mut row = Row::default();
@@ -219,5 +242,51 @@ fn correct(model: &Model, row: &mut Row, at: &Configuration, miss: f64) {
     for ((_, c), m) in row.iter_mut().zip(movers) {
         (0..2).for_each(|i| c[i] += factor * m.moves[i]);
         (0..2).for_each(|i| c[2 + i] += factor * m.weight * m.turns[i]);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::{Along, Beam, Material, PointRef, Projectile, ProjectileKind, Section};
+    use crate::model::{Model, ModelBuilder};
+
+    /// A beam struck obliquely between two nodes.
+    fn model() -> Model {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("m", 2e9, 3e3));
+        let section = b.section(Section::new("s", 0.1, 8.33e-5));
+        let girder = b.beam(Beam::new("girder", &[[0.0, 0.0], [3.0, 0.5]], 4, material, section));
+        let at = PointRef { label: "struck".into(), beam: girder, along: Along::Fraction(0.3) };
+        b.projectile(Projectile::new(
+            "mass",
+            ProjectileKind::spring(7.5e5),
+            500.0,
+            [3.0, 20.0],
+            at,
+        ));
+        b.build().expect("a sound scene")
+    }
+
+    #[test]
+    fn a_guided_gap_and_its_form_are_those_of_any_pair() {
+        let model = model();
+        let mut seed = 1_u64;
+        let mut noise = |size: f64| -> Vec<[f64; 4]> {
+            let mut next = || {
+                seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+                size * ((seed >> 33) as f64 / (1_u64 << 30) as f64 - 1.0)
+            };
+            (0..model.node_count()).map(|_| std::array::from_fn(|_| next())).collect()
+        };
+        let (start, increment) = (noise(0.1), noise(0.01));
+        let pair = &model.pairs[0];
+        for share in [0.0, 0.5, 1.0] {
+            let step = Configuration { increment: &increment, ..Configuration::of(&start) };
+            let at = step.at(share);
+            let touch = pair.touch(&model, &at, &Memory::default(), Reach::Near).unwrap();
+            assert_eq!(pair.guided_gap(&at), Some(touch.gap));
+            assert_eq!(pair.guided_row(&at), pair.normal_row(&touch, &at));
+        }
     }
 }

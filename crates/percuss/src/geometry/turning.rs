@@ -15,15 +15,21 @@ impl Pair {
     /// `A (x) A / d` at a distance d from a fixed closest point. One that slides by `(l A + d O) / (l^2 - d n.x'')`, l = across . x', adds
     /// its share (theory, section 6). An edge that turns by O gives `A (x) O + O (x) A - d O (x) O`.
     pub fn turning(&self, touch: &Touch, at: &Configuration) -> Option<Turning> {
+        let turns = match touch.bend {
+            Bend::Flat => false,
+            Bend::Round { distance } => distance.abs() > COINCIDENT,
+            Bend::Edge { .. } | Bend::Curve { .. } => true,
+        };
+        if !turns {
+            return None;
+        }
         let n = touch.normal;
         let across = rot90(n);
         let mut forms = [Row::default(); 2];
         self.source.add_force(&mut forms[0], across, at);
         touch.closest.add_force(&mut forms[0], scale(-1.0, across), at);
         let weights = match touch.bend {
-            Bend::Round { distance } if distance.abs() > COINCIDENT => {
-                [[1.0 / distance, 0.0], [0.0; 2]]
-            }
+            Bend::Round { distance } => [[1.0 / distance, 0.0], [0.0; 2]],
             Bend::Edge { distance } => {
                 touch.closest.add_turn(&mut forms[1], 1.0, at);
                 [[0.0, 1.0], [1.0, -distance]]
@@ -40,7 +46,7 @@ impl Pair {
                 let mixed = -level / slack;
                 [[-turns / slack, mixed], [mixed, -distance / slack]]
             }
-            _ => return None,
+            Bend::Flat => return None,
         };
         Some(Turning { forms, weights })
     }

@@ -1,6 +1,7 @@
 //! Turns definitions into a frozen [`Model`]; the one place that validates.
 
 use std::collections::HashSet;
+use std::sync::Arc;
 
 use super::builder::ModelBuilder;
 use super::centre_line::CentreLine;
@@ -44,6 +45,8 @@ impl ModelBuilder {
         connect::springs(self, &mut model);
         constrain::all(self, &mut model)?;
         pairs::place(self, &mut model)?;
+        // Bodies have doubled the room of the nodes.
+        model.nodes.shrink_to_fit();
         Ok(model)
     }
 
@@ -83,7 +86,7 @@ impl ModelBuilder {
                 nodes: first.1..model.nodes.len(),
                 elements: first.2..model.element_count(),
                 length: line.length(),
-                axis: axis(&model, first.0, &line, &plans),
+                axis: Arc::new(axis(&model, first.0, &line, &plans)),
             });
         }
         model

@@ -1,6 +1,7 @@
 //! The frozen model: what is simulated. Never changes once built.
 
 use std::ops::Range;
+use std::sync::Arc;
 
 pub use super::acting::*;
 use super::definition::{InitialMotion, StrainMeasure, Strength};
@@ -92,8 +93,8 @@ pub struct BeamData {
     pub elements: Range<usize>,
     /// Arc length \[m\].
     pub length: f64,
-    /// Its elements as contact sees them.
-    pub axis: AxisElements,
+    /// Its elements as contact sees them; copies of a model share them.
+    pub axis: Arc<AxisElements>,
 }
 
 /// A part of a beam without corner, of one material and one section.

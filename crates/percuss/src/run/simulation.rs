@@ -102,7 +102,7 @@ impl<'m> Simulation<'m> {
             measures: Measures::default(),
             solver: Solver::new(model, jumps::cuts(model, settings.step)),
             step_size: None,
-            monitor: Monitor::new(model, &state, &pressed, &reactions),
+            monitor: Monitor::new(model, &state, &reactions),
             rows: Rows::new(model),
             frames: Frames::default(),
             state,
@@ -125,7 +125,7 @@ impl<'m> Simulation<'m> {
         self.measures = self.solver.measures(model, state);
         let round_off = RoundOff::new(model, settings.step);
         state.ledger = Ledger::open(&self.measures, &round_off);
-        self.monitor = Monitor::new(model, state, &self.pressed, self.monitor.reactions.mean());
+        self.monitor.open(model, state, &self.pressed);
         self.rows.time = f64::NEG_INFINITY;
         self.step_size = StepSizeControl::new(model, settings, state);
         state.pairs.iter_mut().for_each(|pair| pair.closed = false);

@@ -28,7 +28,7 @@ impl Simulation<'_> {
     pub fn advance(&mut self, recorder: &mut dyn Recorder) -> Result<Flow, Error> {
         let most_corrections = self.solver.counts.effort.iterations + MOST_CORRECTIONS;
         let mut decider = Decider::new(&self.settings, self.solver.positions, self.target());
-        while decider.goes_on(&self.moment()) {
+        while decider.remains(self.state.offset) && decider.goes_on(&self.moment()) {
             let (solver, at) = self.solver();
             match solver.solve(at, |solving| solve_part(solving, &mut decider)) {
                 Ok(solved) => {
@@ -124,6 +124,7 @@ impl Simulation<'_> {
             measures: &self.measures,
             awake: self.solver.search.awake(),
             parted: &reached.parted,
+            yielded: reached.yielded,
         };
         self.monitor.take(&accepted);
         self.rows.take(&accepted);

@@ -39,7 +39,7 @@ type PointAt<'a> = (&'a ElementAt<'a>, usize);
 
 /// Forces of the strains of a state at rest, with gravity.
 pub fn forces_at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> EndForces {
-    let mut forces = EndForces::one_by_one(model);
+    let mut forces = EndForces::default();
     let zero = vec![[0.0; 4]; model.node_count()];
     let mut residual = zero.clone();
     let integration = &Integration { h: 1.0, rule: Rule::Static };
@@ -54,7 +54,7 @@ pub fn forces_at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> EndFor
 
 /// Residual `M (a - gravity) + f_int` of the beams at `increment`, and their tangent if `TANGENT`.
 ///
-/// Must not allocate.
+/// Must not allocate, but for the first time that elements are evaluated one by one.
 pub fn beams<const TANGENT: bool>(
     model: &Model,
     state: &State,
@@ -199,6 +199,7 @@ impl StepState<'_> {
         let slope =
             self.integration.inertia_slope() + span.mass_damping * self.integration.rate_slope();
         let first = span.nodes.start;
+        forces.make_room(self.model);
         residual[first] = [0.0; 4];
         if TANGENT {
             chain.diag[first] = ZERO;

@@ -18,7 +18,7 @@ use crate::model::frozen::{BodyKind, Connector, Coordinate};
 use crate::state::State;
 
 /// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger; tells the elements that have no fibre left
-/// at its end.
+/// at its end, and whether any fibre has yielded.
 pub fn commit(
     model: &Model,
     state: &mut State,
@@ -26,7 +26,7 @@ pub fn commit(
     forcing: &Forcing,
     damping: &ModalDamping,
     work: &Workspace,
-) -> Vec<PartedElement> {
+) -> (Vec<PartedElement>, bool) {
     let h = integration.h;
     // Entered with the other flows, below.
     let (increment, sweep) = (&work.increment, &work.beams.sweep);
@@ -48,7 +48,7 @@ pub fn commit(
     forcing.follow(&mut state.followed);
     state.multiplier.copy_from_slice(&work.multiplier);
     state.time += h;
-    parted
+    (parted, losses.yielded)
 }
 
 /// Gives obstacles the velocities of their motions, whatever the rule makes of their increments; steps have the size `step`.
@@ -142,17 +142,8 @@ fn advance_histories(model: &Model, state: &mut State, rule: &Integration, work:
 }
 
 fn advance_nodes(state: &mut State, rule: &Integration, work: &Workspace) {
-    for (n, d) in work.increment.iter().enumerate() {
-        let a0 = state.acceleration.get(n).copied().unwrap_or([0.0; 4]);
-        for i in 0..4 {
-            let v0 = state.velocity[n][i];
-            state.displacement[n][i] += d[i];
-            state.velocity[n][i] = rule.velocity(d[i], v0, a0[i]);
-            if let (Rule::Alpha(_), Some(a)) = (rule.rule, state.acceleration.get_mut(n)) {
-                a[i] = rule.acceleration(d[i], v0, a0[i]);
-            }
-        }
-    }
+    let State { displacement, velocity, acceleration, .. } = &mut *state;
+    rule.advance_all(&work.increment, displacement, velocity, acceleration);
     for (v, lead) in state.velocity.iter_mut().zip(&work.lead.velocity) {
         (0..4).for_each(|i| v[i] += lead[i]);
     }

@@ -50,14 +50,15 @@ impl CondensedBodies {
             }
         }
         for s in &mut self.bodies {
-            let inverse = block::inverse(&chain.diag[s.body]).ok_or(s.body)?;
+            // That of a guided projectile is diagonal.
+            let inverse = block::inverse_alone(&chain.diag[s.body]).ok_or(s.body)?;
             let find = |row: usize, column: usize| {
                 let at = couplings.iter().find(|c| c.0 == row && c.1 == column);
-                at.map_or(ZERO, |c| c.2)
+                at.map_or(&ZERO, |c| &c.2)
             };
             for i in 0..s.count {
-                s.onto[i] = mul(&find(s.nodes[i], s.body), &inverse);
-                s.from[i] = mul(&inverse, &find(s.body, s.nodes[i]));
+                s.onto[i] = mul(find(s.nodes[i], s.body), &inverse);
+                s.from[i] = mul(&inverse, find(s.body, s.nodes[i]));
             }
             for i in 0..s.count {
                 for j in 0..s.count {
@@ -66,7 +67,7 @@ impl CondensedBodies {
                         (1, 0) => &mut chain.lower[s.nodes[0]],
                         _ => &mut chain.diag[s.nodes[i]],
                     };
-                    block::sub_mul(target, &s.onto[i], &find(s.body, s.nodes[j]));
+                    block::sub_mul(target, &s.onto[i], find(s.body, s.nodes[j]));
                 }
             }
         }

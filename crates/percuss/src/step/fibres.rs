@@ -104,7 +104,9 @@ impl Moved<'_> {
             for (fibre, state) in points.iter().zip(&mut states) {
                 let law = &fibres.laws[fibre.law];
                 let on = (table.rows[j].weight, [from[j], to[j]]);
+                let before = state.accumulated;
                 flow.advance((law, fibre), state, on, (h, lag));
+                self.losses.yielded |= state.accumulated != before;
             }
         }
         [self.losses.plastic, self.losses.viscous] = flow.taken;

@@ -106,6 +106,56 @@ impl Integration {
         }
     }
 
+    /// The same of nodes: their velocities, and accelerations if the scheme advances them, both of shape (nodes, 4)
+    /// \[m/s, 1/s, rad/s\] and \[m/s^2, 1/s^2, rad/s^2\], make their increments.
+    pub fn predict_all(&self, v0: &[[f64; 4]], a0: &[[f64; 4]], increment: &mut [[f64; 4]]) {
+        let none = [0.0; 4];
+        // The rule is looked at once: nodes then go through vector registers.
+        if let Rule::Midpoint(_) = self.rule {
+            for (d, v0) in increment.iter_mut().zip(v0) {
+                *d = v0.map(|v0| self.h * v0);
+            }
+            return;
+        }
+        for (n, (d, v0)) in increment.iter_mut().zip(v0).enumerate() {
+            let a0 = a0.get(n).unwrap_or(&none);
+            *d = std::array::from_fn(|i| self.predict(v0[i], a0[i]));
+        }
+    }
+
+    /// Moves nodes by their increments, shape (nodes, 4) \[m, -, rad\]: displacements, velocities, and accelerations if the scheme advances
+    /// them, of the same shape.
+    pub fn advance_all(
+        &self,
+        increment: &[[f64; 4]],
+        displacement: &mut [[f64; 4]],
+        velocity: &mut [[f64; 4]],
+        acceleration: &mut [[f64; 4]],
+    ) {
+        let moved = increment.iter().zip(displacement).zip(velocity);
+        if let Rule::Midpoint(_) = self.rule {
+            for ((d, u), v) in moved {
+                for i in 0..4 {
+                    u[i] += d[i];
+                    v[i] = 2.0 * d[i] / self.h - v[i];
+                }
+            }
+            return;
+        }
+        let mut none = [0.0; 4];
+        for (n, ((d, u), v)) in moved.enumerate() {
+            let a = acceleration.get_mut(n).unwrap_or(&mut none);
+            for i in 0..4 {
+                let (v0, a0) = (v[i], a[i]);
+                u[i] += d[i];
+                v[i] = self.velocity(d[i], v0, a0);
+                if let Rule::Alpha(_) = self.rule {
+                    a[i] = self.acceleration(d[i], v0, a0);
+                }
+            }
+        }
+    }
+
     /// Derivative of [`Integration::inertia`] with respect to the increment \[1/s^2\].
     pub fn inertia_slope(&self) -> f64 {
         match self.rule {

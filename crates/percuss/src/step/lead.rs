@@ -227,14 +227,13 @@ impl Lead {
             Rule::Alpha(w) => (&self.acceleration, 1.0 - w.alpha_m),
             Rule::Static => return,
         };
-        ends.sweep.set_aside();
         let theta = rule.theta();
         let at = Middle { model, start, increment, share: theta, parted: &self.parted };
         for a in &self.elements {
             at.add_element_inertia(*a, field, factor, residual, ends);
         }
         for n in &self.nodes {
-            (0..4).for_each(|i| ends.inertia[*n][i] += factor * field[*n][i]);
+            ends.add_inertia(model, *n, &field[*n].map(|x| factor * x));
         }
         for (i, mass) in model.masses.iter().enumerate() {
             let p = &mass.point;
@@ -332,6 +331,6 @@ pub fn add_inertia_of(model: &Model, u: &[[f64; 4]], field: &[[f64; 4]], nodal: 
     }
     lead.velocity.copy_from_slice(field);
     let rule = Integration::new(crate::settings::Scheme::Midpoint, 1.0);
-    let ends = &mut EndForces::new(model);
+    let ends = &mut EndForces::default();
     lead.add_inertia(model, u, &vec![[0.0; 4]; u.len()], &rule, (nodal, ends));
 }

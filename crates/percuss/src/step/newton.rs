@@ -146,7 +146,7 @@ impl StepProblem<'_> {
         self.predict(work);
         work.correction_before.clear();
         let mut convergence = ConvergenceMonitor::new(self.state.ledger.energy_scale);
-        let (_, reach) = largest(&self.state.displacement, self.size);
+        let reach = largest(&self.state.displacement, self.size);
         let mut renew = true;
         for iteration in 0..MOST_STEADY {
             if iteration >= MOST_ITERATIONS && !convergence.closes_in() {
@@ -175,7 +175,7 @@ impl StepProblem<'_> {
             if iteration == 0 || moves || convergence.energy > self.state.ledger.energy_scale {
                 convergence.play(self.energy_in_play(work, correction.work));
             }
-            let (_, step) = largest(&work.increment, self.size);
+            let step = largest(&work.increment, self.size);
             let touching =
                 !self.active.is_empty() || work.smooth.iter().any(|c| c.force.force > 0.0);
             let places = if touching { self.positions } else { 0.0 };
@@ -184,17 +184,13 @@ impl StepProblem<'_> {
         }
         // Unbalanced forces without reactions.
         self.unbalanced_work(work);
-        let (node, _) = largest(&work.correction, self.size);
+        let node = farthest_node(&work.correction, self.size);
         Err(Failure::Diverged { residual: convergence.unbalanced / convergence.energy, node })
     }
 
     fn predict(&self, work: &mut Workspace) {
         let state = self.state;
-        for (n, d) in work.increment.iter_mut().enumerate() {
-            let a0 = state.acceleration.get(n).unwrap_or(&[0.0; 4]);
-            let v0 = &state.velocity[n];
-            *d = std::array::from_fn(|i| self.integration.predict(v0[i], a0[i]));
-        }
+        self.integration.predict_all(&state.velocity, &state.acceleration, &mut work.increment);
         prescribe(self.model, self.forcing, &mut work.increment);
         work.lead.set(self.model, state, &self.integration, self.forcing);
         if self.integration.sweeps() {
@@ -286,7 +282,7 @@ impl StepProblem<'_> {
         let feedback = Some(self.feedback);
         tangent.solve(self.model, &step, correction, multiplier, feedback);
         self.impact(work)?;
-        let (_, size) = largest(&work.correction, self.size);
+        let size = largest(&work.correction, self.size);
         let quiet = QUIET * size;
         let share = if iteration < SWINGS_FROM { 1.0 } else { share_taken(work) };
         let mut correction = Correction { size, work: 0.0 };
@@ -331,17 +327,34 @@ pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
     }
 }
 
-/// Node and magnitude of the largest component \[m\]; slopes and angles count times a length, the structure's size, so that a scene
-/// in millimetres takes the same iterations as one in kilometres.
-fn largest(nodal: &[[f64; 4]], length: f64) -> (usize, f64) {
+/// Magnitude of the largest component \[m\]; slopes and angles count times a length, the structure's size, so that a scene in
+/// millimetres takes the same iterations as one in kilometres.
+fn largest(nodal: &[[f64; 4]], length: f64) -> f64 {
+    // Components apart: so they go through vector registers. One comparison each: `f64::max` would look for NaN as well, which no comparison
+    // finds larger.
+    let mut most = [0.0_f64; 4];
+    for x in nodal {
+        for i in 0..4 {
+            let size = x[i].abs();
+            most[i] = if size > most[i] { size } else { most[i] };
+        }
+    }
+    sizes(&most, length).into_iter().fold(0.0, |m, size| if size > m { size } else { m })
+}
+
+/// The node with the largest component.
+fn farthest_node(nodal: &[[f64; 4]], length: f64) -> usize {
     let mut found = (0, 0.0);
     for (n, x) in nodal.iter().enumerate() {
-        // One comparison each: `f64::max` would look for NaN as well, which no comparison finds larger.
-        let sizes = [x[0], x[1], length * x[2], length * x[3]];
-        let size = sizes.iter().map(|c| c.abs()).fold(0.0_f64, |m, c| if c > m { c } else { m });
+        let size = largest(std::slice::from_ref(x), length);
         if size > found.1 {
             found = (n, size);
         }
     }
-    found
+    found.0
+}
+
+/// Magnitudes of nodal values \[m\].
+fn sizes(x: &[f64; 4], length: f64) -> [f64; 4] {
+    [x[0].abs(), x[1].abs(), length * x[2].abs(), length * x[3].abs()]
 }

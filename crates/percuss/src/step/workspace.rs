@@ -71,7 +71,7 @@ impl Workspace {
             turned: 0.0,
             rigid_pairs: Vec::new(),
             residual: vec![[0.0; 4]; n],
-            beams: EndForces::one_by_one(model),
+            beams: EndForces::default(),
             correction: vec![[0.0; 4]; n],
             correction_before: Vec::new(),
             modal: MovingModes::default(),

@@ -70,7 +70,7 @@ pub struct Envelope {
     pub shear: [Vec<f64>; 2],
     /// Bending moment, shape (2, 3 elements) \[N m\].
     pub moment: [Vec<f64>; 2],
-    /// Stress of the extreme fibres, shape (2, 3 elements) \[Pa\]; NaN where the section has no depth.
+    /// Stress of the extreme fibres, shape (2, 3 elements) \[Pa\]; NaN where the section has no depth, empty where none of the beam has one.
     pub stress: [Vec<f64>; 2],
 }
 

@@ -87,8 +87,11 @@ fn whole(model: &Model, state: &State, increment: &[[f64; 4]]) -> Vec<u64> {
         found.extend(blocks.as_flattened().as_flattened());
     }
     found.extend(residual.as_flattened());
-    found.extend(forces.inertia.as_flattened());
-    found.extend(forces.on_nodes.as_flattened().as_flattened());
+    for (number, span) in model.spans.iter().enumerate() {
+        span.nodes.clone().for_each(|n| found.extend(forces.inertia(number, n)));
+        let on_nodes = |e: usize| found.extend(forces.on_nodes(number, e).as_flattened());
+        span.elements.clone().for_each(on_nodes);
+    }
     found.extend((0..model.element_count()).flat_map(|e| forces.sweep.end_spin(e)));
     found.into_iter().map(f64::to_bits).collect()
 }

@@ -22,7 +22,8 @@ impl ElementForces<'_> {
         let stressed = self.stress_may_exceed(out, places);
         for j in 1..PLACES.len() {
             let wanted = may_exceed(out, &places[j - 1], &places[j]);
-            self.take_within(out, [PLACES[j - 1], PLACES[j]], wanted, stressed, time);
+            let known = Some([&places[j - 1], &places[j]]);
+            self.take_within(out, ([PLACES[j - 1], PLACES[j]], known), wanted, stressed, time);
         }
     }
 
@@ -47,7 +48,7 @@ impl ElementForces<'_> {
         while from < 1.0 {
             let stops = self.inner.iter().map(|one| one.xi).chain(PLACES);
             let to = stops.filter(|xi| *xi > from).fold(1.0, f64::min);
-            self.take_within(out, [from, to], [true; 3], self.span.has_depth(), time);
+            self.take_within(out, ([from, to], None), [true; 3], self.span.has_depth(), time);
             for ahead in [false, true] {
                 self.take_at(out, to, &self.line.at(to, self.inner, ahead), time);
             }
@@ -56,11 +57,11 @@ impl ElementForces<'_> {
     }
 
     /// Takes the wanted of axial force, shear force and moment, and the stress, where they are largest between two places with nothing
-    /// inside: in pieces, for each may turn more than once.
+    /// inside: in pieces, for each may turn more than once. What is known at both places is not asked for again.
     fn take_within(
         &self,
         out: &mut SectionForceSummary,
-        [from, to]: [f64; 2],
+        ([from, to], known): ([f64; 2], Option<[&SectionForces; 2]>),
         wanted: [bool; 3],
         stressed: bool,
         time: f64,
@@ -70,12 +71,17 @@ impl ElementForces<'_> {
         }
         let at: [f64; PIECES + 1] =
             std::array::from_fn(|k| station(from, to, k as f64 / PIECES as f64));
-        let forces: [SectionForces; PIECES + 1] =
-            std::array::from_fn(|k| self.line.at(at[k], self.inner, k == 0));
+        let forces: [SectionForces; PIECES + 1] = std::array::from_fn(|k| match known {
+            Some([first, _]) if k == 0 => *first,
+            Some([_, last]) if k == PIECES => *last,
+            _ => self.line.at(at[k], self.inner, k == 0),
+        });
         for (of, _) in RISES.into_iter().zip(wanted).filter(|(_, wanted)| *wanted) {
             for k in 1..=PIECES {
-                if of(&forces[k - 1].rise) * of(&forces[k].rise) < 0.0 {
-                    self.take_stationary(out, [at[k - 1], at[k]], of, time);
+                let [a, b] = [k - 1, k].map(|k| (at[k], of(&forces[k].rise)));
+                if a.1 * b.1 < 0.0 {
+                    let xi = self.line.stationary([a, b], self.inner, of);
+                    self.take_at(out, xi, &self.line.at(xi, self.inner, false), time);
                 }
             }
         }
@@ -113,18 +119,6 @@ impl ElementForces<'_> {
                     self.take_fibres(out, xi, &fibres, time);
                 }
             }
-        }
-    }
-
-    fn take_stationary(
-        &self,
-        out: &mut SectionForceSummary,
-        between: [f64; 2],
-        of: fn(&Rise) -> f64,
-        time: f64,
-    ) {
-        if let Some(xi) = self.line.stationary(between, self.inner, of) {
-            self.take_at(out, xi, &self.line.at(xi, self.inner, false), time);
         }
     }
 }

@@ -2,13 +2,16 @@
 
 use pulp::{Simd, WithSimd};
 
-use super::element::{ElementForces, FLAT, PLACES, station, widen};
+use super::element::{ElementForces, FLAT, PLACES, station};
 use super::line::{Line, SectionForces};
 use super::lines::Lines;
 use crate::model::frozen::Span;
 use crate::scalar::{Lanes, Mask, Number, Real};
 use crate::state::State;
 use crate::summary::{SectionForceSummary, SectionRange};
+
+/// No register holds more numbers.
+const MOST_LANES: usize = 8;
 
 /// Takes the section forces of a span without stresses into the extremes so far.
 pub struct PlainSpan<'a> {
@@ -41,11 +44,12 @@ impl WithSimd for PlainSpan<'_> {
                     self.take_places(k + lane, &places, lane);
                 }
             }
-            for lane in own.clone() {
-                self.widen(k + lane, &places, lane);
-            }
+            self.widen(k, &places, own.len());
             if turns.any() {
-                own.filter(|lane| turns.lane(*lane)).for_each(|lane| self.take_between(k + lane));
+                for lane in own.filter(|lane| turns.lane(*lane)) {
+                    let places = places.each_ref().map(|at| at.lane(lane));
+                    self.take_between(k + lane, &places);
+                }
             }
         }
     }
@@ -95,16 +99,15 @@ impl PlainSpan<'_> {
         }
     }
 
+    /// Takes the places of so many elements from number `k` on into the envelope.
     #[inline(always)]
-    fn widen<P: Simd>(&mut self, k: usize, places: &[SectionForces<Lanes<P>>; 3], lane: usize) {
+    fn widen<P: Simd>(&mut self, k: usize, places: &[SectionForces<Lanes<P>>; 3], count: usize) {
         let index = PLACES.len() * (self.span.elements.start + k - self.first);
+        let [a, b, c] = places;
         let envelope = &mut self.out.envelope;
-        for (j, at) in places.iter().enumerate() {
-            let (axial, shear, moment) = (at.axial.at(lane), at.shear.at(lane), at.moment.at(lane));
-            widen(&mut envelope.axial, index + j, axial, axial);
-            widen(&mut envelope.shear, index + j, shear, shear);
-            widen(&mut envelope.moment, index + j, moment, moment);
-        }
+        widen_places(&mut envelope.axial, index, [a.axial, b.axial, c.axial], count);
+        widen_places(&mut envelope.shear, index, [a.shear, b.shear, c.shear], count);
+        widen_places(&mut envelope.moment, index, [a.moment, b.moment, c.moment], count);
     }
 
     /// Takes an element on its own.
@@ -117,12 +120,37 @@ impl PlainSpan<'_> {
     }
 
     /// Takes the largest section forces of an element between the places looked at.
-    fn take_between(&mut self, k: usize) {
+    fn take_between(&mut self, k: usize, places: &[SectionForces; 3]) {
         let Self { span, lines, state, .. } = *self;
         let (line, inner) = lines.of(span.elements.start + k);
         let piece = ElementForces { span, k, line, inner, strained: None, yielded: None };
-        let places = PLACES.map(|xi| piece.line.at(xi, &[], false));
-        piece.take_between_places(self.out, &places, state.time);
+        piece.take_between_places(self.out, places, state.time);
+    }
+}
+
+/// Takes values at the places of so many elements into their envelope from `index` on; all in one go, so that they go through registers.
+#[inline(always)]
+fn widen_places<P: Simd>(
+    [min, max]: &mut [Vec<f64>; 2],
+    index: usize,
+    places: [Lanes<P>; 3],
+    count: usize,
+) {
+    let mut values = [0.0; PLACES.len() * MOST_LANES];
+    for lane in 0..P::F64_LANES {
+        for j in 0..PLACES.len() {
+            values[PLACES.len() * lane + j] = places[j].at(lane);
+        }
+    }
+    let own = index..index + PLACES.len() * count;
+    let values = &values[..own.len()];
+    let (min, max) = (&mut min[own.clone()], &mut max[own]);
+    for i in 0..values.len() {
+        // The first value replaces NaN.
+        min[i] = if values[i] < min[i] || min[i].is_nan() { values[i] } else { min[i] };
+    }
+    for i in 0..values.len() {
+        max[i] = if values[i] > max[i] || max[i].is_nan() { values[i] } else { max[i] };
     }
 }
 

@@ -8,10 +8,11 @@
 //! t the unit tangent and mu the rotary inertia, spread evenly: it is what the balance of moments leaves over. The force f
 //! is the cubic that does the same work as nodal loads and inertia on every motion the element knows, so the balance closes.
 
+use pulp::Simd;
 use serde::{Deserialize, Serialize};
 
 use crate::math::vec2::{add, cross, sub};
-use crate::scalar::Real;
+use crate::scalar::{Lanes, Real};
 
 /// Inverse of the mass matrix of a uniform element of unit mass and length.
 const UNIT_MASS_INVERSE: [[f64; 4]; 4] = [
@@ -88,6 +89,20 @@ pub struct Rise<S = f64> {
     pub shear: S,
     /// Of the bending moment \[N m\].
     pub moment: S,
+}
+
+impl<P: Simd> SectionForces<Lanes<P>> {
+    /// Those of one lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> SectionForces {
+        let Rise { axial, shear, moment } = self.rise;
+        SectionForces {
+            axial: self.axial.at(lane),
+            shear: self.shear.at(lane),
+            moment: self.moment.at(lane),
+            rise: Rise { axial: axial.at(lane), shear: shear.at(lane), moment: moment.at(lane) },
+        }
+    }
 }
 
 // Elements side by side and those with forces inside, one by one, are to agree to the last bit: each product is rounded.
@@ -282,28 +297,24 @@ impl Line {
         self.along(xi, &force, moment)
     }
 
-    /// Where a section force is largest or smallest between two places, if it is so inside; `of` tells its derivative.
+    /// Where a section force is largest or smallest between two places, each with its derivative there, of which one is negative; `of` tells
+    /// it elsewhere.
     pub fn stationary(
         &self,
-        [from, to]: [f64; 2],
+        [mut a, mut b]: [(f64, f64); 2],
         inner: &[Inner],
         of: fn(&Rise) -> f64,
-    ) -> Option<f64> {
-        let rise = |xi: f64| of(&self.at(xi, inner, false).rise);
-        let (mut a, mut b) = ((from, of(&self.at(from, inner, true).rise)), (to, rise(to)));
-        if a.1 * b.1 >= 0.0 {
-            return None;
-        }
+    ) -> f64 {
         // The zero of a curve that is nearly straight: a few secants between brackets.
         for _ in 0..12 {
             let x = a.0 + (b.0 - a.0) * (a.1 / (a.1 - b.1)).clamp(0.01, 0.99);
-            let f = rise(x);
+            let f = of(&self.at(x, inner, false).rise);
             if f.abs() <= 1e-9 * (a.1.abs() + b.1.abs()) {
-                return Some(x);
+                return x;
             }
             if f * a.1 > 0.0 { a = (x, f) } else { b = (x, f) }
         }
-        Some(0.5 * (a.0 + b.0))
+        0.5 * (a.0 + b.0)
     }
 }
 

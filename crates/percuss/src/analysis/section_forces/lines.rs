@@ -7,7 +7,7 @@ use super::span_lines::SpanLines;
 use crate::geometry::row::Row;
 use crate::math::vec2::{add, dot, scale};
 use crate::model::Model;
-use crate::model::frozen::{LoadAction, MaterialPoint, Span};
+use crate::model::frozen::{LoadAction, MaterialPoint};
 use crate::scalar::in_lanes;
 use crate::state::State;
 use crate::step::assemble::forces_at_rest;
@@ -99,13 +99,16 @@ impl Lines {
                 let (sweep, theta) = (&acting.beams.sweep, acting.rule.theta());
                 in_lanes(SpanLines { span, number: i, sweep, theta, lines: &mut self.lines });
             }
+            if swept && rest.is_empty() {
+                continue;
+            }
             for (k, element) in span.elements.clone().enumerate() {
                 let own = rest.iter().take_while(|one| one.element == element).count();
                 if swept && own == 0 {
                     continue;
                 }
                 let (here, others) = std::mem::take(&mut rest).split_at_mut(own);
-                self.set_one(model, acting, (span, k), here);
+                self.set_one(model, acting, (i, k), here);
                 rest = others;
             }
         }
@@ -117,9 +120,10 @@ impl Lines {
         &mut self,
         model: &Model,
         acting: &Acting,
-        (span, k): (&Span, usize),
+        (number, k): (usize, usize),
         inner: &mut [Inner],
     ) {
+        let span = &model.spans[number];
         let (table, a, element) = (span.table(k), span.nodes.start + k, span.elements.start + k);
         if acting.state.has_parted(a) {
             // A gap bears nothing; what its mass does is no section force.
@@ -140,10 +144,10 @@ impl Lines {
             length: table.length,
         };
         let mut along = [[0.0; 4]; 2];
-        let inertia = &acting.beams.inertia;
+        let [ia, ib] = [a, a + 1].map(|n| acting.beams.inertia(number, n));
         let [on_a, on_b] = &mut along;
-        table.add_inertia(&inertia[a], &inertia[a + 1], on_a, on_b);
-        let mut ends = acting.beams.on_nodes[element];
+        table.add_inertia(&ia, &ib, on_a, on_b);
+        let mut ends = acting.beams.on_nodes(number, element);
         if let Some(load) = self.loads.get(element) {
             take(&mut along, load);
             take(&mut ends, load);

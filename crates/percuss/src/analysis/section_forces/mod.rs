@@ -31,11 +31,13 @@ pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
     let entry = |beam: &BeamData| {
         let n = PLACES.len() * beam.elements.len();
         let places = |w: &[f64]| PLACES.map(|xi| station(w[0], w[1], xi));
-        let s = model.spans[beam.spans.clone()]
-            .iter()
-            .flat_map(|span| span.stations.windows(2).flat_map(places))
-            .collect();
+        let mut s = Vec::with_capacity(n);
+        for span in &model.spans[beam.spans.clone()] {
+            s.extend(span.stations.windows(2).flat_map(places));
+        }
         let open = || [vec![f64::NAN; n], vec![f64::NAN; n]];
+        let stressed = model.spans[beam.spans.clone()].iter().any(|span| !is_plain(span));
+        let stress = if stressed { open() } else { Default::default() };
         let none = SectionRange::default();
         SectionForceSummary {
             name: beam.name.clone(),
@@ -45,7 +47,7 @@ pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
             strain: none,
             stress: none,
             beyond: None,
-            envelope: Envelope { s, axial: open(), shear: open(), moment: open(), stress: open() },
+            envelope: Envelope { s, axial: open(), shear: open(), moment: open(), stress },
         }
     };
     model.beams.iter().map(entry).collect()
@@ -122,7 +124,11 @@ fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
 /// ahead of the point, and the stress is the worse of both sides.
 pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoint) -> [f64; 4] {
     let mut found: Option<[f64; 4]> = None;
-    for (node, xi, ahead) in sides(model, point).into_iter().flatten() {
+    let [behind, front] = sides(model, point);
+    // Without stresses, what is behind has no say.
+    let plain = |(node, ..): &(usize, f64, bool)| is_plain(model.element_of(*node).0);
+    let behind = behind.filter(|side| front.is_none() || !plain(side));
+    for (node, xi, ahead) in [behind, front].into_iter().flatten() {
         let (span, k) = model.element_of(node);
         let (line, inner) = lines.of(span.elements.start + k);
         let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));

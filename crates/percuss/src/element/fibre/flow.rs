@@ -12,6 +12,8 @@ pub struct FibreLosses {
     pub failure: f64,
     /// By the viscosity of their materials \[J\].
     pub viscous: f64,
+    /// Whether any fibre has yielded in it.
+    pub yielded: bool,
 }
 
 /// What fibres do on their way to the end of a step (theory, section 11).

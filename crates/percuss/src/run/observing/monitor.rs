@@ -68,25 +68,20 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Opens the record at the initial state, an equilibrium in which contacts press with the forces given and supports react so.
-    pub fn new(
-        model: &Model,
-        state: &State,
-        pressed: &[(Row, f64)],
-        reactions: &[[f64; 3]],
-    ) -> Self {
+    /// Not open yet; supports react so at the start.
+    pub fn new(model: &Model, state: &State, reactions: &[[f64; 3]]) -> Self {
         let points = model
             .points
             .iter()
             .map(|p| p.value(&state.displacement).map(|value| Crest::new(value, state.time)));
         let inelastic = model.has_fibres();
-        let mut monitor = Self {
+        Self {
             contacts: ContactLog::new(model, state),
             points: points.collect(),
-            section_forces: section_forces::unset(model),
+            section_forces: Vec::new(),
             supports: model.supports.iter().map(unset_support).collect(),
             reacted: None,
-            lines: Lines::at_rest(model, state, pressed),
+            lines: Lines::default(),
             reactions: RowReactions::new(state, reactions),
             given: vec![Given::default(); model.striking_bodies().count()],
             struck_masses: vec![None; model.contacts.len()],
@@ -100,14 +95,23 @@ impl Monitor {
                 .collect(),
             audit: Audit::default(),
             energy_came: 0.0,
-        };
-        section_forces::update(model, &monitor.lines, state, &mut monitor.section_forces);
-        yielding::note(model, state, &mut monitor.yielded);
-        connector_log::note(model, state, &mut monitor.connectors);
-        yielding::note_preload(model, state, &mut monitor.yielded);
-        connector_log::note_preload(model, state, &mut monitor.connectors);
-        monitor.open_reactions(reactions, state.time);
-        monitor
+        }
+    }
+
+    /// Opens the record at the initial state, an equilibrium in which contacts press with the forces given. What it held is gone before: of
+    /// a long beam memory is not to hold both.
+    pub fn open(&mut self, model: &Model, state: &State, pressed: &[(Row, f64)]) {
+        let reactions = self.reactions.mean().to_vec();
+        (self.lines, self.section_forces) = Default::default();
+        *self = Self::new(model, state, &reactions);
+        self.lines = Lines::at_rest(model, state, pressed);
+        self.section_forces = section_forces::unset(model);
+        section_forces::update(model, &self.lines, state, &mut self.section_forces);
+        yielding::note(model, state, &mut self.yielded);
+        connector_log::note(model, state, &mut self.connectors);
+        yielding::note_preload(model, state, &mut self.yielded);
+        connector_log::note_preload(model, state, &mut self.connectors);
+        self.open_reactions(&reactions, state.time);
     }
 
     /// Whether it has the shape of another monitor of the same model, and points at nothing that is not there.
@@ -153,7 +157,9 @@ impl Monitor {
         if !solved.jumps {
             section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
-        yielding::note(model, state, &mut self.yielded);
+        if part.yielded {
+            yielding::note(model, state, &mut self.yielded);
+        }
         yielding::note_parted(model, state.time, part.parted, &mut self.yielded);
         connector_log::note(model, state, &mut self.connectors);
         joint_log::note(model, state.time, &solved.joint_loads, &mut self.joints);

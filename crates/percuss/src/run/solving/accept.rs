@@ -22,6 +22,8 @@ pub struct PartEnd {
     pub measures: Measures,
     /// Elements that parted there, shape (such elements).
     pub parted: Vec<PartedElement>,
+    /// Whether any fibre has yielded in it.
+    pub yielded: bool,
 }
 
 /// Moves a state to the end of a part that stands solved.
@@ -41,14 +43,14 @@ impl Acceptance<'_> {
         self.note_approach(solved);
         self.note_start_reactions(solved);
         self.remember_closest_points(solved);
-        let parted = self.commit(solved);
+        let (parted, yielded) = self.commit(solved);
         self.part_joints(solved);
         let opened = self.part(&parted);
         let measures = self.solver.measures_in(&mut solved.solution, self.model, self.state);
         self.state.ledger.rescale(&measures);
         self.update_contacts(solved);
         self.open_parted(&opened);
-        PartEnd { measures, parted }
+        PartEnd { measures, parted, yielded }
     }
 
     /// What approaches in an impact, or was held, has approached so fast.
@@ -118,12 +120,12 @@ impl Acceptance<'_> {
         }
     }
 
-    /// Moves the state, and looks at the pairs there; tells the elements that part.
-    fn commit(&mut self, solved: &mut Solved) -> Vec<PartedElement> {
+    /// Moves the state, and looks at the pairs there; tells the elements that part, and whether any fibre has yielded.
+    fn commit(&mut self, solved: &mut Solved) -> (Vec<PartedElement>, bool) {
         let (model, state, solver) = (self.model, &mut *self.state, &mut *self.solver);
         let before = solved.impulsive.then(|| state.multiplier.clone());
         let (work, forcing) = (&mut solved.solution.work, &solved.solution.forcing);
-        let parted = commit::commit(model, state, solved.rule, forcing, &solver.damping, work);
+        let ended = commit::commit(model, state, solved.rule, forcing, &solver.damping, work);
         work.beams.sweep.end();
         state.offset += solved.rule.h;
         if let Some(before) = before {
@@ -134,7 +136,7 @@ impl Acceptance<'_> {
         solver.search.moved(model);
         solver.search.see(model, state, Reach::Near);
         self.remember_crushing(solved);
-        parted
+        ended
     }
 
     /// How deep what crushes was pushed in, and where.

@@ -14,9 +14,12 @@ const GRAZE: f64 = 0.1;
 impl Solving<'_> {
     /// Fails if a smooth pair has passed through unseen.
     pub(super) fn smooth_passage(&mut self) -> Result<(), Failure> {
-        let reached = self.encounters.reached.iter().copied();
-        let smooth: Vec<usize> = reached.filter(|i| self.is_smooth(*i)).collect();
-        if self.first_passage(&smooth).is_some() { Err(Failure::Passed) } else { Ok(()) }
+        let mut passed = false;
+        for k in 0..self.encounters.reached.len() {
+            let pair = self.encounters.reached[k];
+            passed |= self.is_smooth(pair) && self.first_passage(&[pair]).is_some();
+        }
+        if passed { Err(Failure::Passed) } else { Ok(()) }
     }
 
     /// The share of the step solved last at which the first of the given open pairs is inside another, though at its end it is

@@ -209,6 +209,8 @@ pub struct Accepted<'a> {
     pub awake: &'a [usize],
     /// Elements that parted there, shape (such elements).
     pub parted: &'a [PartedElement],
+    /// Whether any fibre has yielded in it.
+    pub yielded: bool,
 }
 
 impl<'a> Accepted<'a> {

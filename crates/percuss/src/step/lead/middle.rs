@@ -70,13 +70,14 @@ impl<'a> Middle<'a> {
         }
         let turning = sums.nodal_force();
         let translation = times_mass(table, &field[a], &field[a + 1]);
+        let mut forces = [[0.0; 4]; 2];
         for k in 0..2 {
             for i in 0..4 {
-                let force = factor * (turning[k][i] + translation[k][i]);
-                nodal[a + k][i] += force;
-                ends.on_nodes[element][k][i] += force;
+                forces[k][i] = factor * (turning[k][i] + translation[k][i]);
+                nodal[a + k][i] += forces[k][i];
             }
         }
+        ends.add_on_nodes(self.model, element, &forces);
     }
 }
 

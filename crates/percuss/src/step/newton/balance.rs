@@ -82,8 +82,8 @@ impl StepProblem<'_> {
 
     pub(super) fn constraints_met(&self, work: &Workspace) -> bool {
         let u = &self.state.displacement;
-        let (_, reach) = largest(u, self.size);
-        let (_, step) = largest(&work.increment, self.size);
+        let reach = largest(u, self.size);
+        let step = largest(&work.increment, self.size);
         // Of places, and of angles times the size of the structure.
         let tolerance = ROUND_OFF * (step + self.feedback * (self.size + reach));
         let seen = self.constraint_step(&work.increment);

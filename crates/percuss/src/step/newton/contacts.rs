@@ -88,6 +88,9 @@ impl StepProblem<'_> {
             }
             return Some(SmoothContact { pair: index, force, row, end: None });
         }
+        if pair.target.is_guided() {
+            return self.guided_contact::<TANGENT>(index, law, work);
+        }
         let projected = law.force == ContactForce::Conserving;
         let step =
             pair.over_step(self.model, &at, &seen.memory, seen.gap, projected, self.reach)?;
@@ -100,16 +103,44 @@ impl StepProblem<'_> {
         };
         if TANGENT && force.force > 0.0 {
             let mid = at.at(0.5);
-            let middle = pair.normal_row(&step.middle, &mid);
+            let middle = &pair.normal_row(&step.middle, &mid);
             // Where the closest point crosses into another element the gradients know other nodes; those of the middle will do.
             let crosses = step.end.closest.node != step.middle.closest.node;
-            let end = if crosses { middle } else { pair.normal_row(&step.end, &at) };
+            let end = &if crosses { *middle } else { pair.normal_row(&step.end, &at) };
             let (turning, bend) = (pair.turning(&step.middle, &mid), 0.5 * force.force);
-            add_tangent(tangent, &middle, &end, force.slope, bend, turning.as_ref());
+            add_tangent(tangent, middle, end, force.slope, bend, turning.as_ref());
             let of_sections = pair.section_turnings(&step.middle, &mid);
             of_sections.iter().flatten().for_each(|t| add_turning(tangent, bend, t));
         }
         Some(SmoothContact { pair: index, force, row, end: Some(step.end.memory) })
+    }
+
+    /// A guided projectile's contact, whose gap is linear: what a [`StepGap`](crate::contact::discrete_gradient::StepGap) would hold besides,
+    /// it does without.
+    fn guided_contact<const TANGENT: bool>(
+        &self,
+        index: usize,
+        law: &SmoothLaw,
+        work: &mut Workspace,
+    ) -> Option<SmoothContact> {
+        let (pair, seen) = (&self.model.pairs[index], self.seen(index));
+        let Workspace { increment, tangent, arcs, .. } = work;
+        let at = self.configuration(increment, arcs);
+        let mid = at.at(0.5);
+        let gap = pair.guided_gap(&at)?;
+        let row = pair.guided_row(&mid);
+        let force = if law.force == ContactForce::Midpoint {
+            let p = -pair.guided_gap(&mid)?;
+            let force = law.potential.collocated(p, p, 1.0);
+            StepForce { slope: 0.5 * force.slope, ..force }
+        } else {
+            law.step_force([-seen.gap, -gap], seen.deepest, self.integration.h)
+        };
+        if TANGENT && force.force > 0.0 {
+            // A mass and a point of an axis have no section that turns, either.
+            add_tangent(tangent, &row, &pair.guided_row(&at), force.slope, 0.0, None);
+        }
+        Some(SmoothContact { pair: index, force, row, end: Some(seen.memory) })
     }
 
     /// Rows of the active rigid contacts at the increment as it stands, and their impulses' part of the residual.

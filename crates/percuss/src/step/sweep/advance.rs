@@ -62,6 +62,7 @@ impl WithSimd for AdvanceFibres<'_> {
                     let on = (weight, [from[j], to[j]]);
                     let plastic = flow.advance((law, fibre), &mut after, on, (h, lag));
                     if before.accumulated.less(after.accumulated).any() {
+                        losses.yielded = true;
                         for lane in elements.clone() {
                             let state = &mut state.fibres[own.range(k + lane)][i];
                             state.plastic = after.plastic.at(lane);

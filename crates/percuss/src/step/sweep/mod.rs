@@ -51,7 +51,7 @@ pub struct Sweep {
     spin: Columns,
     /// The same at the end, shape (Gauss points, elements) \[rad/s\].
     end_spin: Columns,
-    /// Accelerations as in [`EndForces::inertia`](super::end_forces::EndForces::inertia), shape (4, beam nodes) \[m/s^2, 1/s^2\].
+    /// Accelerations as [`EndForces::inertia()`](super::end_forces::EndForces::inertia()) tells, shape (4, beam nodes) \[m/s^2, 1/s^2\].
     inertia: Columns,
     /// Forces on both nodes, shape (8, elements) \[N, N m\].
     forces: Columns,
@@ -99,9 +99,29 @@ impl Sweep {
         self.evaluated && self.has(span)
     }
 
-    /// Forces and accelerations get more than was evaluated.
-    pub fn set_aside(&mut self) {
-        self.evaluated = false;
+    /// Forces on both nodes of an element, as evaluated, shape (2, 4) \[N, N m\].
+    pub fn on_nodes(&self, element: usize) -> [[f64; 4]; 2] {
+        let [a1, a2, a3, a4, b1, b2, b3, b4] = self.forces.row(element);
+        [[a1, a2, a3, a4], [b1, b2, b3, b4]]
+    }
+
+    /// Acceleration of a node, as evaluated, shape (4) \[m/s^2, 1/s^2\].
+    pub fn inertia(&self, node: usize) -> [f64; 4] {
+        self.inertia.row(node)
+    }
+
+    /// Adds forces on both nodes of an element to those evaluated.
+    pub fn add_on_nodes(&mut self, element: usize, forces: &[[f64; 4]; 2]) {
+        let own = self.on_nodes(element);
+        for (i, (own, force)) in own.as_flattened().iter().zip(forces.as_flattened()).enumerate() {
+            self.forces.set(i, element, own + force);
+        }
+    }
+
+    /// Adds to the acceleration of a node that was evaluated.
+    pub fn add_inertia(&mut self, node: usize, acceleration: &[f64; 4]) {
+        let own = self.inertia(node);
+        (0..4).for_each(|i| self.inertia.set(i, node, own[i] + acceleration[i]));
     }
 
     /// Angular rates at the end of the step, from the evaluation before.

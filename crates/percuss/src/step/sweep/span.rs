@@ -48,7 +48,7 @@ impl<const TANGENT: bool> WithSimd for SpanStep<'_, TANGENT> {
             StrainMeasure::Green => self.elements(like, StrainMeasure::Green),
             StrainMeasure::Engineering => self.elements(like, StrainMeasure::Engineering),
         }
-        self.sum();
+        self.sum(like);
     }
 }
 
@@ -63,7 +63,7 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
         let h = like.constant(self.rule.h);
         let rate = h.recip();
         let damping = like.constant(span.mass_damping);
-        for n in nodes.clone().step_by(P::F64_LANES) {
+        for n in nodes.step_by(P::F64_LANES) {
             let mut mean: [Lanes<P>; 4] = increment.load_row(like, n);
             for d in &mut mean {
                 // d/h as the divider rounds it: velocities are made of the same.
@@ -75,9 +75,6 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
                 a[i] = a[i] - like.constant(self.gravity[i]);
             }
             (0..4).for_each(|i| inertia.store(i, n, a[i]));
-        }
-        for n in nodes {
-            self.forces.inertia[n] = self.forces.sweep.inertia.row(n);
         }
     }
 
@@ -142,21 +139,25 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
         }
     }
 
-    /// Sums the forces up at the nodes.
+    /// Sums the forces up at the nodes: of the element before a node, then of the one behind it.
     #[inline(always)]
-    fn sum(&mut self) {
+    fn sum<P: Simd>(&mut self, like: Lanes<P>) {
         let span = &self.model.spans[self.span];
-        let EndForces { on_nodes, sweep, .. } = &mut *self.forces;
-        self.residual[span.nodes.start] = [0.0; 4];
-        for (k, element) in span.elements.clone().enumerate() {
-            let a = span.nodes.start + k;
-            let [a1, a2, a3, a4, b1, b2, b3, b4] = sweep.forces.row(element);
-            let (on_a, on_b) = ([a1, a2, a3, a4], [b1, b2, b3, b4]);
-            on_nodes[element] = [on_a, on_b];
+        let (sweep, count) = (&self.forces.sweep, span.elements.len());
+        let (first, last) = (span.elements.start, span.elements.end - 1);
+        let residual = &mut self.residual[span.nodes.clone()];
+        residual[0] = sweep.on_nodes(first)[0].map(|force| 0.0 + force);
+        residual[count] = sweep.on_nodes(last)[1];
+        for k in (1..count).step_by(P::F64_LANES) {
+            let before: [Lanes<P>; 8] = sweep.forces.load_row(like, first + k - 1);
+            let behind: [Lanes<P>; 4] = sweep.forces.load_row(like, first + k);
+            let mut sums = behind;
             for i in 0..4 {
-                self.residual[a][i] += on_a[i];
+                sums[i] = before[4 + i] + behind[i];
             }
-            self.residual[a + 1] = on_b;
+            for (lane, own) in residual[k..count].iter_mut().take(P::F64_LANES).enumerate() {
+                *own = [sums[0].at(lane), sums[1].at(lane), sums[2].at(lane), sums[3].at(lane)];
+            }
         }
     }
 }
