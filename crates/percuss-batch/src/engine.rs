@@ -1,7 +1,11 @@
 //! The runs of an ensemble in mid-flight: state, and residual and tangent of a step.
 
 mod beams;
+mod fibres;
 mod guide;
+mod impulse;
+mod joined;
+mod springs;
 
 use super::band::Band;
 use super::constraints::Constraints;

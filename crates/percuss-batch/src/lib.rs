@@ -17,6 +17,7 @@ mod constraints;
 mod engine;
 mod fibres;
 mod flight;
+mod grazing;
 mod ground_springs;
 mod horizon;
 mod impact;
@@ -41,7 +42,7 @@ mod yield_log;
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use batch::{Detail, simulate_batch};
+pub use grazing::{Grazing, Onset};
+pub use horizon::Horizon;
 pub use run::runs_alone;
-pub use sensitivity::{
-    Grazing, Horizon, Onset, Sensitivities, Undifferentiated, Variation, sensitivities,
-};
+pub use sensitivity::{Sensitivities, Undifferentiated, Variation, sensitivities};

@@ -9,18 +9,27 @@ use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
 use super::pace::Pace;
 use super::rigid_log::{ContactPart, RigidLog};
-use super::run::LaneRun;
 use super::stand::Stand;
 use super::summary::{Fixed, Reading, Telling};
 use percuss::internals::run::decider::{Negligible, RunScales};
 use percuss::internals::run::locate::Seen;
 use percuss::internals::run::strike::NO_GAIN;
 use percuss::internals::scalar::{Mask, Number};
+use percuss::internals::settings::Settings;
 use percuss::internals::step::contacts::IMPULSIVE;
-use percuss::{RunSummary, Termination};
+use percuss::{Model, RunSummary, Termination};
 
 /// Accelerations are foreseen in parts up to so many times as long as the one before.
 const MOST_LONGER: f64 = 2.0;
+
+/// A run of an ensemble.
+pub struct LaneRun<'a> {
+    /// Its place among all runs asked for.
+    pub index: usize,
+    pub model: &'a Model,
+    pub settings: &'a Settings,
+    pub numbers: Numbers<f64>,
+}
 
 /// A run in a lane.
 struct Lane {
@@ -92,7 +101,7 @@ impl<S: Number> Paced<S> {
     #[inline(always)]
     pub fn of(runs: &[LaneRun], guide: usize, like: S) -> Self {
         let mut engine = Engine::new(runs[0].numbers.map(&mut |x| like.constant(x)));
-        engine.press = Some(Press::new(&engine, guide));
+        engine.press = Some(Press::new(&engine.numbers, guide));
         let ledger = LaneLedger::open(&engine);
         let mut search = LaneNewton::idle(engine.h);
         search.told = true;

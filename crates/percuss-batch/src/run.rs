@@ -6,7 +6,7 @@ use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
-use super::paced::{Paced, rigid_guides};
+use super::paced::{LaneRun, Paced, rigid_guides};
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
 use percuss::Model;
@@ -59,15 +59,6 @@ fn lane_numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'st
 /// [`Detail::Motion`](super::Detail::Motion), in words; none if nothing does.
 pub fn runs_alone(model: &Model, settings: &Settings) -> Option<&'static str> {
     lane_numbers(model, settings).err()
-}
-
-/// A run of an ensemble.
-pub struct LaneRun<'a> {
-    /// Its place among all runs asked for.
-    pub index: usize,
-    pub model: &'a Model,
-    pub settings: &'a Settings,
-    pub numbers: Numbers<f64>,
 }
 
 /// Runs in lanes, compiled for each of the register widths that processors have.

@@ -1,6 +1,6 @@
 //! Logs of lanes whose part of a step is not accepted stay as they are.
 
-use super::{Closed, GuideLog, Log, Top};
+use super::guide::{Closed, GuideLog, Top};
 use crate::yield_log::YieldLog;
 use percuss::internals::contact::free_gap::FreeGap;
 use percuss::internals::run::crest::Crest;
@@ -37,30 +37,37 @@ impl<S: Number> Default for Kept<S> {
     }
 }
 
-impl<S: Number> Log<S> {
-    /// Keeps what the end of a step changes, and takes it in for the lanes that `go` alone.
+/// Records of points, projectiles and spans that have yielded.
+pub(super) type Records<'a, S> =
+    (&'a mut [[Crest<S>; 2]], &'a mut [GuideLog<S>], &'a mut [YieldLog<S>]);
+
+impl<S: Number> Kept<S> {
+    /// Keeps records as they stand.
     #[inline(always)]
-    pub fn keep(&mut self, go: S::Mask) {
-        self.taken = go;
-        self.kept.points.clone_from(&self.points);
-        self.kept.yields.clone_from(&self.yields);
-        self.kept.guides.clear();
-        self.kept.guides.extend(self.guides.iter().map(GuideLog::kept));
+    pub fn keep(
+        &mut self,
+        points: &[[Crest<S>; 2]],
+        guides: &[GuideLog<S>],
+        yields: &[YieldLog<S>],
+    ) {
+        self.points.clear();
+        self.points.extend_from_slice(points);
+        self.yields.clear();
+        self.yields.extend_from_slice(yields);
+        self.guides.clear();
+        self.guides.extend(guides.iter().map(GuideLog::kept));
     }
 
     /// Puts all lanes but those that `go` back to what was kept.
     #[inline(always)]
-    pub fn put_back(&mut self, go: S::Mask) {
-        self.taken = go | !go;
-        for (now, kept) in
-            self.points.as_flattened_mut().iter_mut().zip(self.kept.points.as_flattened())
-        {
+    pub fn put_back(&self, (points, guides, yields): Records<'_, S>, go: S::Mask) {
+        for (now, kept) in points.as_flattened_mut().iter_mut().zip(self.points.as_flattened()) {
             now.put_back(kept, go);
         }
-        for (now, kept) in self.yields.iter_mut().zip(&self.kept.yields) {
+        for (now, kept) in yields.iter_mut().zip(&self.yields) {
             now.put_back(kept, go);
         }
-        for (now, kept) in self.guides.iter_mut().zip(&self.kept.guides) {
+        for (now, kept) in guides.iter_mut().zip(&self.guides) {
             now.put_back(kept, go);
         }
     }
