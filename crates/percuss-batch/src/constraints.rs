@@ -77,13 +77,6 @@ impl<S: Number> Constraints<S> {
         Self { each, still: Forcing::default(), inverse, impulsive: zero.less(zero) }
     }
 
-    /// Takes over a lane of other runs.
-    pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
-        for (mine, other) in self.each.iter_mut().zip(&from.each) {
-            mine.accepted.set_lane(lane, other.accepted, from_lane);
-        }
-    }
-
     /// Multipliers that the next steps start from, shape (constraints) \[N, N m\].
     pub fn accepted(&mut self) -> impl Iterator<Item = &mut S> {
         self.each.iter_mut().map(|c| &mut c.accepted)

@@ -3,7 +3,7 @@
 use super::numbers::Numbers;
 use percuss::internals::element::fibre::FibreState;
 use percuss::internals::element::yielding::GaussStrains;
-use percuss::internals::scalar::{Number, array};
+use percuss::internals::scalar::Number;
 use percuss::math::hermite::GAUSS;
 
 /// Where the fibres stand.
@@ -45,38 +45,16 @@ impl<S: Number> FibreStates<S> {
         self.states.is_empty()
     }
 
-    /// Puts those of a run of another ensemble into a lane.
-    pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
-        for (mine, other) in self.states.iter_mut().zip(&from.states) {
-            mine.plastic.set_lane(lane, other.plastic, from_lane);
-            mine.accumulated.set_lane(lane, other.accumulated, from_lane);
-            mine.dissipated.set_lane(lane, other.dissipated, from_lane);
-        }
-        let strains = self.strains.as_flattened_mut().as_flattened_mut().iter_mut();
-        for (mine, other) in strains.zip(from.strains.as_flattened().as_flattened()) {
-            mine.set_lane(lane, *other, from_lane);
-        }
-    }
-
-    /// Takes over those of another, which has as many.
+    /// Every number of what they remember and how they are strained, in a fixed order.
     #[inline(always)]
-    pub fn copy_from(&mut self, from: &Self) {
-        self.states.copy_from_slice(&from.states);
-        self.strains.copy_from_slice(&from.strains);
-    }
-
-    /// Puts all lanes but those that `go` back to what was kept.
-    #[inline(always)]
-    pub fn put_back(&mut self, kept: &Self, go: S::Mask) {
-        for (now, kept) in self.states.iter_mut().zip(&kept.states) {
-            now.plastic = S::choose(go, now.plastic, kept.plastic);
-            now.accumulated = S::choose(go, now.accumulated, kept.accumulated);
-            now.dissipated = S::choose(go, now.dissipated, kept.dissipated);
-        }
-        for (now, kept) in self.strains.iter_mut().zip(&kept.strains) {
-            for j in 0..GAUSS {
-                now[j] = array(|i| S::choose(go, now[j][i], kept[j][i]));
+    pub fn each(&mut self, mut f: impl FnMut(&mut S)) {
+        for state in &mut self.states {
+            for x in [&mut state.plastic, &mut state.accumulated, &mut state.dissipated] {
+                f(x);
             }
+        }
+        for x in self.strains.as_flattened_mut().as_flattened_mut() {
+            f(x);
         }
     }
 }

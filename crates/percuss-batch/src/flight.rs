@@ -3,6 +3,7 @@
 mod plastic;
 
 use super::commit::Accept;
+use super::drive::rigid_guides;
 use super::engine::Engine;
 use super::horizon::Horizon;
 use super::impact::Press;
@@ -11,7 +12,6 @@ use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
 use super::pace::Pace;
-use super::paced::rigid_guides;
 use super::rigid_log::RigidLog;
 use percuss::Model;
 use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales, step_behind};
