@@ -2,6 +2,7 @@
 //! has ended.
 
 use super::commit::Accept;
+use super::detail::Detail;
 use super::engine::Engine;
 use super::impact::Press;
 use super::ledger::LaneLedger;
@@ -10,6 +11,7 @@ use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
 use super::pace::Pace;
 use super::rigid_log::{ContactPart, RigidLog};
+use super::sections::Sections;
 use super::stand::Stand;
 use super::summary::{Fixed, Reading, Telling};
 use percuss::internals::run::decider::{Negligible, RunScales};
@@ -139,6 +141,8 @@ pub struct Drive<'a, S: Number> {
     log: Log<S>,
     search: LaneNewton<S>,
     stand: Stand<S>,
+    /// Section forces, if they are asked for.
+    sections: Option<Sections<'a, S>>,
     /// Number of the rigid projectile, if there is one \[index of a projectile\].
     guide: Option<usize>,
     /// The run in each lane, shape (lanes).
@@ -156,14 +160,16 @@ pub fn rigid_guides<S>(numbers: &Numbers<S>) -> impl Iterator<Item = usize> {
 impl<'a, S: Number> Drive<'a, S> {
     /// Of runs of one shape, at most one of whose projectiles is rigid.
     #[inline(always)]
-    pub fn of(runs: &'a [LaneRun<'a>], like: S) -> Self {
+    pub fn of(runs: &'a [LaneRun<'a>], detail: Detail, like: S) -> Self {
         let mut engine = Engine::new(runs[0].numbers.map(&mut |x| like.constant(x)));
         let guide = rigid_guides(&engine.numbers).next();
         engine.press = guide.map(|guide| Press::new(&engine.numbers, guide));
         let mut search = LaneNewton::idle(engine.h);
         search.told = guide.is_some();
+        let with = detail == Detail::Resultants;
         Self {
             runs,
+            sections: with.then(|| Sections::new(&engine, runs[0].model)),
             ledger: LaneLedger::open(&engine),
             stand: Stand(Vec::new()),
             log: Log::new(&engine),
@@ -200,6 +206,9 @@ impl<'a, S: Number> Drive<'a, S> {
         self.engine.set_lane(number, &mut fresh);
         self.ledger.set_lane(number, &LaneLedger::open(&fresh), 0);
         self.log.reset(number);
+        if let Some(sections) = &mut self.sections {
+            sections.begin(number, run.model);
+        }
         let mut lane = Lane::new(self.next, run, self.guide);
         let nothing = lane.nothing(&self.ledger, number);
         let stand = self.stands(number);
@@ -282,7 +291,8 @@ impl<'a, S: Number> Drive<'a, S> {
             self.stand.keep(&mut self.engine, &mut self.ledger);
         }
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
-        Accept { engine, ledger, log, go }.accept();
+        let sections = self.sections.as_mut();
+        Accept { engine, ledger, log, sections, go }.accept();
         if let Some(go) = go {
             self.stand.put_back(&mut self.engine, &mut self.ledger, go);
         }
@@ -382,7 +392,11 @@ impl<'a, S: Number> Drive<'a, S> {
         let fixed = Fixed::all(own.model);
         let read = |x: S| x.lane(number);
         let reading = Reading { read: &read, fixed: &fixed, derivative: false };
-        telling.summary(Termination::Completed, &reading)
+        let mut summary = telling.summary(Termination::Completed, &reading);
+        if let Some(sections) = &self.sections {
+            summary.section_forces = sections.end(number);
+        }
+        summary
     }
 }
 

@@ -243,7 +243,7 @@ impl<'a> Flight<'a> {
     fn accept(&mut self) {
         let pressing = self.pressing().map(|k| (k, self.engine.guides[k].rate));
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
-        Accept { engine, ledger, log, go: None }.accept();
+        Accept { engine, ledger, log, sections: None, go: None }.accept();
         if pressing.is_none() {
             self.misses.extend(self.log.passes(&self.engine));
         }

@@ -14,6 +14,7 @@ mod band;
 mod batch;
 mod commit;
 mod constraints;
+mod detail;
 mod drive;
 mod engine;
 mod fibres;
@@ -32,6 +33,7 @@ mod pace;
 mod reactions;
 mod rigid_log;
 mod run;
+mod sections;
 mod sensitivity;
 mod shape;
 mod stand;
@@ -41,7 +43,8 @@ mod yield_log;
 /// Version and a hash of the sources of this crate, as [`percuss::BUILD`] is of those that it builds on.
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
-pub use batch::{Detail, simulate_batch};
+pub use batch::simulate_batch;
+pub use detail::Detail;
 pub use grazing::{Grazing, Onset};
 pub use horizon::Horizon;
 pub use run::runs_alone;

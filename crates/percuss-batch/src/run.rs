@@ -1,5 +1,6 @@
 //! Which of many runs go side by side: those of one shape.
 
+use super::detail::Detail;
 use super::drive::{Drive, LaneRun, rigid_guides};
 use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
@@ -11,7 +12,7 @@ use percuss::{Model, RunSummary};
 ///
 /// A run's summary is the same to the last bit whatever runs stand beside it. Runs in which an iteration fails are left to the
 /// solver that cuts steps: `None`.
-pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>> {
+pub fn simulate_ensemble(runs: &[(&Model, &Settings)], detail: Detail) -> Vec<Option<RunSummary>> {
     let mut done: Vec<Option<RunSummary>> = runs.iter().map(|_| None).collect();
     let known = |(i, (model, settings)): (usize, &(&Model, &Settings))| {
         let faultless = settings.validate(model).is_empty();
@@ -33,7 +34,7 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)]) -> Vec<Option<RunSummary>
             })
             .collect();
         let mut keep = |index: usize, summary| done[index] = summary;
-        in_lanes(SideBySide { runs: &group, keep: &mut keep });
+        in_lanes(SideBySide { runs: &group, detail, keep: &mut keep });
     }
     done
 }
@@ -48,7 +49,7 @@ fn lane_numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'st
 }
 
 /// What of a run keeps [`simulate_batch`](super::simulate_batch) from stepping it beside others under
-/// [`Detail::Motion`](super::Detail::Motion), in words; none if nothing does.
+/// [`Detail::Motion`] and [`Detail::Resultants`], in words; none if nothing does.
 pub fn runs_alone(model: &Model, settings: &Settings) -> Option<&'static str> {
     lane_numbers(model, settings).err()
 }
@@ -57,6 +58,7 @@ pub fn runs_alone(model: &Model, settings: &Settings) -> Option<&'static str> {
 struct SideBySide<'a, 'r> {
     /// The runs, shape (runs).
     runs: &'a [LaneRun<'r>],
+    detail: Detail,
     keep: &'a mut dyn FnMut(usize, Option<RunSummary>),
 }
 
@@ -64,6 +66,6 @@ impl pulp::WithSimd for SideBySide<'_, '_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<P: pulp::Simd>(self, family: P) {
-        Drive::of(self.runs, Lanes::new(family, 0.0)).run(self.keep);
+        Drive::of(self.runs, self.detail, Lanes::new(family, 0.0)).run(self.keep);
     }
 }

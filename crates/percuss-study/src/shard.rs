@@ -62,9 +62,19 @@ impl Study {
 
 /// How much of a run results at these paths need.
 pub(crate) fn detail_for(paths: &[SummaryPath]) -> Detail {
+    if paths.iter().any(is_known_alone) {
+        Detail::Full
+    } else if paths.iter().any(SummaryPath::is_of_resultants) {
+        Detail::Resultants
+    } else {
+        Detail::Motion
+    }
+}
+
+/// Whether runs tell a result only alone.
+pub(crate) fn is_known_alone(path: &SummaryPath) -> bool {
     // What the solver counts of itself is that of a run alone, whatever stands beside it.
-    let single = |path: &SummaryPath| path.is_of_forces() || path.is_of_effort();
-    if paths.iter().any(single) { Detail::Full } else { Detail::Motion }
+    path.is_of_effort() || path.is_of_forces() && !path.is_of_resultants()
 }
 
 /// Simulates those that are ready; the others keep their reasons.
