@@ -20,7 +20,7 @@ pub fn simulate_batch(
 ) -> Vec<Result<RunSummary, Vec<Fault>>> {
     let known = match detail {
         Detail::Full => runs.iter().map(|_| None).collect(),
-        Detail::Motion | Detail::Resultants => simulate_ensemble(runs, detail),
+        _ => simulate_ensemble(runs, detail),
     };
     let single = |(model, settings): &(&Model, &Settings)| {
         let mut summary = simulate(model, settings, &mut NoRecorder)?;

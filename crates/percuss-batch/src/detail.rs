@@ -1,6 +1,6 @@
 //! How much the summaries of many runs tell.
 
-use percuss::{RunSummary, SectionPeak, SectionRange};
+use percuss::{RunSummary, SectionRange};
 
 /// How much the summaries of a batch tell.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,6 +14,8 @@ pub enum Detail {
     Motion,
     /// The same with axial force, shear force and moment of every beam, extremes and envelopes; its stresses and strains are left out.
     Resultants,
+    /// The same with stresses of its extreme fibres; strains are left out. Beams made of fibres run alone.
+    Stresses,
 }
 
 impl Detail {
@@ -31,9 +33,11 @@ impl Detail {
             summary.section_forces.clear();
         }
         for beam in &mut summary.section_forces {
-            (beam.strain, beam.stress) = (SectionRange::default(), SectionRange::default());
-            beam.beyond = None::<SectionPeak>;
-            beam.envelope.stress.iter_mut().for_each(|range| range.fill(f64::NAN));
+            beam.strain = SectionRange::default();
+            if self == Self::Resultants {
+                (beam.stress, beam.beyond) = (SectionRange::default(), None);
+                beam.envelope.stress.iter_mut().for_each(|range| range.fill(f64::NAN));
+            }
         }
     }
 }

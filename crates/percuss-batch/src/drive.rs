@@ -166,10 +166,9 @@ impl<'a, S: Number> Drive<'a, S> {
         engine.press = guide.map(|guide| Press::new(&engine.numbers, guide));
         let mut search = LaneNewton::idle(engine.h);
         search.told = guide.is_some();
-        let with = detail == Detail::Resultants;
         Self {
             runs,
-            sections: with.then(|| Sections::new(&engine, runs[0].model)),
+            sections: Sections::of(&engine, runs[0].model, detail),
             ledger: LaneLedger::open(&engine),
             stand: Stand(Vec::new()),
             log: Log::new(&engine),

@@ -16,7 +16,7 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)], detail: Detail) -> Vec<Op
     let mut done: Vec<Option<RunSummary>> = runs.iter().map(|_| None).collect();
     let known = |(i, (model, settings)): (usize, &(&Model, &Settings))| {
         let faultless = settings.validate(model).is_empty();
-        let numbers = lane_numbers(model, settings).ok().filter(|_| faultless)?;
+        let numbers = lane_numbers(model, settings, detail).ok().filter(|_| faultless)?;
         Some((i, BatchShape::of(&numbers), numbers))
     };
     let mut left: Vec<_> = runs.iter().enumerate().filter_map(known).collect();
@@ -40,7 +40,18 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)], detail: Detail) -> Vec<Op
 }
 
 /// The numbers of a run that goes in a lane, or why it runs alone.
-fn lane_numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
+fn lane_numbers(
+    model: &Model,
+    settings: &Settings,
+    detail: Detail,
+) -> Result<Numbers<f64>, &'static str> {
+    match detail {
+        Detail::Full => return Err("strains, reactions or what the solver counts are asked for"),
+        Detail::Stresses if model.spans.iter().any(|span| span.fibres.is_some()) => {
+            return Err("stresses of beams made of fibres");
+        }
+        Detail::Stresses | Detail::Resultants | Detail::Motion => {}
+    }
     let numbers = numbers(model, settings)?;
     match rigid_guides(&numbers).count() {
         0 | 1 => Ok(numbers),
@@ -48,10 +59,9 @@ fn lane_numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'st
     }
 }
 
-/// What of a run keeps [`simulate_batch`](super::simulate_batch) from stepping it beside others under
-/// [`Detail::Motion`] and [`Detail::Resultants`], in words; none if nothing does.
-pub fn runs_alone(model: &Model, settings: &Settings) -> Option<&'static str> {
-    lane_numbers(model, settings).err()
+/// What of a run keeps [`simulate_batch`](super::simulate_batch) from stepping it beside others, in words; none if nothing does.
+pub fn runs_alone(model: &Model, settings: &Settings, detail: Detail) -> Option<&'static str> {
+    lane_numbers(model, settings, detail).err()
 }
 
 /// Runs in lanes, compiled for each of the register widths that processors have.

@@ -1,5 +1,6 @@
 //! Section forces of the runs of an ensemble, from the balance of their elements in the step at hand.
 
+use super::detail::Detail;
 use super::engine::Engine;
 use super::numbers::SpanNumbers;
 use percuss::Model;
@@ -31,8 +32,13 @@ enum Source {
 }
 
 impl<'m, S: Number> Sections<'m, S> {
-    /// Of runs of the shape of a model; no lane has one yet.
-    pub fn new(engine: &Engine<S>, model: &'m Model) -> Self {
+    /// Of runs of the shape of a model, if they are asked for; no lane has one yet.
+    pub fn of(engine: &Engine<S>, model: &'m Model, detail: Detail) -> Option<Self> {
+        let stresses = match detail {
+            Detail::Full | Detail::Motion => return None,
+            Detail::Resultants => false,
+            Detail::Stresses => true,
+        };
         let zero = engine.h.constant(0.0);
         let first = |node: usize| {
             let mut elements = model.each_element();
@@ -48,13 +54,13 @@ impl<'m, S: Number> Sections<'m, S> {
             LoadAction::Dead { .. } => vec![[[zero; 4]; 2]; engine.start.len()],
             _ => Vec::new(),
         };
-        Self {
-            found: RunForces::new(model, zero),
+        Some(Self {
+            found: RunForces::new(model, stresses, zero),
             models: vec![None; S::LANES],
             gravity: vec![[zero; 2]; model.loads.len()],
             shares: model.loads.iter().map(|load| shares(&load.kind)).collect(),
             inside: guides.chain(loads).collect(),
-        }
+        })
     }
 
     /// Begins a run in a lane.

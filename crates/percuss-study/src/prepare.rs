@@ -6,7 +6,7 @@ use percuss_codes::Code;
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
 use crate::parameter::{Input, Variation};
-use crate::shard::is_known_alone;
+use crate::shard::{detail_for, is_known_alone};
 use crate::study::Study;
 
 /// Prepares runs one after the other.
@@ -84,7 +84,9 @@ impl Study {
         let mut sound =
             (0..self.run_count().min(8)).filter_map(|run| preparer.prepare(&self.inputs(run)).ok());
         let first = sound.next()?;
-        percuss_batch::runs_alone(&first.model, &first.settings).map(str::to_owned)
+        let paths: Vec<_> = self.results.iter().map(|result| result.path.clone()).collect();
+        let detail = detail_for(&paths);
+        percuss_batch::runs_alone(&first.model, &first.settings, detail).map(str::to_owned)
     }
 
     /// Whether runs go side by side or one by one, and why, in words.

@@ -64,6 +64,8 @@ impl Study {
 pub(crate) fn detail_for(paths: &[SummaryPath]) -> Detail {
     if paths.iter().any(is_known_alone) {
         Detail::Full
+    } else if paths.iter().any(SummaryPath::is_of_stresses) {
+        Detail::Stresses
     } else if paths.iter().any(SummaryPath::is_of_resultants) {
         Detail::Resultants
     } else {
@@ -74,7 +76,8 @@ pub(crate) fn detail_for(paths: &[SummaryPath]) -> Detail {
 /// Whether runs tell a result only alone.
 pub(crate) fn is_known_alone(path: &SummaryPath) -> bool {
     // What the solver counts of itself is that of a run alone, whatever stands beside it.
-    path.is_of_effort() || path.is_of_forces() && !path.is_of_resultants()
+    let side_by_side = path.is_of_resultants() || path.is_of_stresses();
+    path.is_of_effort() || path.is_of_forces() && !side_by_side
 }
 
 /// Simulates those that are ready; the others keep their reasons.

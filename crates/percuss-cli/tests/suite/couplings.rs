@@ -168,11 +168,12 @@ fn checks_say_whether_runs_go_side_by_side() {
         .replace("projectile.mass", "projectile.hammer");
     let asking =
         |result: &str| STUDY.replace("[results]", &format!("[results]\nasked = \"{result}\""));
-    let moment = asking("section_forces.girder.moment_max.value");
-    for study in [STUDY.to_owned(), rigid, moment] {
+    let [moment, stress] = ["moment_max.value", "stress.max.value"]
+        .map(|force| asking(&format!("section_forces.girder.{force}")));
+    for study in [STUDY.to_owned(), rigid, moment, stress] {
         assert_eq!(told(study), "runs go side by side in vector registers");
     }
-    for alone in ["section_forces.girder.stress.max.value", "support.left.moment.max.value"] {
+    for alone in ["section_forces.girder.strain.max.value", "support.left.moment.max.value"] {
         let why = format!("runs go one by one: `asked` is asked for ({alone})");
         assert_eq!(told(asking(alone)), why);
     }

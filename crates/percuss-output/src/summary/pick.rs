@@ -121,6 +121,12 @@ impl SummaryPath {
         self.part == "section_forces" && self.keys.first().is_some_and(of)
     }
 
+    /// Whether it lies in the stresses of beams.
+    pub fn is_of_stresses(&self) -> bool {
+        let of = |key: &String| ["stress", "first_beyond_strength"].contains(&key.as_str());
+        self.part == "section_forces" && self.keys.first().is_some_and(of)
+    }
+
     /// Whether it counts what the solver did, which runs side by side share.
     pub fn is_of_effort(&self) -> bool {
         ["newton_iterations", "factorizations"].contains(&self.part.as_str())

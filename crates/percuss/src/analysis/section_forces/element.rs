@@ -33,9 +33,15 @@ pub(super) struct ElementForces<'a> {
 }
 
 impl<'a> ElementForces<'a> {
-    /// With axial force, shear force and moment alone.
-    pub(super) fn resultants(span: &'a Span, k: usize, line: Line, inner: &'a [Inner]) -> Self {
-        Self { span, k, line, inner, strained: None, yielded: None, stresses: false }
+    /// Elastic, with stresses if they are asked for, else with axial force, shear force and moment alone; strains as they follow from the forces.
+    pub(super) fn elastic(
+        span: &'a Span,
+        k: usize,
+        line: Line,
+        inner: &'a [Inner],
+        stresses: bool,
+    ) -> Self {
+        Self { span, k, line, inner, strained: None, yielded: None, stresses }
     }
 
     /// Whether it has extreme fibres anywhere, and they are asked for.

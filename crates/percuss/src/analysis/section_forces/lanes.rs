@@ -93,7 +93,7 @@ impl PlainSpan<'_> {
     fn take_one(&mut self, k: usize) {
         let Self { span, lines, state, .. } = *self;
         let (line, inner) = lines.of(span.elements.start + k);
-        let piece = ElementForces::resultants(span, k, line, inner);
+        let piece = ElementForces::elastic(span, k, line, inner, false);
         let index = PLACES.len() * (span.elements.start + k - self.first);
         piece.take(self.out, index, state.time);
     }
@@ -102,7 +102,7 @@ impl PlainSpan<'_> {
     fn take_between(&mut self, k: usize) {
         let Self { span, lines, state, .. } = *self;
         let (line, inner) = lines.of(span.elements.start + k);
-        let piece = ElementForces::resultants(span, k, line, inner);
+        let piece = ElementForces::elastic(span, k, line, inner, false);
         let places = PLACES.map(|xi| piece.line.at(xi, &[], false));
         piece.take_between_places(self.out, &places, state.time);
     }

@@ -1,14 +1,14 @@
 //! Section forces of runs of one shape side by side: lanes are runs, and each keeps the extremes of its own beams.
 //!
-//! Axial force, shear force and moment alone; stresses and strains of fibres stay unset.
+//! Axial force, shear force and moment, and stresses of elastic beams where they are asked for; strains are not told.
 
-use super::element::{ElementForces, PLACES, station, widen};
+use super::element::{ElementForces, PLACES, widen};
 use super::line::{ElementShape, Inner, Line, OnNodes, SectionForces};
 use super::lines::{inner_of, take};
-use super::screen::{Known, look_at};
+use super::screen::{Depth, Known, look_at, look_at_stresses, stresses_at};
 use super::unset;
 use crate::model::Model;
-use crate::model::frozen::{MaterialPoint, Span};
+use crate::model::frozen::{BeamData, MaterialPoint, Span};
 use crate::scalar::{Mask, Number};
 use crate::summary::{SectionForceSummary, SectionRange};
 
@@ -62,17 +62,36 @@ pub struct RunForces<'m, S: Number> {
     known: Vec<Known<S>>,
     /// The same at both ends and in the middle of each element, shape (elements, 3).
     envelope: Vec<[Known<S>; 3]>,
+    /// Stresses, if they are asked for.
+    stresses: Option<Stresses<S>>,
+}
+
+/// Stresses of runs side by side.
+#[derive(Clone, Debug)]
+struct Stresses<S> {
+    /// What forces make of them, zero where the section has no depth, shape (elements).
+    depth: Vec<Depth<S>>,
+    /// Least and largest so far, shape (beams, 2) \[Pa\].
+    known: Vec<[S; 2]>,
+    /// The same at both ends and in the middle of each element, shape (elements, 3, 2) \[Pa\].
+    envelope: Vec<[[S; 2]; 3]>,
 }
 
 impl<'m, S: Number> RunForces<'m, S> {
     /// Of runs of the shape of a model; no lane has one yet.
-    pub fn new(model: &Model, like: S) -> Self {
+    pub fn new(model: &Model, stresses: bool, like: S) -> Self {
         let none = [[like.constant(0.0); 2]; 3];
+        let elements = model.element_count();
         Self {
             models: vec![None; S::LANES],
             found: vec![Vec::new(); S::LANES],
             known: vec![none; model.beams.len()],
-            envelope: vec![[none; 3]; model.element_count()],
+            envelope: vec![[none; 3]; elements],
+            stresses: stresses.then(|| Stresses {
+                depth: vec![none; elements],
+                known: vec![none[0]; model.beams.len()],
+                envelope: vec![none; elements],
+            }),
         }
     }
 
@@ -83,10 +102,16 @@ impl<'m, S: Number> RunForces<'m, S> {
         for beam in &mut self.found[lane] {
             let s = beam.envelope.s.first().map_or(0.0, |s| *s);
             ranges(beam).into_iter().for_each(|range| range.take(0.0, s, 0.0));
+            if self.stresses.is_some() {
+                beam.stress.take(0.0, s, 0.0);
+            }
         }
         let all = self.envelope.as_flattened_mut().iter_mut().chain(&mut self.known);
         for x in all.flat_map(|known| known.as_flattened_mut()) {
             x.set_lane(lane, x.constant(0.0), lane);
+        }
+        if let Some(stresses) = &mut self.stresses {
+            stresses.begin(lane, model);
         }
     }
 
@@ -104,12 +129,19 @@ impl<'m, S: Number> RunForces<'m, S> {
                 range[1] = S::choose(go & range[1].less(value), value, range[1]);
             }
         }
-        let [exceeds, turns] = look_at(&places, &self.known[at.beam]);
+        let [mut exceeds, mut turns] = look_at(&places, &self.known[at.beam]);
+        if let Some(stresses) = &mut self.stresses {
+            let [more, within] = stresses.take(at, &places, go);
+            (exceeds, turns) = (exceeds | more, turns | within);
+        }
         if ((exceeds | turns) & go).any() {
             let [exceeds, turns] = [exceeds & go, turns & go];
             for lane in 0..S::LANES {
+                if self.models[lane].is_none() {
+                    continue;
+                }
                 if exceeds.lane(lane) {
-                    self.take_places(lane, at, &places, time.lane(lane));
+                    self.take_places(lane, at, &line, time.lane(lane));
                 }
                 if turns.lane(lane) {
                     self.take_between(lane, at, &line, time.lane(lane));
@@ -143,7 +175,7 @@ impl<'m, S: Number> RunForces<'m, S> {
         let (mut ends, along) = (own(&acting.ends), own(&acting.along));
         inner.iter().for_each(|one| take(&mut ends, &one.on_nodes));
         let line = Line::new(&shape, &ends, &along, &mut inner);
-        let piece = ElementForces::resultants(span, at.k, line, &inner);
+        let piece = ElementForces::elastic(span, at.k, line, &inner, self.stresses.is_some());
         let index = PLACES.len() * (at.element - first);
         piece.take(&mut self.found[lane][at.beam], index, time);
         self.know(lane, at.beam);
@@ -154,6 +186,9 @@ impl<'m, S: Number> RunForces<'m, S> {
         let mut found = self.found[lane].clone();
         let beams = self.models[lane].iter().flat_map(|model| &model.beams);
         for (out, beam) in found.iter_mut().zip(beams) {
+            if let Some((stresses, model)) = self.stresses.as_ref().zip(self.models[lane]) {
+                stresses.end(lane, model, beam, out);
+            }
             let places = self.envelope[beam.elements.clone()].as_flattened();
             let e = &mut out.envelope;
             for (index, known) in places.iter().enumerate() {
@@ -173,37 +208,34 @@ impl<'m, S: Number> RunForces<'m, S> {
         Some((&model.spans[at.span], model.beams[at.beam].elements.start))
     }
 
-    fn take_places(
-        &mut self,
-        lane: usize,
-        at: ElementPlace,
-        places: &[SectionForces<S>; 3],
-        time: f64,
-    ) {
-        let Some((span, _)) = self.span(lane, at) else { return };
-        let out = &mut self.found[lane][at.beam];
-        for (xi, forces) in PLACES.iter().zip(places) {
-            let s = station(span.stations[at.k], span.stations[at.k + 1], *xi);
-            let values = [forces.axial, forces.shear, forces.moment];
-            for (range, value) in ranges(out).into_iter().zip(values) {
-                range.take(value.lane(lane), s, time);
-            }
+    fn take_places(&mut self, lane: usize, at: ElementPlace, line: &Line<S>, time: f64) {
+        let Some(piece) = self.piece(lane, at, line) else { return };
+        for xi in PLACES {
+            piece.take_at(&mut self.found[lane][at.beam], xi, &piece.line.at(xi, &[], false), time);
         }
     }
 
     /// Takes the largest section forces of an element between the places looked at.
     fn take_between(&mut self, lane: usize, at: ElementPlace, line: &Line<S>, time: f64) {
-        let Some((span, _)) = self.span(lane, at) else { return };
-        let line = Line::from_numbers(line.numbers().map(|x| x.lane(lane)));
-        let piece = ElementForces::resultants(span, at.k, line, &[]);
+        let Some(piece) = self.piece(lane, at, line) else { return };
         let places = PLACES.map(|xi| piece.line.at(xi, &[], false));
         piece.take_between_places(&mut self.found[lane][at.beam], &places, time);
     }
 
+    /// An element of a lane's run, nothing inside it.
+    fn piece(&self, lane: usize, at: ElementPlace, line: &Line<S>) -> Option<ElementForces<'m>> {
+        let (span, _) = self.span(lane, at)?;
+        let line = Line::from_numbers(line.numbers().map(|x| x.lane(lane)));
+        Some(ElementForces::elastic(span, at.k, line, &[], self.stresses.is_some()))
+    }
+
     /// Notes the extremes of a lane's beam beside those of the others.
     fn know(&mut self, lane: usize, beam: usize) {
-        let known = &mut self.known[beam];
-        for (mine, range) in known.iter_mut().zip(ranges(&mut self.found[lane][beam])) {
+        let found = &mut self.found[lane][beam];
+        let stress = found.stress;
+        let pairs = self.known[beam].iter_mut().zip(ranges(found).map(|range| *range));
+        let stresses = self.stresses.iter_mut().map(|stresses| (&mut stresses.known[beam], stress));
+        for (mine, range) in pairs.chain(stresses) {
             for (x, peak) in mine.iter_mut().zip([range.min, range.max]) {
                 x.set_lane(lane, x.constant(peak.value), lane);
             }
@@ -213,4 +245,59 @@ impl<'m, S: Number> RunForces<'m, S> {
 
 fn ranges(beam: &mut SectionForceSummary) -> [&mut SectionRange; 3] {
     [&mut beam.axial, &mut beam.shear, &mut beam.moment]
+}
+
+impl<S: Number> Stresses<S> {
+    /// Begins a run at rest in a lane.
+    fn begin(&mut self, lane: usize, model: &Model) {
+        for (span, k, _, element) in model.each_element() {
+            for (mine, xi) in self.depth[element].iter_mut().zip(PLACES) {
+                let section = span.section_at(k, xi);
+                let own = match span.has_depth() {
+                    true => [section.area.recip(), section.half_depth / section.inertia],
+                    false => [0.0; 2],
+                };
+                mine.iter_mut()
+                    .zip(own)
+                    .for_each(|(x, own)| x.set_lane(lane, x.constant(own), lane));
+            }
+        }
+        for x in self.envelope.as_flattened_mut().iter_mut().chain(&mut self.known).flatten() {
+            x.set_lane(lane, x.constant(0.0), lane);
+        }
+    }
+
+    /// Takes an element into the envelope; whether it exceeds what its beam has had at the places looked at, and whether it may between them.
+    #[inline(always)]
+    fn take(
+        &mut self,
+        at: ElementPlace,
+        places: &[SectionForces<S>; 3],
+        go: S::Mask,
+    ) -> [S::Mask; 2] {
+        let depth = &self.depth[at.element];
+        for (range, [least, most]) in
+            self.envelope[at.element].iter_mut().zip(stresses_at(places, depth))
+        {
+            range[0] = S::choose(go & least.less(range[0]), least, range[0]);
+            range[1] = S::choose(go & range[1].less(most), most, range[1]);
+        }
+        look_at_stresses(places, depth, &self.known[at.beam])
+    }
+
+    /// Enters what the envelope of a lane's beam has into its record, where sections have a depth.
+    fn end(&self, lane: usize, model: &Model, beam: &BeamData, out: &mut SectionForceSummary) {
+        for span in model.spans[beam.spans.clone()].iter().filter(|span| span.has_depth()) {
+            let first = PLACES.len() * (span.elements.start - beam.elements.start);
+            let places = self.envelope[span.elements.clone()].as_flattened();
+            for (k, [least, most]) in places.iter().enumerate() {
+                widen(&mut out.envelope.stress, first + k, least.lane(lane), most.lane(lane));
+            }
+        }
+        let deep = model.spans[beam.spans.clone()].iter().any(Span::has_depth);
+        if !deep {
+            out.stress = SectionRange::default();
+        }
+        out.strain = SectionRange::default();
+    }
 }

@@ -34,15 +34,70 @@ pub fn look_at<S: Number>(places: &[SectionForces<S>; 3], known: &Known<S>) -> [
 /// than by its steepest rise it does not get.
 #[inline(always)]
 fn may_exceed<S: Number>([a, b]: [S; 2], rise: [S; 2], range: &[S; 2]) -> S::Mask {
-    let reach = rise[0].abs().max(rise[1].abs()) * 0.5;
+    let (reach, turns) = reach([a, b], rise);
     let (most, least) = (a.max(b) + reach, -((-a).max(-b)) - reach);
     let beyond = is_outside(most, range) | is_outside(least, range);
     let flat = a.abs().max(b.abs()) * FLAT;
+    beyond & flat.less(reach) & turns
+}
+
+/// How far something may get beyond its values at two places half an element apart, given these and its rises, and whether it turns
+/// between them at all.
+#[inline(always)]
+fn reach<S: Number>([a, b]: [S; 2], rise: [S; 2]) -> (S, S::Mask) {
+    let reach = rise[0].abs().max(rise[1].abs()) * 0.5;
     // It turns once, or, where the rise half-way is of another sign than at both ends, twice.
     let half_way = (b - a) * 3.0 - (rise[0] + rise[1]) * 0.25;
     let turn = (rise[0] * rise[1]).less(reach.constant(0.0));
-    let turns = turn | (rise[0] * half_way).less(reach.constant(0.0));
-    beyond & flat.less(reach) & turns
+    (reach, turn | (rise[0] * half_way).less(reach.constant(0.0)))
+}
+
+/// What axial force and moment make of stress in the extreme fibres at both ends and in the middle of an element, shape (3, 2)
+/// \[1/m^2, 1/m^3\].
+pub type Depth<S> = [[S; 2]; 3];
+
+/// Least and largest stress at these places, shape (3, 2) \[Pa\].
+#[inline(always)]
+pub fn stresses_at<S: Number>(places: &[SectionForces<S>; 3], depth: &Depth<S>) -> [[S; 2]; 3] {
+    let mut all = *depth;
+    for j in 0..3 {
+        let mean = places[j].axial * depth[j][0];
+        let bent = places[j].moment.abs() * depth[j][1];
+        all[j] = [mean - bent, mean + bent];
+    }
+    all
+}
+
+/// Whether stresses of an element may exceed those so far: at the places looked at, and between them, where axial force and moment are
+/// no larger together than each is alone.
+#[inline(always)]
+pub fn look_at_stresses<S: Number>(
+    places: &[SectionForces<S>; 3],
+    depth: &Depth<S>,
+    known: &[S; 2],
+) -> [S::Mask; 2] {
+    let stresses = stresses_at(places, depth);
+    let mut exceeds = is_outside(stresses[0][0], known) | is_outside(stresses[0][1], known);
+    let mut may = !exceeds & exceeds;
+    for j in 1..3 {
+        exceeds = exceeds | is_outside(stresses[j][0], known) | is_outside(stresses[j][1], known);
+        let ([p, q], [d, e]) = ([&places[j - 1], &places[j]], [&depth[j - 1], &depth[j]]);
+        let zero = d[0].constant(0.0);
+        let beyond = |values: [S; 2], rise: [S; 2]| {
+            let (reach, turns) = reach(values, rise);
+            S::choose(turns, reach, zero)
+        };
+        let (n, m) = ([p.axial, q.axial], [p.moment.abs(), q.moment.abs()]);
+        let far = beyond(n, [p.rise.axial, q.rise.axial]);
+        let turned = beyond([p.moment, q.moment], [p.rise.moment, q.rise.moment]);
+        let bent = (m[0].max(m[1]) + turned) * d[1].max(e[1]);
+        let (wide, narrow) = (d[0].max(e[0]), -((-d[0]).max(-e[0])));
+        let mean = |force: S| force * zero.if_less(force, wide, narrow);
+        let most = mean(n[0].max(n[1]) + far) + bent;
+        let least = mean((-n[0]).max(-n[1]) + far) + bent;
+        may = may | is_outside(most, known) | is_outside(-least, known);
+    }
+    [exceeds, may]
 }
 
 /// Whether values are less than the least or more than the largest so far.
