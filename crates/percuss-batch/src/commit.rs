@@ -34,7 +34,9 @@ impl<S: Number> Task for Accept<'_, '_, S> {
     #[inline(always)]
     fn run(self) {
         let Self { engine, ledger, log, sections, go } = self;
-        if !S::DERIVES && let Some(sections) = sections {
+        if !S::DERIVES
+            && let Some(sections) = sections
+        {
             sections.take(engine, log.time, go);
         }
         let so_far = ledger.enter(engine);

@@ -93,7 +93,7 @@ impl<S: Number> Log<S> {
     #[inline(always)]
     pub fn keep(&mut self, go: S::Mask) {
         self.taken = go;
-        self.kept.keep(&self.points, &self.guides, &self.yields);
+        self.kept.keep((&mut self.points, &mut self.guides, &mut self.yields));
     }
 
     /// Puts all lanes but those that `go` back to what was kept.

@@ -86,27 +86,36 @@ impl<S: Number> Closed<S> {
         since
     }
 
+    /// All its numbers.
+    fn numbers(&mut self) -> [&mut S; 17] {
+        let ([c0, c1], [g0, g1]) = (&mut self.changes, &mut self.given);
+        let ([x, y], [x_end, y_end]) = (&mut self.place, &mut self.place_end);
+        let Top { value, time } = &mut self.deepest;
+        let Self { start, end, impulse, stored, approach, separation, steps, .. } = self;
+        [
+            start, end, impulse, stored, value, time, approach, separation, steps, c0, c1, g0, g1,
+            x, y, x_end, y_end,
+        ]
+    }
+
+    /// Takes over a lane of another one.
     pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
-        let set = |mine: &mut S, other: S| mine.set_lane(lane, other, from_lane);
-        set(&mut self.start, from.start);
-        set(&mut self.end, from.end);
-        set(&mut self.impulse, from.impulse);
-        set(&mut self.stored, from.stored);
-        set(&mut self.deepest.value, from.deepest.value);
-        set(&mut self.deepest.time, from.deepest.time);
-        set(&mut self.approach, from.approach);
-        set(&mut self.separation, from.separation);
-        set(&mut self.steps, from.steps);
-        for i in 0..2 {
-            set(&mut self.changes[i], from.changes[i]);
-            set(&mut self.given[i], from.given[i]);
-            set(&mut self.place[i], from.place[i]);
-            set(&mut self.place_end[i], from.place_end[i]);
+        for (mine, other) in self.numbers().into_iter().zip({ *from }.numbers()) {
+            mine.set_lane(lane, *other, from_lane);
         }
     }
 }
 
 impl<S: Number> GuideLog<S> {
+    /// All its numbers but those of intervals that have ended.
+    pub fn numbers(&mut self) -> impl Iterator<Item = &mut S> {
+        let FreeGap { gap, rate, acceleration } = &mut self.parted;
+        let Top { value, time } = &mut self.deepest;
+        let others = [value, time, &mut self.free, gap, rate, acceleration];
+        let others = others.into_iter().chain(&mut self.given).chain(&mut self.parted_at);
+        self.open.numbers().into_iter().chain(others)
+    }
+
     /// Lanes whose gap stood open over a step: its acceleration tells with what velocity it parted in the step before.
     #[inline(always)]
     pub fn open_throughout(&mut self, taken: S::Mask, open: S::Mask, acceleration: S) {
