@@ -11,7 +11,7 @@ use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
-use super::pace::Pace;
+use super::pace::{Pace, scales};
 use super::rigid_log::RigidLog;
 use percuss::Model;
 use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales, step_behind};
@@ -121,14 +121,8 @@ impl<'a> Flight<'a> {
 
     /// What is as good as nothing between things that touch.
     fn nothing(&self) -> Negligible {
-        let scales = RunScales {
-            step: self.settings.step,
-            positions: self.model.position_scale(),
-            gravity: self.model.gravity(),
-            energy: self.ledger.sums.energy_scale.value,
-            mass: self.model.total_mass,
-        };
-        scales.negligible()
+        let energy = self.ledger.sums.energy_scale.value;
+        RunScales { energy, ..scales(self.model, self.settings) }.negligible()
     }
 
     /// Tells the engine of the contact that may press in the part at hand, if one does.

@@ -23,6 +23,7 @@ mod grazing;
 mod ground_springs;
 mod horizon;
 mod impact;
+mod lane;
 mod law;
 mod ledger;
 mod loads;

@@ -1,7 +1,8 @@
 //! Which of many runs go side by side: those of one shape.
 
 use super::detail::Detail;
-use super::drive::{Drive, LaneRun, rigid_guides};
+use super::drive::{Drive, rigid_guides};
+use super::lane::LaneRun;
 use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
 use percuss::internals::scalar::{Lanes, in_lanes};
