@@ -31,7 +31,8 @@ struct Views<S> {
 }
 
 /// Runs of one shape in mid-flight.
-pub struct Drive<'a, S: Number> {
+pub struct LaneDriver<'a, S: Number> {
+    /// The runs, shape (runs).
     runs: &'a [LaneRun<'a>],
     engine: Engine<S>,
     ledger: LaneLedger<S>,
@@ -54,7 +55,7 @@ pub fn rigid_guides<S>(numbers: &Numbers<S>) -> impl Iterator<Item = usize> {
     all.filter(|(_, guide)| guide.law == GuideLaw::Rigid).map(|(k, _)| k)
 }
 
-impl<'a, S: Number> Drive<'a, S> {
+impl<'a, S: Number> LaneDriver<'a, S> {
     /// Of runs of one shape, at most one of whose projectiles is rigid.
     #[inline(always)]
     pub fn of(runs: &'a [LaneRun<'a>], detail: Detail, like: S) -> Self {

@@ -1,7 +1,7 @@
 //! Which of many runs go side by side: those of one shape.
 
 use super::detail::Detail;
-use super::drive::{Drive, rigid_guides};
+use super::drive::{LaneDriver, rigid_guides};
 use super::lane::LaneRun;
 use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
@@ -77,6 +77,6 @@ impl pulp::WithSimd for SideBySide<'_, '_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<P: pulp::Simd>(self, family: P) {
-        Drive::of(self.runs, self.detail, Lanes::new(family, 0.0)).run(self.keep);
+        LaneDriver::of(self.runs, self.detail, Lanes::new(family, 0.0)).run(self.keep);
     }
 }

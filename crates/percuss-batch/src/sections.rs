@@ -20,13 +20,13 @@ pub struct Sections<'m, S: Number> {
     gravity: Vec<[S; 2]>,
     /// Share of every element in each distributed load, on values and slopes, shape (loads, elements, 2, 4) \[N, N m\]; empty of other loads.
     shares: Vec<Vec<[[S; 4]; 2]>>,
-    /// What may act inside which element, shape (such forces).
-    inside: Vec<(usize, Source)>,
+    /// What may act inside which element, shape (such forces) \[index of an element\].
+    inside: Vec<(usize, ActsInside)>,
 }
 
 /// What acts inside an element, by its number.
 #[derive(Clone, Copy, Debug)]
-enum Source {
+enum ActsInside {
     Guide(usize),
     Load(usize),
 }
@@ -45,9 +45,9 @@ impl<'m, S: Number> Sections<'m, S> {
             elements.find(|(_, _, a, _)| *a == node).map(|(.., element)| element)
         };
         let guides = engine.numbers.guides.iter().enumerate();
-        let guides = guides.filter_map(|(k, g)| Some((first(g.node)?, Source::Guide(k))));
+        let guides = guides.filter_map(|(k, g)| Some((first(g.node)?, ActsInside::Guide(k))));
         let loads = model.loads.iter().enumerate().filter_map(|(k, load)| match &load.kind {
-            LoadAction::Point { point, .. } => Some((first(point.node)?, Source::Load(k))),
+            LoadAction::Point { point, .. } => Some((first(point.node)?, ActsInside::Load(k))),
             _ => None,
         });
         let shares = |load: &LoadAction| match load {
@@ -161,16 +161,16 @@ impl<'m, S: Number> Sections<'m, S> {
 fn acts<'m, S: Number>(
     engine: &Engine<S>,
     model: &'m Model,
-    source: Source,
+    source: ActsInside,
     lane: usize,
 ) -> Option<(&'m MaterialPoint, [f64; 2])> {
     let (point, force) = match source {
-        Source::Guide(k) => {
+        ActsInside::Guide(k) => {
             let (state, projectile) = (&engine.guides[k], &model.projectiles[k]);
             let push = state.force + state.impulse / engine.h;
             (&projectile.point, scale(push.lane(lane), projectile.direction))
         }
-        Source::Load(k) => match &model.loads[k].kind {
+        ActsInside::Load(k) => match &model.loads[k].kind {
             LoadAction::Point { point, force, .. } => {
                 (point, scale(engine.load_factors[k].lane(lane), *force))
             }

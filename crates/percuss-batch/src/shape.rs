@@ -15,7 +15,7 @@ use percuss::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatchShape {
-    /// First node, number of elements and beam of every span, its measure, whether it is damped, shape (spans)
+    /// First node, number of elements and beam of every span, its measure, whether it is damped, shape (spans, 3)
     /// \[index of a node, number of elements, index of a beam\].
     spans: Vec<([usize; 3], StrainMeasure, bool)>,
     /// Whether each table samples membrane strains at nodes or at Gauss points, if it does, shape (spans, tables).

@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::ledger::LaneLedger;
 use percuss::internals::scalar::Number;
 
-/// The numbers of a state and its ledger, shape (such numbers).
+/// The numbers of a state and its ledger, shape (such numbers) \[unit of each\].
 #[derive(Clone, Debug)]
 pub struct Stand<S>(pub Vec<S>);
 

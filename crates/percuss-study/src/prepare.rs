@@ -5,8 +5,8 @@ use std::collections::HashMap;
 use percuss_codes::Code;
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
+use crate::detail::{detail_for, is_known_alone};
 use crate::parameter::{Input, Variation};
-use crate::shard::{detail_for, is_known_alone};
 use crate::study::Study;
 
 /// Prepares runs one after the other.

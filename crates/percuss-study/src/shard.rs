@@ -9,6 +9,7 @@ use percuss_output::{SummaryPath, pick};
 use percuss_scenario::{Compiled, in_one_line};
 
 use crate::column::{Table, Values};
+use crate::detail::detail_for;
 use crate::error::Error;
 use crate::parameter::Input;
 use crate::parquet;
@@ -58,26 +59,6 @@ impl Study {
         }
         Some(shard)
     }
-}
-
-/// How much of a run results at these paths need.
-pub(crate) fn detail_for(paths: &[SummaryPath]) -> Detail {
-    if paths.iter().any(is_known_alone) {
-        Detail::Full
-    } else if paths.iter().any(SummaryPath::is_of_stresses) {
-        Detail::Stresses
-    } else if paths.iter().any(SummaryPath::is_of_resultants) {
-        Detail::Resultants
-    } else {
-        Detail::Motion
-    }
-}
-
-/// Whether runs tell a result only alone.
-pub(crate) fn is_known_alone(path: &SummaryPath) -> bool {
-    // What the solver counts of itself is that of a run alone, whatever stands beside it.
-    let side_by_side = path.is_of_resultants() || path.is_of_stresses();
-    path.is_of_effort() || path.is_of_forces() && !side_by_side
 }
 
 /// Simulates those that are ready; the others keep their reasons.

@@ -10,7 +10,7 @@ use percuss::internals::scalar::Number;
 pub(super) struct Kept<S: Number> {
     /// Extremes of the recorded points, shape (recorded points, 2).
     points: Vec<[Crest<S>; 2]>,
-    /// Numbers that are noted of the projectiles, shape (such numbers).
+    /// Numbers that are noted of the projectiles, shape (such numbers) \[unit of each\].
     guides: Vec<S>,
     /// Lanes whose last interval has just ended, shape (guided projectiles).
     released: Vec<S::Mask>,

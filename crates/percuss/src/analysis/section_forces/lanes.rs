@@ -5,7 +5,7 @@ use pulp::{Simd, WithSimd};
 use super::element::{ElementForces, PLACES, station, widen};
 use super::line::{Line, SectionForces};
 use super::lines::Lines;
-use super::screen::{Known, look_at};
+use super::screen::{BeamExtremes, look_at};
 use crate::model::frozen::Span;
 use crate::scalar::{Lanes, Mask, Number};
 use crate::state::State;
@@ -55,7 +55,7 @@ impl WithSimd for PlainSpan<'_> {
 impl PlainSpan<'_> {
     /// The extremes of the beam so far, as every element compares itself with them.
     #[inline(always)]
-    fn known<S: Number>(&self, like: S) -> Known<S> {
+    fn known<S: Number>(&self, like: S) -> BeamExtremes<S> {
         let pair =
             |range: &SectionRange| [like.constant(range.min.value), like.constant(range.max.value)];
         [pair(&self.out.axial), pair(&self.out.shear), pair(&self.out.moment)]

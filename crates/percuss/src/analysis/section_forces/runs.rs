@@ -5,7 +5,7 @@
 use super::element::{ElementForces, PLACES, widen};
 use super::line::{ElementShape, Inner, Line, OnNodes, SectionForces};
 use super::lines::{inner_of, take};
-use super::screen::{Depth, Known, look_at, look_at_stresses, stresses_at};
+use super::screen::{BeamExtremes, Depth, look_at, look_at_stresses, stresses_at};
 use super::unset;
 use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span};
@@ -58,10 +58,10 @@ pub struct RunForces<'m, S: Number> {
     models: Vec<Option<&'m Model>>,
     /// Its extremes; of its envelopes what forces inside elements widened alone, shape (lanes, beams).
     found: Vec<Vec<SectionForceSummary>>,
-    /// The extremes of each beam once more, side by side, shape (beams).
-    known: Vec<Known<S>>,
-    /// The same at both ends and in the middle of each element, shape (elements, 3).
-    envelope: Vec<[Known<S>; 3]>,
+    /// The extremes of each beam once more, side by side, shape (beams, 3, 2) \[N, N, N m\].
+    known: Vec<BeamExtremes<S>>,
+    /// The same at both ends and in the middle of each element, shape (elements, 3, 3, 2) \[N, N, N m\].
+    envelope: Vec<[BeamExtremes<S>; 3]>,
     /// Stresses, if they are asked for.
     stresses: Option<Stresses<S>>,
 }
@@ -69,7 +69,7 @@ pub struct RunForces<'m, S: Number> {
 /// Stresses of runs side by side.
 #[derive(Clone, Debug)]
 struct Stresses<S> {
-    /// What forces make of them, zero where the section has no depth, shape (elements).
+    /// What forces make of them, zero where the section has no depth, shape (elements, 3, 2) \[1/m^2, 1/m^3\].
     depth: Vec<Depth<S>>,
     /// Least and largest so far, shape (beams, 2) \[Pa\].
     known: Vec<[S; 2]>,

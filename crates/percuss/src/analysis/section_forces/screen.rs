@@ -5,11 +5,11 @@ use super::line::SectionForces;
 use crate::scalar::Number;
 
 /// Least and largest axial force, shear force and moment of a beam so far, shape (3, 2) \[N, N, N m\].
-pub type Known<S> = [[S; 2]; 3];
+pub type BeamExtremes<S> = [[S; 2]; 3];
 
 /// Whether elements exceed the extremes so far at their ends and in their middle, and whether they may between these.
 #[inline(always)]
-pub fn look_at<S: Number>(places: &[SectionForces<S>; 3], known: &Known<S>) -> [S::Mask; 2] {
+pub fn look_at<S: Number>(places: &[SectionForces<S>; 3], known: &BeamExtremes<S>) -> [S::Mask; 2] {
     let mut exceeds = is_outside(places[0].axial, &known[0]);
     let mut turns = !exceeds & exceeds;
     for (j, at) in places.iter().enumerate() {
