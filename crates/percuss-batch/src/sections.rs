@@ -220,23 +220,19 @@ impl<S: Number> Engine<S> {
     ) -> ElementActing<S> {
         let (a, table) = (span.first + k, span.table(k));
         let mut ends = self.internal_force(span, k, element);
-        let inertia = |n: usize| {
-            let mut acceleration = self.inertia_in(span, n);
-            (0..2).for_each(|i| acceleration[i] = acceleration[i] - gravity[i]);
-            acceleration
-        };
+        let rates =
+            [self.beyond_gravity(span, a, gravity), self.beyond_gravity(span, a + 1, gravity)];
         let zero = self.h.constant(0.0);
         let mut along = [[zero; 4]; 2];
         let [on_a, on_b] = &mut along;
-        table.add_inertia(&inertia(a), &inertia(a + 1), on_a, on_b);
+        table.add_inertia(&rates[0], &rates[1], on_a, on_b);
         for (end, along) in ends.iter_mut().zip(&along) {
-            (0..4).for_each(|i| end[i] += along[i]);
+            for i in 0..4 {
+                end[i] += along[i];
+            }
         }
-        let half = |n: usize| -> [S; 4] {
-            array(|i| self.displacement[n][i] + self.increment[n][i] * 0.5)
-        };
-        let (fa, fb, ma, mb) =
-            (&self.numbers.nodes[a], &self.numbers.nodes[a + 1], half(a), half(a + 1));
+        let (fa, fb) = (&self.numbers.nodes[a], &self.numbers.nodes[a + 1]);
+        let (ma, mb) = (self.half_way(a), self.half_way(a + 1));
         ElementActing {
             tangents: [[fa[2] + ma[2], fa[3] + ma[3]], [fb[2] + mb[2], fb[3] + mb[3]]],
             chord: array(|i| (fb[i] - fa[i]) + (mb[i] - ma[i])),
@@ -244,5 +240,25 @@ impl<S: Number> Engine<S> {
             ends,
             along,
         }
+    }
+
+    /// Acceleration of a node of a span in the equation of motion, less that of gravity.
+    #[inline(always)]
+    fn beyond_gravity(&self, span: &SpanNumbers<S>, n: usize, gravity: [S; 2]) -> [S; 4] {
+        let mut acceleration = self.inertia_in(span, n);
+        for i in 0..2 {
+            acceleration[i] = acceleration[i] - gravity[i];
+        }
+        acceleration
+    }
+
+    /// Displacements of a node in the middle of the step.
+    #[inline(always)]
+    fn half_way(&self, n: usize) -> [S; 4] {
+        let mut moved = self.displacement[n];
+        for i in 0..4 {
+            moved[i] += self.increment[n][i] * 0.5;
+        }
+        moved
     }
 }

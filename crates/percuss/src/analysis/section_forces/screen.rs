@@ -52,6 +52,13 @@ fn reach<S: Number>([a, b]: [S; 2], rise: [S; 2]) -> (S, S::Mask) {
     (reach, turn | (rise[0] * half_way).less(reach.constant(0.0)))
 }
 
+/// How far something gets beyond its values at these places at most.
+#[inline(always)]
+fn farther<S: Number>(values: [S; 2], rise: [S; 2]) -> S {
+    let (reach, turns) = reach(values, rise);
+    S::choose(turns, reach, reach.constant(0.0))
+}
+
 /// What axial force and moment make of stress in the extreme fibres at both ends and in the middle of an element, shape (3, 2)
 /// \[1/m^2, 1/m^3\].
 pub type Depth<S> = [[S; 2]; 3];
@@ -82,19 +89,15 @@ pub fn look_at_stresses<S: Number>(
     for j in 1..3 {
         exceeds = exceeds | is_outside(stresses[j][0], known) | is_outside(stresses[j][1], known);
         let ([p, q], [d, e]) = ([&places[j - 1], &places[j]], [&depth[j - 1], &depth[j]]);
-        let zero = d[0].constant(0.0);
-        let beyond = |values: [S; 2], rise: [S; 2]| {
-            let (reach, turns) = reach(values, rise);
-            S::choose(turns, reach, zero)
-        };
         let (n, m) = ([p.axial, q.axial], [p.moment.abs(), q.moment.abs()]);
-        let far = beyond(n, [p.rise.axial, q.rise.axial]);
-        let turned = beyond([p.moment, q.moment], [p.rise.moment, q.rise.moment]);
+        let far = farther(n, [p.rise.axial, q.rise.axial]);
+        let turned = farther([p.moment, q.moment], [p.rise.moment, q.rise.moment]);
         let bent = (m[0].max(m[1]) + turned) * d[1].max(e[1]);
         let (wide, narrow) = (d[0].max(e[0]), -((-d[0]).max(-e[0])));
-        let mean = |force: S| force * zero.if_less(force, wide, narrow);
-        let most = mean(n[0].max(n[1]) + far) + bent;
-        let least = mean((-n[0]).max(-n[1]) + far) + bent;
+        let (pulled, pushed) = (n[0].max(n[1]) + far, (-n[0]).max(-n[1]) + far);
+        let zero = far.constant(0.0);
+        let most = pulled * zero.if_less(pulled, wide, narrow) + bent;
+        let least = pushed * zero.if_less(pushed, wide, narrow) + bent;
         may = may | is_outside(most, known) | is_outside(-least, known);
     }
     [exceeds, may]
