@@ -3,21 +3,24 @@
 use super::engine::Engine;
 use super::ledger::LaneLedger;
 use super::log::Log;
+use super::sections::Sections;
 use percuss::internals::element::beam::ElementValues;
 use percuss::internals::element::energy_momentum::End;
 use percuss::internals::scalar::{Number, Task};
 
 /// Takes in the solved step of the lanes that `go`: ledger, state and record; of the others only the record stays, what else has to is
 /// put back by [`Stand`](super::stand::Stand).
-pub struct Accept<'a, S: Number> {
+pub struct Accept<'a, 'm, S: Number> {
     pub engine: &'a mut Engine<S>,
     pub ledger: &'a mut LaneLedger<S>,
     pub log: &'a mut Log<S>,
+    /// Section forces, if they are asked for.
+    pub sections: Option<&'a mut Sections<'m, S>>,
     /// All lanes if `None`.
     pub go: Option<S::Mask>,
 }
 
-impl<S: Number> Accept<'_, S> {
+impl<S: Number> Accept<'_, '_, S> {
     /// Takes it in.
     #[inline(always)]
     pub fn accept(self) {
@@ -25,11 +28,16 @@ impl<S: Number> Accept<'_, S> {
     }
 }
 
-impl<S: Number> Task for Accept<'_, S> {
+impl<S: Number> Task for Accept<'_, '_, S> {
     type Output = ();
     #[inline(always)]
     fn run(self) {
-        let Self { engine, ledger, log, go } = self;
+        let Self { engine, ledger, log, sections, go } = self;
+        if !S::DERIVES
+            && let Some(sections) = sections
+        {
+            sections.take(engine, log.time, go);
+        }
         let so_far = ledger.enter(engine);
         engine.commit();
         if let Some(go) = go {

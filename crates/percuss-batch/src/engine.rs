@@ -1,7 +1,11 @@
 //! The runs of an ensemble in mid-flight: state, and residual and tangent of a step.
 
 mod beams;
+mod fibres;
 mod guide;
+mod impulse;
+mod joined;
+mod springs;
 
 use super::band::Band;
 use super::constraints::Constraints;
@@ -111,33 +115,49 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Puts a run of another engine into a lane.
-    pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
-        let nodal = |mine: &mut Vec<[S; 4]>, other: &Vec<[S; 4]>| {
-            for (mine, other) in mine.as_flattened_mut().iter_mut().zip(other.as_flattened()) {
-                mine.set_lane(lane, *other, from_lane);
+    /// Every number of the state, in a fixed order: what accepting a step changes.
+    #[inline(always)]
+    pub fn each_of_state(&mut self, mut f: impl FnMut(&mut S)) {
+        for nodal in [&mut self.displacement, &mut self.velocity] {
+            for x in nodal.as_flattened_mut() {
+                f(x);
             }
-        };
-        nodal(&mut self.displacement, &from.displacement);
-        nodal(&mut self.velocity, &from.velocity);
-        nodal(&mut self.increment, &from.increment);
-        for (mine, other) in self.spin.as_flattened_mut().iter_mut().zip(from.spin.as_flattened()) {
-            mine.set_lane(lane, *other, from_lane);
         }
-        for (mine, other) in self.start.as_flattened_mut().iter_mut().zip(from.start.as_flattened())
-        {
-            set_end(mine, lane, other, from_lane);
+        for x in self.spin.as_flattened_mut() {
+            f(x);
         }
-        for (mine, other) in self.guides.iter_mut().zip(&from.guides) {
-            mine.set_lane(lane, other, from_lane);
+        for end in self.start.as_flattened_mut() {
+            let End { slope: [s0, s1], bend: [b0, b1], stretch, inverse, membrane } = end;
+            for x in [s0, s1, b0, b1, stretch, inverse, membrane] {
+                f(x);
+            }
         }
-        self.fibres.set_lane(lane, &from.fibres, from_lane);
-        self.constraints.set_lane(lane, &from.constraints, from_lane);
-        self.h.set_lane(lane, from.h, from_lane);
-        let others = from.numbers.flat();
+        for g in &mut self.guides {
+            for x in [&mut g.way, &mut g.velocity, &mut g.gap, &mut g.rate] {
+                f(x);
+            }
+        }
+        for x in self.constraints.accepted() {
+            f(x);
+        }
+        self.fibres.each(&mut f);
+    }
+
+    /// Puts a run that another engine has at its start into a lane.
+    pub fn set_lane(&mut self, lane: usize, from: &mut Self) {
+        let mut state = Vec::new();
+        from.each_of_state(|x| state.push(*x));
+        let mut state = state.into_iter();
+        self.each_of_state(|x| x.set_lane(lane, state.next().expect("of the same shape"), 0));
+        let zero = self.h.constant(0.0);
+        let increments = self.increment.as_flattened_mut().iter_mut();
+        let guides = self.guides.iter_mut();
+        let guides = guides.flat_map(|g| [&mut g.increment, &mut g.impulse, &mut g.force]);
+        increments.chain(guides).for_each(|x| x.set_lane(lane, zero, 0));
+        self.h.set_lane(lane, from.h, 0);
         let mut numbers = self.numbers.flat();
-        for (mine, other) in numbers.iter_mut().zip(others) {
-            mine.set_lane(lane, other, from_lane);
+        for (mine, other) in numbers.iter_mut().zip(from.numbers.flat()) {
+            mine.set_lane(lane, other, 0);
         }
         self.numbers = self.numbers.with(&numbers);
     }
@@ -284,17 +304,4 @@ impl<S: Number> Task for Correct<'_, S> {
     fn run(self) {
         self.0.solve_for_correction();
     }
-}
-
-fn set_end<S: Number>(mine: &mut End<S>, lane: usize, from: &End<S>, from_lane: usize) {
-    let flat = |e: &End<S>| {
-        let ([s0, s1], [b0, b1]) = (e.slope, e.bend);
-        [s0, s1, b0, b1, e.stretch, e.inverse, e.membrane]
-    };
-    let mut values = flat(mine);
-    for (value, other) in values.iter_mut().zip(flat(from)) {
-        value.set_lane(lane, other, from_lane);
-    }
-    let [s0, s1, b0, b1, stretch, inverse, membrane] = values;
-    *mine = End { slope: [s0, s1], bend: [b0, b1], stretch, inverse, membrane };
 }

@@ -1,17 +1,18 @@
 //! One run with its derivatives, in mid-flight.
 
+mod plastic;
+
 use super::commit::Accept;
+use super::drive::rigid_guides;
 use super::engine::Engine;
+use super::horizon::Horizon;
 use super::impact::Press;
 use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
-use super::pace::Pace;
-use super::paced::rigid_guides;
+use super::pace::{Pace, scales};
 use super::rigid_log::RigidLog;
-use super::sensitivity::{Grazing, Horizon, Onset};
-use super::yield_log::{Noted, YieldLog};
 use percuss::Model;
 use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales};
@@ -27,7 +28,7 @@ pub type Derived = Dual<{ TOGETHER + 1 }>;
 
 /// A run in mid-flight.
 pub struct Flight<'a> {
-    model: &'a Model,
+    pub model: &'a Model,
     settings: &'a Settings,
     /// Time at which it ends \[s\].
     end: Derived,
@@ -44,7 +45,7 @@ pub struct Flight<'a> {
     /// What is done of the step at hand \[s\].
     offset: Derived,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
-    misses: Vec<(usize, Derived, Derived)>,
+    pub misses: Vec<(usize, Derived, Derived)>,
 }
 
 impl<'a> Flight<'a> {
@@ -64,7 +65,7 @@ impl<'a> Flight<'a> {
         let restitution = |k: &usize| engine.numbers.guides[*k].restitution.value;
         let restitutions: Vec<f64> = rigid.iter().map(restitution).collect();
         let pace = Pace::new(settings, model.position_scale(), &restitutions);
-        engine.press = rigid.first().map(|k| Press::new(&engine, *k));
+        engine.press = rigid.first().map(|k| Press::new(&engine.numbers, *k));
         let offset = engine.h.constant(0.0);
         Self {
             model,
@@ -103,49 +104,6 @@ impl<'a> Flight<'a> {
         Ok(())
     }
 
-    /// Contacts, misses and beams that can yield with the changes of the parameters that would end or begin them.
-    pub fn grazing(&self, parameters: usize) -> Vec<Grazing> {
-        let mut all = Vec::new();
-        let mut add = |onset: Onset, time: Derived, missed: bool, left: Derived, power: f64| {
-            let change = |slope: f64| -left.value / (power * slope);
-            let changes = left.slope[..parameters].iter().map(|s| change(*s)).collect();
-            all.push(Grazing { onset, time: time.value, missed, changes });
-        };
-        let contact = |k: usize| Onset::Contact(self.model.contacts[k].name.clone());
-        for k in 0..self.log.guides.len() {
-            for closed in self.log.intervals(&self.engine, k, 0) {
-                add(contact(k), closed.start, false, closed.deepest.value, 1.0);
-            }
-        }
-        for (k, log) in self.rigid_logs.iter().enumerate() {
-            for struck in &log.impacts {
-                // The velocity of approach falls with the root of what a parameter is away from grazing.
-                add(contact(k), struck.time, false, struck.approach, 2.0);
-            }
-        }
-        for (k, time, gap) in &self.misses {
-            add(contact(*k), *time, true, *gap, 1.0);
-        }
-        for (beam, logs) in self.yields(self.model) {
-            let onset = Onset::Yield(beam.name.clone());
-            let larger = |a: Noted<Derived>, b: Noted<Derived>| {
-                if a.value.value < b.value.value { b } else { a }
-            };
-            let most =
-                |of: fn(&YieldLog<Derived>) -> Noted<Derived>| logs.iter().map(of).reduce(larger);
-            let (Some(flowed), Some(near)) = (most(|l| l.accumulated), most(|l| l.near)) else {
-                continue;
-            };
-            if flowed.value.value > 0.0 {
-                add(onset, flowed.time, false, flowed.value, 1.0);
-            } else if near.value.value > 0.0 {
-                let left = near.value.constant(1.0) - near.value;
-                add(onset, near.time, true, left, 1.0);
-            }
-        }
-        all
-    }
-
     /// Gaps of the rigid contacts and their rates, shape (rigid contacts, 2) \[m, m/s\].
     fn stand(&self) -> Vec<[f64; 2]> {
         let guides = self.rigid.iter().map(|k| &self.engine.guides[*k]);
@@ -163,14 +121,8 @@ impl<'a> Flight<'a> {
 
     /// What is as good as nothing between things that touch.
     fn nothing(&self) -> Negligible {
-        let scales = RunScales {
-            step: self.settings.step,
-            positions: self.model.position_scale(),
-            gravity: self.model.gravity(),
-            energy: self.ledger.sums.energy_scale.value,
-            mass: self.model.total_mass,
-        };
-        scales.negligible()
+        let energy = self.ledger.sums.energy_scale.value;
+        RunScales { energy, ..scales(self.model, self.settings) }.negligible()
     }
 
     /// Tells the engine of the contact that may press in the part at hand, if one does.
@@ -285,7 +237,7 @@ impl<'a> Flight<'a> {
     fn accept(&mut self) {
         let pressing = self.pressing().map(|k| (k, self.engine.guides[k].rate));
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
-        Accept { engine, ledger, log, go: None }.accept();
+        Accept { engine, ledger, log, sections: None, go: None }.accept();
         if pressing.is_none() {
             self.misses.extend(self.log.passes(&self.engine));
         }

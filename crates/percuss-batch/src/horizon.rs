@@ -1,6 +1,5 @@
 //! How far the derivatives of a run reach, and what of its results is known by then.
 
-use super::sensitivity::Horizon;
 use percuss::*;
 
 /// Impacts of the run and of its derivatives are the same ones if their times differ by less than this share of the step, and their
@@ -16,6 +15,15 @@ const ALIKE: f64 = 1e-4;
 
 /// An impact bounces that separates at more than this share of its velocity of approach.
 const BOUNCES: f64 = 1e-3;
+
+/// How far the derivatives of a run reach.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Horizon {
+    /// Until when \[s\].
+    pub time: f64,
+    /// What stands against more.
+    pub why: String,
+}
 
 /// How far the impacts and times of rest of a run with derivatives are those of the run itself.
 pub fn agreeing(

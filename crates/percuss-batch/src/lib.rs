@@ -14,12 +14,16 @@ mod band;
 mod batch;
 mod commit;
 mod constraints;
+mod detail;
+mod drive;
 mod engine;
 mod fibres;
 mod flight;
+mod grazing;
 mod ground_springs;
 mod horizon;
 mod impact;
+mod lane;
 mod law;
 mod ledger;
 mod loads;
@@ -27,10 +31,10 @@ mod log;
 mod newton;
 mod numbers;
 mod pace;
-mod paced;
 mod reactions;
 mod rigid_log;
 mod run;
+mod sections;
 mod sensitivity;
 mod shape;
 mod stand;
@@ -40,8 +44,9 @@ mod yield_log;
 /// Version and a hash of the sources of this crate, as [`percuss::BUILD`] is of those that it builds on.
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
-pub use batch::{Detail, simulate_batch};
+pub use batch::simulate_batch;
+pub use detail::Detail;
+pub use grazing::{Grazing, Onset};
+pub use horizon::Horizon;
 pub use run::runs_alone;
-pub use sensitivity::{
-    Grazing, Horizon, Onset, Sensitivities, Undifferentiated, Variation, sensitivities,
-};
+pub use sensitivity::{Sensitivities, Undifferentiated, Variation, sensitivities};

@@ -1,11 +1,13 @@
 //! What the summaries of an ensemble tell of points and contacts: peaks and intervals, resolved within the step.
 
+mod guide;
 mod kept;
 mod path;
 
 use super::engine::Engine;
 use super::numbers::GuideLaw;
 use super::yield_log::{self, YieldLog};
+use guide::GuideLog;
 use kept::Kept;
 use percuss::internals::contact::free_gap::FreeGap;
 use percuss::internals::run::crest::Crest;
@@ -13,59 +15,7 @@ use percuss::internals::scalar::{Mask, Number};
 use percuss::internals::step::contacts::IMPULSIVE;
 use percuss::math::interpolant::Interpolant;
 
-/// A largest value and when it occurred.
-#[derive(Clone, Copy, Debug)]
-pub struct Top<S> {
-    pub value: S,
-    pub time: S,
-}
-
-/// A closed interval of one lane's contact.
-#[derive(Clone, Copy, Debug)]
-pub struct Closed<S> {
-    pub start: S,
-    pub end: S,
-    pub impulse: S,
-    /// Work on beam and projectile, shape (2) \[J\].
-    pub given: [S; 2],
-    /// Potential at its end, where it is still closed \[J\].
-    pub stored: S,
-    /// Deepest penetration \[m\].
-    pub deepest: Top<S>,
-    pub approach: S,
-    pub separation: S,
-    /// Steps in which it was closed.
-    pub steps: S,
-    /// What the gap's rate changed by in the step before it and in the one after it, shape (2) \[m/s\].
-    pub changes: [S; 2],
-    /// Where it closed, shape (2) \[m\].
-    pub place: [S; 2],
-    /// Where it was last, shape (2) \[m\].
-    pub place_end: [S; 2],
-}
-
-/// The record of a guided projectile.
-#[derive(Clone, Debug)]
-pub struct GuideLog<S: Number> {
-    /// The interval that is open in each lane, as it stands.
-    open: Closed<S>,
-    /// Which lanes have one, shape (lanes).
-    is_open: Vec<bool>,
-    /// Intervals that have ended, by lane, shape (lanes, intervals of one).
-    pub closed: Vec<Vec<Closed<S>>>,
-    /// Deepest penetration of the run \[m\].
-    pub deepest: Top<S>,
-    /// Impulse and energy that the projectile gave, and work on what it struck, shape (3) \[N s, J, J\].
-    pub given: [S; 3],
-    /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
-    free: S,
-    /// Lanes whose last interval ended in the step before.
-    released: S::Mask,
-    /// Gap and rate at the end of that step.
-    parted: FreeGap<S>,
-    /// Its start and size, shape (2) \[s\].
-    parted_at: [S; 2],
-}
+pub use guide::{Closed, Top};
 
 /// The record of an ensemble.
 #[derive(Clone, Debug)]
@@ -86,55 +36,6 @@ pub struct Log<S: Number> {
     taken: S::Mask,
     /// What stays of the others.
     kept: Kept<S>,
-}
-
-impl<S: Number> Closed<S> {
-    fn none(like: S) -> Self {
-        let (nan, zero) = (like.constant(f64::NAN), like.constant(0.0));
-        Self {
-            start: nan,
-            end: nan,
-            impulse: zero,
-            given: [zero; 2],
-            stored: zero,
-            deepest: Top { value: zero, time: nan },
-            approach: nan,
-            separation: nan,
-            steps: zero,
-            changes: [zero; 2],
-            place: [nan; 2],
-            place_end: [nan; 2],
-        }
-    }
-
-    /// Ends it, the gap's motion since followed backwards from the end of the step that began at `start` with size `h`; returns
-    /// how long that is.
-    fn part(&mut self, back: &FreeGap<S>, [start, h]: [S; 2]) -> S {
-        let [since, rate] = back.closes(h);
-        self.end = start + (h - since);
-        self.separation = -rate;
-        self.changes[1] = back.acceleration * h;
-        since
-    }
-
-    fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
-        let set = |mine: &mut S, other: S| mine.set_lane(lane, other, from_lane);
-        set(&mut self.start, from.start);
-        set(&mut self.end, from.end);
-        set(&mut self.impulse, from.impulse);
-        set(&mut self.stored, from.stored);
-        set(&mut self.deepest.value, from.deepest.value);
-        set(&mut self.deepest.time, from.deepest.time);
-        set(&mut self.approach, from.approach);
-        set(&mut self.separation, from.separation);
-        set(&mut self.steps, from.steps);
-        for i in 0..2 {
-            set(&mut self.changes[i], from.changes[i]);
-            set(&mut self.given[i], from.given[i]);
-            set(&mut self.place[i], from.place[i]);
-            set(&mut self.place_end[i], from.place_end[i]);
-        }
-    }
 }
 
 impl<S: Number> Log<S> {
@@ -186,6 +87,20 @@ impl<S: Number> Log<S> {
             log.deepest.value.set_lane(lane, zero, 0);
             log.deepest.time.set_lane(lane, zero, 0);
         }
+    }
+
+    /// Keeps what the end of a step changes, and takes it in for the lanes that `go` alone.
+    #[inline(always)]
+    pub fn keep(&mut self, go: S::Mask) {
+        self.taken = go;
+        self.kept.keep((&mut self.points, &mut self.guides, &mut self.yields));
+    }
+
+    /// Puts all lanes but those that `go` back to what was kept.
+    #[inline(always)]
+    pub fn put_back(&mut self, go: S::Mask) {
+        self.taken = go | !go;
+        self.kept.put_back((&mut self.points, &mut self.guides, &mut self.yields), go);
     }
 
     /// Notes the start of a step.
@@ -324,31 +239,5 @@ impl<S: Number> Engine<S> {
         let [now, moved] = [self.struck(k), self.numbers.guides[k].value(&self.increment)];
         let share = since / self.h;
         [now[0] - share * moved[0], now[1] - share * moved[1]]
-    }
-}
-
-impl<S: Number> GuideLog<S> {
-    /// Lanes whose gap stood open over a step: its acceleration tells with what velocity it parted in the step before.
-    #[inline(always)]
-    fn open_throughout(&mut self, taken: S::Mask, open: S::Mask, acceleration: S) {
-        let zero = acceleration.constant(0.0);
-        self.free = S::choose(open, acceleration, zero);
-        let (freed, released) = (self.released & open & taken, self.released & taken);
-        if !released.any() {
-            return;
-        }
-        self.released = zero.less(zero);
-        // What closes again at once has not flown freely over a step.
-        for lane in (0..S::LANES).filter(|i| released.lane(*i) && !freed.lane(*i)) {
-            if let Some(last) = self.closed[lane].last_mut() {
-                last.changes[1] = zero.constant(f64::NAN);
-            }
-        }
-        let parted = FreeGap { acceleration, ..self.parted };
-        for lane in 0..S::LANES {
-            if let Some(last) = self.closed[lane].last_mut().filter(|_| freed.lane(lane)) {
-                last.part(&parted, self.parted_at);
-            }
-        }
     }
 }

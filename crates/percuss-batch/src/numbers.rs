@@ -42,6 +42,8 @@ pub struct SpanNumbers<S> {
     pub first: usize,
     /// Number of elements.
     pub count: usize,
+    /// Its beam \[index of a beam\].
+    pub beam: usize,
     /// Strain measure.
     pub measure: StrainMeasure,
     /// Retardation time of Kelvin and Voigt's damping \[s\], coefficient of mass-proportional damping \[1/s\].
@@ -141,9 +143,19 @@ impl<S: Copy> SpanNumbers<S> {
     fn map<T: Copy>(&self, f: &mut impl FnMut(S) -> T) -> SpanNumbers<T> {
         let tables = self.tables.iter().map(|t| t.map(f)).collect();
         let (retardation, mass_damping) = (f(self.retardation), f(self.mass_damping));
-        let Self { first, count, measure, damped, .. } = *self;
+        let Self { first, count, beam, measure, damped, .. } = *self;
         let fibres = self.fibres.as_ref().map(|fibres| fibres.map(f));
-        SpanNumbers { first, count, measure, retardation, mass_damping, damped, tables, fibres }
+        SpanNumbers {
+            first,
+            count,
+            beam,
+            measure,
+            retardation,
+            mass_damping,
+            damped,
+            tables,
+            fibres,
+        }
     }
 
     /// Table of the element of number `k` in the span.

@@ -3,10 +3,24 @@
 //! What its parts are the [`Decider`] says. To those who solve them all are steps of some size with some contacts pressing; whether one is
 //! accepted, and what comes next, each run decides by itself.
 
-use percuss::internals::run::decider::{Decider, Moment, Negligible, Resolution, RigidPair};
+use percuss::Model;
+use percuss::internals::run::decider::{
+    Decider, Moment, Negligible, Resolution, RigidPair, RunScales,
+};
 use percuss::internals::run::locate::{Seen, Verdict};
 use percuss::internals::settings::Settings;
 use percuss::internals::step::contacts::Phase;
+
+/// What a run is measured by, its energy apart.
+pub fn scales(model: &Model, settings: &Settings) -> RunScales {
+    RunScales {
+        step: settings.step,
+        positions: model.position_scale(),
+        gravity: model.gravity(),
+        energy: 0.0,
+        mass: model.total_mass,
+    }
+}
 
 /// A rigid contact of a run.
 #[derive(Clone, Copy, Debug)]

@@ -7,7 +7,8 @@
 use percuss_codes::AnalysisCode;
 
 use super::flight::{Derived, Flight, TOGETHER};
-use super::horizon::{agreeing, align, withdraw, withdraw_plastic};
+use super::grazing::Grazing;
+use super::horizon::{Horizon, agreeing, align, withdraw, withdraw_plastic};
 use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, Telling};
@@ -29,40 +30,6 @@ pub struct Variation {
     pub ends: [f64; 4],
     /// Change of the parameter.
     pub change: f64,
-}
-
-/// What begins with a kink in the results.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Onset {
-    /// A contact, by its name.
-    Contact(String),
-    /// That a beam yields, by its name.
-    Yield(String),
-}
-
-/// A contact, or the yielding of a beam, that is about to appear or to vanish.
-///
-/// Where it does, results have a kink: derivatives hold on the side of the run alone.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Grazing {
-    /// What it is.
-    pub onset: Onset,
-    /// When \[s\].
-    pub time: f64,
-    /// Whether the run misses it; else it has it.
-    pub missed: bool,
-    /// For every parameter, the change that would just bring or end it, to first order, shape (parameters) \[unit of the parameter\];
-    /// infinite where it has no say.
-    pub changes: Vec<f64>,
-}
-
-/// How far the derivatives of a run reach.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Horizon {
-    /// Until when \[s\].
-    pub time: f64,
-    /// What stands against more.
-    pub why: String,
 }
 
 /// Why a run has no derivatives.

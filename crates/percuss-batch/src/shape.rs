@@ -15,9 +15,9 @@ use percuss::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw
 /// What runs side by side have in common: all that is no number.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatchShape {
-    /// First node and number of elements of every span, its measure, whether it is damped, shape (spans)
-    /// \[index of a node, number of elements\].
-    spans: Vec<(usize, usize, StrainMeasure, bool)>,
+    /// First node, number of elements and beam of every span, its measure, whether it is damped, shape (spans, 3)
+    /// \[index of a node, number of elements, index of a beam\].
+    spans: Vec<([usize; 3], StrainMeasure, bool)>,
     /// Whether each table samples membrane strains at nodes or at Gauss points, if it does, shape (spans, tables).
     sampled: Vec<Vec<Option<bool>>>,
     /// Layout of the fibres of every span that has some, shape (spans).
@@ -44,7 +44,7 @@ impl BatchShape {
         let of_span = |s: &SpanNumbers<S>| s.tables.iter().map(sampled).collect();
         Self {
             spans: (numbers.spans.iter())
-                .map(|s| (s.first, s.count, s.measure, s.damped))
+                .map(|s| ([s.first, s.count, s.beam], s.measure, s.damped))
                 .collect(),
             sampled: numbers.spans.iter().map(of_span).collect(),
             fibres: numbers
@@ -106,6 +106,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             .map(|s| SpanNumbers {
                 first: s.nodes.start,
                 count: s.elements.len(),
+                beam: model.beams.partition_point(|beam| beam.nodes.end <= s.nodes.start),
                 measure: s.measure,
                 retardation: s.retardation,
                 mass_damping: s.mass_damping,

@@ -5,11 +5,12 @@
 use percuss_codes::{Code, RequestCode};
 use percuss_output::{SummaryPath, pick};
 
+use crate::detail::detail_for;
 use crate::error::Error;
 use crate::parameter::{Input, Parameter, Variation};
 use crate::prepare::Preparer;
 use crate::sensitivity::{SensitivityError, Without, differentiate};
-use crate::shard::{GROUP_RUNS, detail_for, simulate};
+use crate::shard::{GROUP_RUNS, simulate};
 use crate::study::{ResultColumn, Study};
 
 /// A study as a function of the numbers that vary in it.

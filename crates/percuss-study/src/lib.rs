@@ -63,6 +63,7 @@ pub mod analysis;
 mod column;
 mod converge;
 mod design;
+mod detail;
 mod distribution;
 mod error;
 mod folder;

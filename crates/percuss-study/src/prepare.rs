@@ -3,9 +3,9 @@
 use std::collections::HashMap;
 
 use percuss_codes::Code;
-use percuss_output::SummaryPath;
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
+use crate::detail::{detail_for, is_known_alone};
 use crate::parameter::{Input, Variation};
 use crate::study::Study;
 
@@ -77,15 +77,24 @@ impl Study {
     /// Why the first run that can be prepared would be made alone and not side by side with others in vector registers, many times as
     /// fast; none if nothing is against it, or no run can be prepared.
     pub fn runs_alone(&self) -> Option<String> {
-        let asked = |path: &SummaryPath| path.is_of_forces() || path.is_of_effort();
-        if let Some(result) = self.results.iter().find(|result| asked(&result.path)) {
+        if let Some(result) = self.results.iter().find(|result| is_known_alone(&result.path)) {
             return Some(format!("`{}` is asked for ({})", result.name, result.path.path()));
         }
         let mut preparer = Preparer::new(self);
         let mut sound =
             (0..self.run_count().min(8)).filter_map(|run| preparer.prepare(&self.inputs(run)).ok());
         let first = sound.next()?;
-        percuss_batch::runs_alone(&first.model, &first.settings).map(str::to_owned)
+        let paths: Vec<_> = self.results.iter().map(|result| result.path.clone()).collect();
+        let detail = detail_for(&paths);
+        percuss_batch::runs_alone(&first.model, &first.settings, detail).map(str::to_owned)
+    }
+
+    /// Whether runs go side by side or one by one, and why, in words.
+    pub fn how_runs_go(&self) -> String {
+        match self.runs_alone() {
+            Some(why) => format!("runs go one by one: {why}"),
+            None => "runs go side by side in vector registers".to_owned(),
+        }
     }
 
     /// Prepares at most so many runs, evenly chosen, and tells of those that are no sound scenario; and how many were prepared.

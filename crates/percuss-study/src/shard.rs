@@ -9,6 +9,7 @@ use percuss_output::{SummaryPath, pick};
 use percuss_scenario::{Compiled, in_one_line};
 
 use crate::column::{Table, Values};
+use crate::detail::detail_for;
 use crate::error::Error;
 use crate::parameter::Input;
 use crate::parquet;
@@ -58,13 +59,6 @@ impl Study {
         }
         Some(shard)
     }
-}
-
-/// How much of a run results at these paths need.
-pub(crate) fn detail_for(paths: &[SummaryPath]) -> Detail {
-    // What the solver counts of itself is that of a run alone, whatever stands beside it.
-    let single = |path: &SummaryPath| path.is_of_forces() || path.is_of_effort();
-    if paths.iter().any(single) { Detail::Full } else { Detail::Motion }
 }
 
 /// Simulates those that are ready; the others keep their reasons.

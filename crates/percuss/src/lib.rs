@@ -71,6 +71,9 @@ pub mod internals {
         };
     }
     open!(contact element geometry ledger linalg run scalar settings state step);
+    pub mod section_forces {
+        pub use crate::analysis::section_forces::*;
+    }
     pub mod model {
         pub mod frozen {
             pub use crate::model::frozen::*;

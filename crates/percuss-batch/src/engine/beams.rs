@@ -2,8 +2,9 @@
 
 use super::Engine;
 use crate::band::Band;
+use crate::numbers::SpanNumbers;
 use percuss::StrainMeasure;
-use percuss::internals::element::beam::ElementValues;
+use percuss::internals::element::beam::{ElementTable, ElementValues};
 use percuss::internals::element::invariant::InvariantStep;
 use percuss::internals::element::motion::accelerations;
 use percuss::internals::linalg::chain::add_element;
@@ -57,27 +58,12 @@ impl<S: Number> Engine<S> {
         for k in 0..span.count {
             let (a, element, table) = (span.first + k, first + k, span.table(k));
             let end = self.inertia::<DAMPED>(a + 1, rate, damping);
-            let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
-            let u = &self.displacement;
-            let old = ElementValues::new(&u[a], &u[a + 1]);
-            let (starts, spin) = (&self.start[element], &self.spin[element]);
             let fibres = match &span.fibres {
                 Some(fibres) if FIBRES => Some(self.element_fibres(fibres, k)),
                 _ => None,
             };
-            let (h, lag) = (self.h, DAMPED.then_some(lag));
-            let step = InvariantStep {
-                table,
-                measure,
-                starts,
-                spin,
-                start: old,
-                increment: step,
-                h,
-                rate,
-                lag,
-                damping,
-            };
+            let lag = DAMPED.then_some(lag);
+            let step = self.invariant_step((table, a, element), measure, rate, (lag, damping));
             let (sums, _) = step.sums::<TANGENT>(fibres.as_ref());
             let [mut on_a, mut on_b] = sums.nodal_force();
             table.add_inertia(&start, &end, &mut on_a, &mut on_b);
@@ -92,6 +78,48 @@ impl<S: Number> Engine<S> {
             }
             start = end;
         }
+    }
+
+    /// An element over the step at hand: its table, first node and number, and what damps it.
+    #[inline(always)]
+    fn invariant_step<'a>(
+        &'a self,
+        (table, a, element): (&'a ElementTable<S>, usize, usize),
+        measure: StrainMeasure,
+        rate: S,
+        (lag, damping): (Option<S>, S),
+    ) -> InvariantStep<'a, S> {
+        let (u, d) = (&self.displacement, &self.increment);
+        InvariantStep {
+            table,
+            measure,
+            starts: &self.start[element],
+            spin: &self.spin[element],
+            start: ElementValues::new(&u[a], &u[a + 1]),
+            increment: ElementValues::new(&d[a], &d[a + 1]),
+            h: self.h,
+            rate,
+            lag,
+            damping,
+        }
+    }
+
+    /// Forces on the nodes of an element, of the given number in its span and among all, at the increment as it stands; inertia of its
+    /// motion apart, that of its rotation included.
+    #[inline(always)]
+    pub fn internal_force(&self, span: &SpanNumbers<S>, k: usize, element: usize) -> [[S; 4]; 2] {
+        let rate = self.h.recip();
+        let fibres = span.fibres.as_ref().map(|fibres| self.element_fibres(fibres, k));
+        let lag = (span.damped || fibres.is_some()).then_some(span.retardation * rate);
+        let at = (span.table(k), span.first + k, element);
+        let step = self.invariant_step(at, span.measure, rate, (lag, span.mass_damping));
+        step.sums::<false>(fibres.as_ref()).0.nodal_force()
+    }
+
+    /// Acceleration of a node of a span in the equation of motion, with what mass-proportional damping adds.
+    #[inline(always)]
+    pub fn inertia_in(&self, span: &SpanNumbers<S>, n: usize) -> [S; 4] {
+        self.inertia::<true>(n, self.h.recip(), span.mass_damping)
     }
 
     /// Acceleration of a node in the equation of motion, with what mass-proportional damping adds.

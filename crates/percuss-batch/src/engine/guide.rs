@@ -82,18 +82,4 @@ impl<S: Number> GuideState<S> {
         let [slope, inertia] = self.factored;
         slope * self.residual / inertia
     }
-
-    pub(super) fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
-        for (mine, other) in [
-            (&mut self.way, from.way),
-            (&mut self.velocity, from.velocity),
-            (&mut self.gap, from.gap),
-            (&mut self.rate, from.rate),
-            (&mut self.increment, from.increment),
-            (&mut self.impulse, from.impulse),
-            (&mut self.force, from.force),
-        ] {
-            mine.set_lane(lane, other, from_lane);
-        }
-    }
 }

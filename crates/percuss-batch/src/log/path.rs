@@ -1,6 +1,6 @@
 //! What a path over a step tells: where it closes, and its largest value.
 
-use super::Top;
+use super::guide::Top;
 use percuss::internals::contact::free_gap::FreeGap;
 use percuss::internals::scalar::{Mask, Number};
 use percuss::math::interpolant::Interpolant;

@@ -1,6 +1,6 @@
 //! Increments of the runs of an ensemble: as predicted, what they leave unbalanced, and how corrections enter them.
 
-use super::LaneNewton;
+use super::search::LaneNewton;
 use crate::engine::Engine;
 use crate::ledger::LaneLedger;
 use percuss::internals::scalar::Number;

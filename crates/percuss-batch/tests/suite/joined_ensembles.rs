@@ -134,7 +134,10 @@ fn known(single: &RunSummary) -> f64 {
 fn joined_beams_move_in_lanes_as_they_do_alone() {
     for kind in portals() {
         let runs = runs(kind, 9);
-        assert!(runs.iter().all(|(model, settings)| runs_alone(model, settings).is_none()));
+        assert!(
+            runs.iter()
+                .all(|(model, settings)| runs_alone(model, settings, Detail::Motion).is_none())
+        );
         for (k, ((model, settings), found)) in runs.iter().zip(batch(&runs)).enumerate() {
             let single = simulate(model, settings, &mut NoRecorder).unwrap();
             assert!(found.supports.is_empty(), "run {k} was not stepped in a lane");
@@ -177,5 +180,5 @@ fn joints_of_a_given_strength_run_alone() {
     let strength = Some(JointStrength { force: Some(1e5), moment: None });
     b.joint(Joint { strength, ..Joint::new("knee", JointKind::Rigid, between) });
     let (model, settings) = (b.build().unwrap(), Settings::new(0.1, 2e-4));
-    assert_eq!(runs_alone(&model, &settings), Some("joints of a given strength"));
+    assert_eq!(runs_alone(&model, &settings, Detail::Motion), Some("joints of a given strength"));
 }

@@ -6,5 +6,6 @@ mod crushing;
 mod ensembles;
 mod joined_ensembles;
 mod rigid_ensembles;
+mod section_forces;
 mod sensitivities;
 mod yielding_ensembles;

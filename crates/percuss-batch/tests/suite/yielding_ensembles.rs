@@ -170,7 +170,7 @@ fn beams_that_yield_move_in_lanes_as_they_do_alone() {
         let name = format!("{kind:?}, {rigid:?}");
         let runs = runs(kind, rigid);
         for (model, settings) in &runs {
-            assert_eq!(runs_alone(model, settings), None, "{name}");
+            assert_eq!(runs_alone(model, settings, Detail::Motion), None, "{name}");
         }
         // Instants of impact are located to a thousandth of an impact interval.
         let known = if rigid.is_some() { 1e-5 } else { 1e-7 };

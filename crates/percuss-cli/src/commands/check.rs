@@ -77,11 +77,7 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
         [runs(study.run_count()), count(parameters, "parameter"), count(results, "result")];
     let file = arguments.file.display();
     terminal::print(&format!("{file}: sound: {}\n", contents.join(", ")))?;
-    let how = match study.runs_alone() {
-        Some(why) => format!("runs go one by one: {why}"),
-        None => "runs go side by side in vector registers".to_owned(),
-    };
-    terminal::print(&format!("{how}\n"))?;
+    terminal::print(&format!("{}\n", study.how_runs_go()))?;
     let going_on = GoingOn::new("a sample of its runs");
     let (invalid, looked_at) = study.check_sample(SAMPLE);
     drop(going_on);

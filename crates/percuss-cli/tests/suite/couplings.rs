@@ -166,15 +166,17 @@ fn checks_say_whether_runs_go_side_by_side() {
         .replace("\"10 m/s\", to = \"30 m/s\"", "\"-30 m/s\", to = \"-10 m/s\"")
         .replace("contact.mass.peak_force.value", "contact.hammer.impulse_total")
         .replace("projectile.mass", "projectile.hammer");
-    for study in [STUDY.to_owned(), rigid] {
+    let asking =
+        |result: &str| STUDY.replace("[results]", &format!("[results]\nasked = \"{result}\""));
+    let [moment, stress] = ["moment_max.value", "stress.max.value"]
+        .map(|force| asking(&format!("section_forces.girder.{force}")));
+    for study in [STUDY.to_owned(), rigid, moment, stress] {
         assert_eq!(told(study), "runs go side by side in vector registers");
     }
-    let forces = STUDY
-        .replace("[results]", "[results]\nmoment = \"section_forces.girder.moment_max.value\"");
-    assert_eq!(
-        told(forces),
-        "runs go one by one: `moment` is asked for (section_forces.girder.moment_max.value)"
-    );
+    for alone in ["section_forces.girder.strain.max.value", "support.left.moment.max.value"] {
+        let why = format!("runs go one by one: `asked` is asked for ({alone})");
+        assert_eq!(told(asking(alone)), why);
+    }
     let stayed = common::ELASTIC.to_owned()
         + "\n[spring.stay]\nbetween = [\"girder.mid\", [0, 1]]\nstiffness = 1e3\n";
     desk.put("stayed.toml", stayed);

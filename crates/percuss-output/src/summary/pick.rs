@@ -111,6 +111,22 @@ impl SummaryPath {
             || self.keys.first().is_some_and(|key| key == "equivalent_force")
     }
 
+    /// Whether it lies in the axial forces, shear forces or moments of beams, without their stresses and strains.
+    pub fn is_of_resultants(&self) -> bool {
+        let of = |key: &String| {
+            let of =
+                |what: &&str| key.strip_prefix(*what).is_some_and(|r| ["", "_max"].contains(&r));
+            ["axial", "shear", "moment"].iter().any(|what| of(what))
+        };
+        self.part == "section_forces" && self.keys.first().is_some_and(of)
+    }
+
+    /// Whether it lies in the stresses of beams.
+    pub fn is_of_stresses(&self) -> bool {
+        let of = |key: &String| ["stress", "first_beyond_strength"].contains(&key.as_str());
+        self.part == "section_forces" && self.keys.first().is_some_and(of)
+    }
+
     /// Whether it counts what the solver did, which runs side by side share.
     pub fn is_of_effort(&self) -> bool {
         ["newton_iterations", "factorizations"].contains(&self.part.as_str())

@@ -41,6 +41,7 @@ pub fn report(study: &Study, table: &Table, kept: &[(u64, String)]) -> String {
     blocks.extend(tables::failures(study, table));
     blocks.push(Block::Heading("Study".into()));
     blocks.push(tables::parameters(study));
+    blocks.push(Block::Note(study.how_runs_go()));
     let summary = "Study and scenario as they were run".to_string();
     blocks.push(Block::Listing { summary, text: study.to_toml() });
     render(&Sheet { title: title.into(), status, alarming: completed < runs, blocks })

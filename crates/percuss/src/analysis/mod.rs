@@ -11,7 +11,7 @@ mod flutter;
 mod lost;
 pub(crate) mod modes;
 mod path;
-pub(crate) mod section_forces;
+pub mod section_forces;
 mod slack;
 mod spectrum;
 mod stability;

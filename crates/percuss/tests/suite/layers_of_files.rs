@@ -6,13 +6,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::imports::imports;
 use super::layers::{root, sources};
-
-/// Folders with circles that are still to be broken, from the folder of crates; there is no reason for them.
-const ALLOWED: [&str; 1] = ["percuss-batch/src"];
 
 /// Circles among nodes: those that lead to each other, more than one.
 fn circles(leads: &[BTreeMap<usize, BTreeSet<String>>]) -> Vec<Vec<usize>> {
@@ -78,11 +75,6 @@ fn files_of_a_crate_stand_in_no_circle() {
         };
         let texts: Vec<(PathBuf, String)> = files.iter().map(read).collect();
         for circle in faults_of(&texts) {
-            let path = |file: &Path| format!("{name}/src/{}", file.display());
-            let allowed = |file: &Path| ALLOWED.iter().any(|a| path(file).starts_with(a));
-            if circle.keys().all(|file| allowed(file)) {
-                continue;
-            }
             faults += &format!("{} files of {name} import in a circle:\n", circle.len());
             for (file, from) in &circle {
                 faults += &format!("  {}\n    {}\n", file.display(), from.join("\n    "));

@@ -29,7 +29,7 @@ impl ElementForces<'_> {
 
     /// Whether the stress may be an extreme between the places: further beyond them than they differ it hardly gets.
     fn stress_may_exceed(&self, out: &SectionForceSummary, places: &[SectionForces; 3]) -> bool {
-        if !self.span.has_depth() || self.yielded.is_some() {
+        if !self.has_fibres() {
             return false;
         }
         let mut range = [f64::INFINITY, f64::NEG_INFINITY];
@@ -48,7 +48,7 @@ impl ElementForces<'_> {
         while from < 1.0 {
             let stops = self.inner.iter().map(|one| one.xi).chain(PLACES);
             let to = stops.filter(|xi| *xi > from).fold(1.0, f64::min);
-            self.take_within(out, ([from, to], None), [true; 3], self.span.has_depth(), time);
+            self.take_within(out, ([from, to], None), [true; 3], self.has_fibres(), time);
             for ahead in [false, true] {
                 self.take_at(out, to, &self.line.at(to, self.inner, ahead), time);
             }

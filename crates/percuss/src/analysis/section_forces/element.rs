@@ -28,9 +28,27 @@ pub(super) struct ElementForces<'a> {
     pub(super) strained: Option<[Strained; 2]>,
     /// Extreme fibres at the Gauss points of an element that can yield, shape (Gauss points).
     pub(super) yielded: Option<[Fibres; GAUSS]>,
+    /// Whether its stresses and strains are asked for.
+    pub(super) stresses: bool,
 }
 
-impl ElementForces<'_> {
+impl<'a> ElementForces<'a> {
+    /// Elastic, with stresses if they are asked for, else with axial force, shear force and moment alone; strains as they follow from the forces.
+    pub(super) fn elastic(
+        span: &'a Span,
+        k: usize,
+        line: Line,
+        inner: &'a [Inner],
+        stresses: bool,
+    ) -> Self {
+        Self { span, k, line, inner, strained: None, yielded: None, stresses }
+    }
+
+    /// Whether it has extreme fibres anywhere, and they are asked for.
+    pub(super) fn has_fibres(&self) -> bool {
+        self.stresses && self.span.has_depth() && self.yielded.is_none()
+    }
+
     /// Arc length at a share of the way.
     pub(super) fn s(&self, xi: f64) -> f64 {
         station(self.span.stations[self.k], self.span.stations[self.k + 1], xi)
@@ -38,7 +56,7 @@ impl ElementForces<'_> {
 
     /// Extreme fibres; nothing without a depth.
     pub(super) fn fibres(&self, xi: f64, forces: &SectionForces) -> Option<Fibres> {
-        if !self.span.has_depth() || self.yielded.is_some() {
+        if !self.has_fibres() {
             return None;
         }
         let section = self.span.section_at(self.k, xi);

@@ -2,11 +2,12 @@
 
 use pulp::{Simd, WithSimd};
 
-use super::element::{ElementForces, FLAT, PLACES, station};
+use super::element::{ElementForces, PLACES, station};
 use super::line::{Line, SectionForces};
 use super::lines::Lines;
+use super::screen::{BeamExtremes, look_at};
 use crate::model::frozen::Span;
-use crate::scalar::{Lanes, Mask, Number, Real};
+use crate::scalar::{Lanes, Mask, Number};
 use crate::state::State;
 use crate::summary::{SectionForceSummary, SectionRange};
 
@@ -38,7 +39,7 @@ impl WithSimd for PlainSpan<'_> {
                 own.for_each(|lane| self.take_one(k + lane));
                 continue;
             }
-            let [exceeds, turns] = self.look_at(&places);
+            let [exceeds, turns] = look_at(&places, &self.known(like));
             if exceeds.any() {
                 for lane in own.clone() {
                     self.take_places(k + lane, &places, lane);
@@ -56,31 +57,12 @@ impl WithSimd for PlainSpan<'_> {
 }
 
 impl PlainSpan<'_> {
-    /// Whether elements exceed the extremes of the beam so far at the places looked at, and whether they may between these.
+    /// The extremes of the beam so far, as every element compares itself with them.
     #[inline(always)]
-    fn look_at<P: Simd>(
-        &self,
-        places: &[SectionForces<Lanes<P>>; 3],
-    ) -> [<Lanes<P> as Number>::Mask; 2] {
-        let out = &self.out;
-        let mut exceeds = is_outside(places[0].axial, &out.axial);
-        let mut turns = !exceeds & exceeds;
-        for (j, at) in places.iter().enumerate() {
-            exceeds = exceeds
-                | is_outside(at.axial, &out.axial)
-                | is_outside(at.shear, &out.shear)
-                | is_outside(at.moment, &out.moment);
-            if j == 0 {
-                continue;
-            }
-            let before = &places[j - 1];
-            let (c, d) = (&before.rise, &at.rise);
-            turns = turns
-                | may_exceed([before.axial, at.axial], [c.axial, d.axial], &out.axial)
-                | may_exceed([before.shear, at.shear], [c.shear, d.shear], &out.shear)
-                | may_exceed([before.moment, at.moment], [c.moment, d.moment], &out.moment);
-        }
-        [exceeds, turns]
+    fn known<S: Number>(&self, like: S) -> BeamExtremes<S> {
+        let pair =
+            |range: &SectionRange| [like.constant(range.min.value), like.constant(range.max.value)];
+        [pair(&self.out.axial), pair(&self.out.shear), pair(&self.out.moment)]
     }
 
     #[inline(always)]
@@ -114,7 +96,7 @@ impl PlainSpan<'_> {
     fn take_one(&mut self, k: usize) {
         let Self { span, lines, state, .. } = *self;
         let (line, inner) = lines.of(span.elements.start + k);
-        let piece = ElementForces { span, k, line, inner, strained: None, yielded: None };
+        let piece = ElementForces::elastic(span, k, line, inner, false);
         let index = PLACES.len() * (span.elements.start + k - self.first);
         piece.take(self.out, index, state.time);
     }
@@ -123,7 +105,7 @@ impl PlainSpan<'_> {
     fn take_between(&mut self, k: usize, places: &[SectionForces; 3]) {
         let Self { span, lines, state, .. } = *self;
         let (line, inner) = lines.of(span.elements.start + k);
-        let piece = ElementForces { span, k, line, inner, strained: None, yielded: None };
+        let piece = ElementForces::elastic(span, k, line, inner, false);
         piece.take_between_places(self.out, places, state.time);
     }
 }
@@ -152,30 +134,4 @@ fn widen_places<P: Simd>(
     for i in 0..values.len() {
         max[i] = if values[i] > max[i] || max[i].is_nan() { values[i] } else { max[i] };
     }
-}
-
-/// Whether something turns between two places half an element apart, given its values and rises, and may be an extreme there: further
-/// than by its steepest rise it does not get.
-#[inline(always)]
-fn may_exceed<P: Simd>(
-    [a, b]: [Lanes<P>; 2],
-    rise: [Lanes<P>; 2],
-    range: &SectionRange,
-) -> <Lanes<P> as Number>::Mask {
-    let reach = rise[0].abs().max(rise[1].abs()) * 0.5;
-    let (most, least) = (a.max(b) + reach, -((-a).max(-b)) - reach);
-    let beyond = is_outside(most, range) | is_outside(least, range);
-    let flat = a.abs().max(b.abs()) * FLAT;
-    // It turns once, or, where the rise half-way is of another sign than at both ends, twice.
-    let half_way = (b - a) * 3.0 - (rise[0] + rise[1]) * 0.25;
-    let turn = (rise[0] * rise[1]).less(reach.constant(0.0));
-    let turns = turn | (rise[0] * half_way).less(reach.constant(0.0));
-    beyond & flat.less(reach) & turns
-}
-
-/// Whether values are less than the least or more than the largest so far.
-#[inline(always)]
-fn is_outside<P: Simd>(value: Lanes<P>, range: &SectionRange) -> <Lanes<P> as Number>::Mask {
-    let (least, most) = (value.constant(range.min.value), value.constant(range.max.value));
-    !(least.at_most(value) & value.at_most(most))
 }

@@ -256,15 +256,12 @@ impl Lines {
 
     /// A force and a moment at a point; what acts at a node concerns no element.
     fn act(&mut self, model: &Model, p: &MaterialPoint, force: [f64; 2], moment: f64, g: [f64; 2]) {
-        if is_at_node(p) {
-            return;
+        if let Some(mut inner) = inner_of(model, p, force) {
+            let gradient = scale(moment / dot(g, g), [-g[1], g[0]]);
+            p.spread_gradient_over(gradient, &mut inner.on_nodes);
+            inner.has_couple = moment != 0.0;
+            self.inner.push(inner);
         }
-        let mut on_nodes = [[0.0; 4]; 2];
-        p.spread_over(force, &mut on_nodes);
-        p.spread_gradient_over(scale(moment / dot(g, g), [-g[1], g[0]]), &mut on_nodes);
-        let (element, xi) = (model.element_at(p.node), place_of(p.shape[2]));
-        let has_couple = moment != 0.0;
-        self.inner.push(Inner { element, xi, force, couple: 0.0, has_couple, on_nodes });
     }
 
     /// A contact along its forms: inside the one element of a beam that it touches. Where a closest point has left one element for
@@ -301,12 +298,23 @@ impl Lines {
     }
 }
 
+/// A force at a point; what acts at a node concerns no element.
+pub(super) fn inner_of(model: &Model, p: &MaterialPoint, force: [f64; 2]) -> Option<Inner> {
+    if is_at_node(p) {
+        return None;
+    }
+    let mut on_nodes = [[0.0; 4]; 2];
+    p.spread_over(force, &mut on_nodes);
+    let (element, xi) = (model.element_at(p.node), place_of(p.shape[2]));
+    Some(Inner { element, xi, force, couple: 0.0, has_couple: false, on_nodes })
+}
+
 /// Whether a point is a node: what acts there concerns no element.
 fn is_at_node(p: &MaterialPoint) -> bool {
     p.shape[2] == 0.0 || p.shape[2] == 1.0
 }
 
-fn take(from: &mut OnNodes, what: &OnNodes) {
+pub(super) fn take(from: &mut OnNodes, what: &OnNodes) {
     for (from, what) in from.iter_mut().zip(what) {
         (0..4).for_each(|i| from[i] -= what[i]);
     }

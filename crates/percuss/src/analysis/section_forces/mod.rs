@@ -10,6 +10,8 @@ mod fibres;
 mod lanes;
 mod line;
 mod lines;
+mod runs;
+mod screen;
 mod span_lines;
 
 use crate::element::beam::ElementValues;
@@ -25,6 +27,7 @@ use fibres::{Fibres, Strained};
 use lanes::PlainSpan;
 
 pub use lines::{Acting, Lines};
+pub use runs::{ElementActing, ElementPlace, ForceInside, RunForces};
 
 /// Nothing seen yet, one entry a beam.
 pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
@@ -81,7 +84,8 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
                 let element = span.elements.start + k;
                 let (line, inner) = lines.of(element);
                 let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));
-                let piece = ElementForces { span, k, line, inner, strained, yielded };
+                let stresses = true;
+                let piece = ElementForces { span, k, line, inner, strained, yielded, stresses };
                 let index = PLACES.len() * (element - beam.elements.start);
                 piece.take(out, index, state.time);
             }
@@ -132,7 +136,8 @@ pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoi
         let (span, k) = model.element_of(node);
         let (line, inner) = lines.of(span.elements.start + k);
         let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));
-        let piece = ElementForces { span, k, line, inner, strained, yielded };
+        let stresses = true;
+        let piece = ElementForces { span, k, line, inner, strained, yielded, stresses };
         let f = line.at(xi, inner, ahead);
         // Of an element that can yield, at the nearest Gauss point: elsewhere fibres remember nothing.
         let near = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);

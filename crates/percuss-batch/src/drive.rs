@@ -1,0 +1,307 @@
+//! Steps the runs of a shape side by side to their ends: each lane goes on by parts of steps of its own, and takes the next run when its own
+//! has ended.
+
+use super::commit::Accept;
+use super::detail::Detail;
+use super::engine::Engine;
+use super::impact::Press;
+use super::lane::{Lane, LaneRun};
+use super::ledger::LaneLedger;
+use super::log::Log;
+use super::newton::LaneNewton;
+use super::numbers::{GuideLaw, Numbers};
+use super::sections::Sections;
+use super::stand::Stand;
+use super::summary::{Fixed, Reading, Telling};
+use percuss::internals::contact::impact::gives_energy;
+use percuss::internals::run::locate::Seen;
+use percuss::internals::scalar::{Mask, Number};
+use percuss::internals::step::contacts::IMPULSIVE;
+use percuss::{RunSummary, Termination};
+
+/// What is read of the rigid contact, lane by lane.
+struct Views<S> {
+    /// Gap and its rate at the start of the part, shape (2) \[m, m/s\].
+    start: [S; 2],
+    /// The same at its end, shape (2) \[m, m/s\].
+    end: [S; 2],
+    /// Impulse \[N s\], and the work it does \[J\].
+    impulse: S,
+    work: S,
+}
+
+/// Runs of one shape in mid-flight.
+pub struct LaneDriver<'a, S: Number> {
+    /// The runs, shape (runs).
+    runs: &'a [LaneRun<'a>],
+    engine: Engine<S>,
+    ledger: LaneLedger<S>,
+    log: Log<S>,
+    search: LaneNewton<S>,
+    stand: Stand<S>,
+    /// Section forces, if they are asked for.
+    sections: Option<Sections<'a, S>>,
+    /// Number of the rigid projectile, if there is one \[index of a projectile\].
+    guide: Option<usize>,
+    /// The run in each lane, shape (lanes).
+    lanes: Vec<Option<Lane>>,
+    /// The first run that no lane has taken yet.
+    next: usize,
+}
+
+/// The rigid projectiles of a run, shape (rigid projectiles) \[index of a projectile\].
+pub fn rigid_guides<S>(numbers: &Numbers<S>) -> impl Iterator<Item = usize> {
+    let all = numbers.guides.iter().enumerate();
+    all.filter(|(_, guide)| guide.law == GuideLaw::Rigid).map(|(k, _)| k)
+}
+
+impl<'a, S: Number> LaneDriver<'a, S> {
+    /// Of runs of one shape, at most one of whose projectiles is rigid.
+    #[inline(always)]
+    pub fn of(runs: &'a [LaneRun<'a>], detail: Detail, like: S) -> Self {
+        let mut engine = Engine::new(runs[0].numbers.map(&mut |x| like.constant(x)));
+        let guide = rigid_guides(&engine.numbers).next();
+        engine.press = guide.map(|guide| Press::new(&engine.numbers, guide));
+        let mut search = LaneNewton::idle(engine.h);
+        search.told = guide.is_some();
+        Self {
+            runs,
+            sections: Sections::of(&engine, runs[0].model, detail),
+            ledger: LaneLedger::open(&engine),
+            stand: Stand(Vec::new()),
+            log: Log::new(&engine),
+            lanes: (0..S::LANES).map(|_| None).collect(),
+            next: 0,
+            search,
+            guide,
+            engine,
+        }
+    }
+
+    /// Runs all to their ends, handing over their summaries.
+    #[inline(always)]
+    pub fn run(mut self, keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
+        (0..S::LANES).for_each(|lane| self.fill(lane));
+        while self.lanes.iter().any(Option::is_some) {
+            self.set_parts();
+            self.log.begin(&self.engine);
+            self.engine.solve(&self.ledger, &mut self.search);
+            let seen = self.views();
+            let go = self.judge(seen.as_ref());
+            self.go_on(go);
+            self.close_parts(seen.as_ref(), go, keep);
+        }
+    }
+
+    /// Puts the next run into a lane.
+    fn fill(&mut self, number: usize) {
+        self.search.set_run(number, self.next < self.runs.len());
+        self.lanes[number] = None;
+        let Some(run) = self.runs.get(self.next) else { return };
+        let like = self.engine.h;
+        let mut fresh = Engine::new(run.numbers.map(&mut |x| like.constant(x)));
+        self.engine.set_lane(number, &mut fresh);
+        self.ledger.set_lane(number, &LaneLedger::open(&fresh), 0);
+        self.log.reset(number);
+        if let Some(sections) = &mut self.sections {
+            sections.begin(number, run.model);
+        }
+        let mut lane = Lane::new(self.next, run, self.guide);
+        let nothing = lane.nothing(&self.ledger, number);
+        let stand = self.stands(number);
+        lane.pace.close_at_rest(stand.into_iter(), nothing);
+        lane.pace.begin(stand.into_iter(), nothing);
+        self.lanes[number] = Some(lane);
+        self.next += 1;
+    }
+
+    /// Gap of the rigid contact of a lane and its rate, if there is one, shape (2) \[m, m/s\].
+    #[inline(always)]
+    fn stands(&self, number: usize) -> Option<[f64; 2]> {
+        let state = &self.engine.guides[self.guide?];
+        Some([state.gap.lane(number), state.rate.lane(number)])
+    }
+
+    /// Gives every lane the part at hand: its size, the bound of its contact, the factors of its loads.
+    #[inline(always)]
+    fn set_parts(&mut self) {
+        let (lanes, h) = (&self.lanes, self.engine.h);
+        let of = |lane: usize, read: &dyn Fn(&Lane) -> f64, none: f64| {
+            lanes[lane].as_ref().map_or(none, read)
+        };
+        self.engine.h = h.constants(|i| of(i, &|lane| lane.pace.h(), h.lane(i)));
+        self.log.time = h.constants(|i| of(i, &|lane| lane.pace.time, 0.0));
+        if let (Some(press), Some(guide)) = (&mut self.engine.press, self.guide) {
+            let rate = self.engine.guides[guide].rate;
+            self.search.ahead = h.constants(|i| of(i, &|lane| lane.ahead(), 0.0));
+            self.search.trusted = h.constants(|i| of(i, &|lane| lane.trusted(), 0.0));
+            let strikes = |lane: &Lane| lane.pace.is_impact();
+            self.engine.constraints.impulsive = h.mask(|i| lanes[i].as_ref().is_some_and(strikes));
+            let bound = |i: usize| lanes[i].as_ref().and_then(|lane| lane.bound(rate.lane(i)));
+            press.bound = h.constants(|i| bound(i).unwrap_or(0.0));
+            press.which = h.mask(|i| bound(i).is_some());
+        }
+        if self.engine.load_factors.is_empty() {
+            return;
+        }
+        for (k, factor) in self.engine.load_factors.iter_mut().enumerate() {
+            *factor = h.constants(|i| {
+                let load = |lane: &Lane| &self.runs[lane.run].model.loads[k];
+                of(i, &|lane| load(lane).factor(lane.pace.time, lane.pace.h()), 0.0)
+            });
+        }
+        self.engine.apply_loads();
+    }
+
+    /// What is seen of the rigid contact, if there is one.
+    #[inline(always)]
+    fn views(&self) -> Option<Views<S>> {
+        let guide = self.guide?;
+        let state = &self.engine.guides[guide];
+        Some(Views {
+            start: [state.gap, state.rate],
+            end: self.engine.gap_next(guide),
+            impulse: state.impulse,
+            work: state.impulse * state.gap_change / self.engine.h,
+        })
+    }
+
+    /// Lanes whose part is accepted.
+    #[inline(always)]
+    fn judge(&mut self, seen: Option<&Views<S>>) -> S::Mask {
+        let mut go = [false; 64];
+        for (number, go) in go.iter_mut().enumerate().take(S::LANES) {
+            let Some(lane) = &mut self.lanes[number] else { continue };
+            let own = seen.map(|seen| seen.lane(number));
+            *go = lane.judge(own.as_slice(), self.search.failed.lane(number));
+        }
+        self.engine.h.mask(|lane| go[lane])
+    }
+
+    /// Moves the lanes that `go` to the end of their parts. What becomes of lanes whose run is over, or has failed, is nothing to anybody.
+    #[inline(always)]
+    fn go_on(&mut self, go: S::Mask) {
+        let lanes = &self.lanes;
+        let idle = self.search.failed | self.engine.h.mask(|lane| lanes[lane].is_none());
+        let go = if (!(go | idle)).any() { Some(go) } else { None };
+        if go.is_some() {
+            self.stand.keep(&mut self.engine, &mut self.ledger);
+        }
+        let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
+        let sections = self.sections.as_mut();
+        Accept { engine, ledger, log, sections, go }.accept();
+        if let Some(go) = go {
+            self.stand.put_back(&mut self.engine, &mut self.ledger, go);
+        }
+    }
+
+    /// Takes in the ends of the parts of lanes that `go`: runs that have ended leave their lanes, and those in which something odd
+    /// has happened are left to the solver that knows it.
+    #[inline(always)]
+    fn close_parts(
+        &mut self,
+        seen: Option<&Views<S>>,
+        go: S::Mask,
+        keep: &mut dyn FnMut(usize, Option<RunSummary>),
+    ) {
+        for number in 0..S::LANES {
+            let Some(mut lane) = self.lanes[number].take() else { continue };
+            let index = self.runs[lane.run].index;
+            let gone = go.lane(number);
+            // A fibre that fails is left to single runs.
+            let fails = gone && self.engine.fibres.failing.lane(number);
+            let failed = self.search.failed.lane(number) || fails;
+            if failed || gone && !self.advance(&mut lane, number, seen) {
+                keep(index, None);
+                self.fill(number);
+            } else if gone && lane.pace.is_over() {
+                keep(index, Some(self.summary(&lane, number)));
+                self.fill(number);
+            } else {
+                self.lanes[number] = Some(lane);
+            }
+        }
+    }
+
+    /// Takes the part of a lane in and begins the next one; not if single runs go on otherwise than lanes.
+    #[inline(always)]
+    fn advance(&self, lane: &mut Lane, number: usize, seen: Option<&Views<S>>) -> bool {
+        let stand = self.stands(number);
+        let (mut now, mut impulse) = (None, None);
+        if let (Some(seen), Some(end)) = (seen, stand) {
+            if !self.note(lane, number, seen) {
+                return false;
+            }
+            now = Some(Seen { end, ..seen.lane(number) });
+            impulse = Some(seen.impulse.lane(number));
+        }
+        let nothing = lane.nothing(&self.ledger, number);
+        lane.pace.accept(now.as_slice(), impulse.as_slice(), nothing);
+        if let Some([gap, _]) = stand {
+            lane.rigid.see(gap, lane.pace.time);
+        }
+        if lane.pace.has_accumulated() {
+            return false;
+        }
+        lane.pace.begin(stand.into_iter(), nothing);
+        true
+    }
+
+    /// Notes what the rigid contact of a lane did in its part; not if another law stands in for the contact's own.
+    #[inline(always)]
+    fn note(&self, lane: &mut Lane, number: usize, seen: &Views<S>) -> bool {
+        let (own, impulse) = (seen.lane(number), seen.impulse.lane(number));
+        let work = seen.work.lane(number);
+        if lane.pace.is_impact() && gives_energy(work, [(impulse, own.start[1])]) {
+            return false;
+        }
+        let contact = lane.pace.contacts[0];
+        if let Some(press) = &self.engine.press
+            && contact.phase.is_some()
+            && (impulse > 0.0 || contact.rests())
+        {
+            let part = self.engine.part(press.guide, seen.start[1]).lane(number);
+            let impulsive = part.h < IMPULSIVE * self.engine.numbers.step.lane(number);
+            lane.rigid.take(&part, lane.pace.time, contact.rests(), impulsive);
+            lane.weigh(&part, press.opening.lane(number), press.bound.lane(number));
+        }
+        true
+    }
+
+    fn summary(&mut self, lane: &Lane, number: usize) -> RunSummary {
+        let end = self.engine.h.constant(lane.pace.time);
+        self.log.time.set_lane(number, end, number);
+        let own = &self.runs[lane.run];
+        let telling = Telling {
+            model: own.model,
+            engine: &self.engine,
+            ledger: &self.ledger,
+            log: &self.log,
+            search: &self.search,
+            lane: number,
+            steps: lane.pace.steps,
+            accumulated_steps: 0,
+            solver_steps: lane.pace.solver_steps,
+            rows: lane.pace.rows,
+            rigid: &|k, reading| lane.rigid.record(reading.fixed[k].s, &|x| x, false),
+            residual: lane.rigid.residual,
+        };
+        let fixed = Fixed::all(own.model);
+        let read = |x: S| x.lane(number);
+        let reading = Reading { read: &read, fixed: &fixed, derivative: false };
+        let mut summary = telling.summary(Termination::Completed, &reading);
+        if let Some(sections) = &self.sections {
+            summary.section_forces = sections.end(number);
+        }
+        summary
+    }
+}
+
+impl<S: Number> Views<S> {
+    /// Those of a lane.
+    #[inline(always)]
+    fn lane(&self, lane: usize) -> Seen {
+        let both = |x: [S; 2]| [x[0].lane(lane), x[1].lane(lane)];
+        Seen { contact: 0, start: both(self.start), end: both(self.end) }
+    }
+}
