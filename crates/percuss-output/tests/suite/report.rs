@@ -229,6 +229,7 @@ fn several_projectiles_have_their_own_figures() -> Outcome {
     let mut data = rigid()?;
     let hammer = data.summary["contact"]["hammer"].clone();
     data.summary["contact"]["tongs/and:co"] = hammer;
+    data.summary["projectile"]["tongs/and:co"] = data.summary["projectile"]["hammer"].clone();
     let history = memory(&mut data);
     let copies: Vec<(Channel, Vec<f64>)> = history
         .channels
