@@ -116,7 +116,7 @@ impl SummaryPath {
         let of = |key: &String| {
             let of =
                 |what: &&str| key.strip_prefix(*what).is_some_and(|r| ["", "_max"].contains(&r));
-            ["axial", "shear", "moment"].iter().any(|what| of(what))
+            ["axial", "shear", "moment"].iter().any(of)
         };
         self.part == "section_forces" && self.keys.first().is_some_and(of)
     }
