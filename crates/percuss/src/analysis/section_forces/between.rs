@@ -1,9 +1,10 @@
 //! Extremes of section forces and stresses between the places at which every element is looked at.
 
-use super::element::{ElementForces, FLAT, PLACES, station};
+use super::element::{ElementForces, PLACES, station};
 use super::fibres::Fibres;
 use super::line::{Rise, SectionForces};
-use crate::summary::{SectionForceSummary, SectionRange};
+use super::screen::{depth_of, extremes, look_at_stresses, may_exceed_between};
+use crate::summary::SectionForceSummary;
 
 /// Pieces in which extremes between two places are looked for.
 const PIECES: usize = 4;
@@ -21,25 +22,20 @@ impl ElementForces<'_> {
     ) {
         let stressed = self.stress_may_exceed(out, places);
         for j in 1..PLACES.len() {
-            let wanted = may_exceed(out, &places[j - 1], &places[j]);
+            let known = [&out.axial, &out.shear, &out.moment].map(extremes);
+            let wanted = may_exceed_between(&places[j - 1], &places[j], &known);
             let known = Some([&places[j - 1], &places[j]]);
             self.take_within(out, ([PLACES[j - 1], PLACES[j]], known), wanted, stressed, time);
         }
     }
 
-    /// Whether the stress may be an extreme between the places: further beyond them than they differ it hardly gets.
+    /// Whether the stress may be an extreme between the places.
     fn stress_may_exceed(&self, out: &SectionForceSummary, places: &[SectionForces; 3]) -> bool {
         if !self.has_fibres() {
             return false;
         }
-        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-        for (xi, forces) in PLACES.iter().zip(places) {
-            if let Some(Fibres { stress: [least, most], .. }) = self.fibres(*xi, forces) {
-                range = [range[0].min(least), range[1].max(most)];
-            }
-        }
-        let reach = range[1] - range[0];
-        range[1] + reach > out.stress.max.value || range[0] - reach < out.stress.min.value
+        let depth = PLACES.map(|xi| depth_of(&self.span.section_at(self.k, xi)));
+        look_at_stresses(places, &depth, &extremes(&out.stress))[1]
     }
 
     /// Takes what is behind and ahead of every force inside, and where section forces are largest between them.
@@ -121,24 +117,4 @@ impl ElementForces<'_> {
             }
         }
     }
-}
-
-/// Whether axial force, shear force and moment between two places half an element apart may be an extreme there, shape (3).
-fn may_exceed(out: &SectionForceSummary, a: &SectionForces, b: &SectionForces) -> [bool; 3] {
-    let beyond = |range: &SectionRange, [a, b]: [f64; 2], rise: [f64; 2]| {
-        // Further than by its steepest rise it does not get.
-        let reach = 0.5 * rise[0].abs().max(rise[1].abs());
-        // It turns once, or, where the rise half-way is of another sign than at both ends, twice.
-        let half_way = 3.0 * (b - a) - 0.25 * (rise[0] + rise[1]);
-        let turns = rise[0] * rise[1] < 0.0 || rise[0] * half_way < 0.0;
-        turns
-            && reach > FLAT * a.abs().max(b.abs())
-            && (a.max(b) + reach > range.max.value || a.min(b) - reach < range.min.value)
-    };
-    let (c, d) = (&a.rise, &b.rise);
-    [
-        beyond(&out.axial, [a.axial, b.axial], [c.axial, d.axial]),
-        beyond(&out.shear, [a.shear, b.shear], [c.shear, d.shear]),
-        beyond(&out.moment, [a.moment, b.moment], [c.moment, d.moment]),
-    ]
 }

@@ -2,7 +2,9 @@
 
 use super::element::FLAT;
 use super::line::SectionForces;
+use crate::element::beam::SectionValues;
 use crate::scalar::Number;
+use crate::summary::SectionRange;
 
 /// Least and largest axial force, shear force and moment of a beam so far, shape (3, 2) \[N, N, N m\].
 pub type BeamExtremes<S> = [[S; 2]; 3];
@@ -20,48 +22,80 @@ pub fn look_at<S: Number>(places: &[SectionForces<S>; 3], known: &BeamExtremes<S
         if j == 0 {
             continue;
         }
-        let before = &places[j - 1];
-        let (c, d) = (&before.rise, &at.rise);
-        turns = turns
-            | may_exceed([before.axial, at.axial], [c.axial, d.axial], &known[0])
-            | may_exceed([before.shear, at.shear], [c.shear, d.shear], &known[1])
-            | may_exceed([before.moment, at.moment], [c.moment, d.moment], &known[2]);
+        let [axial, shear, moment] = may_exceed_between(&places[j - 1], at, known);
+        turns = turns | axial | shear | moment;
     }
     [exceeds, turns]
 }
 
-/// Whether something turns between two places half an element apart, given its values and rises, and may be an extreme there: further
-/// than by its steepest rise it does not get.
+/// Whether axial force, shear force and moment between two places half an element apart may be an extreme there, shape (3).
 #[inline(always)]
-fn may_exceed<S: Number>([a, b]: [S; 2], rise: [S; 2], range: &[S; 2]) -> S::Mask {
-    let (reach, turns) = reach([a, b], rise);
-    let (most, least) = (a.max(b) + reach, -((-a).max(-b)) - reach);
-    let beyond = is_outside(most, range) | is_outside(least, range);
-    let flat = a.abs().max(b.abs()) * FLAT;
-    beyond & flat.less(reach) & turns
+pub fn may_exceed_between<S: Number>(
+    a: &SectionForces<S>,
+    b: &SectionForces<S>,
+    known: &BeamExtremes<S>,
+) -> [S::Mask; 3] {
+    let (c, d) = (&a.rise, &b.rise);
+    [
+        may_exceed([a.axial, b.axial], [c.axial, d.axial], &known[0]),
+        may_exceed([a.shear, b.shear], [c.shear, d.shear], &known[1]),
+        may_exceed([a.moment, b.moment], [c.moment, d.moment], &known[2]),
+    ]
 }
 
-/// How far something may get beyond its values at two places half an element apart, given these and its rises, and whether it turns
-/// between them at all.
+/// Whether something turns between two places half an element apart, given its values and rises, and may be an extreme there.
 #[inline(always)]
-fn reach<S: Number>([a, b]: [S; 2], rise: [S; 2]) -> (S, S::Mask) {
-    let reach = rise[0].abs().max(rise[1].abs()) * 0.5;
-    // It turns once, or, where the rise half-way is of another sign than at both ends, twice.
+fn may_exceed<S: Number>(values: [S; 2], rise: [S; 2], range: &[S; 2]) -> S::Mask {
+    let [least, most] = bounds(values, rise);
+    let beyond = is_outside(most, range) | is_outside(least, range);
+    let flat = values[0].abs().max(values[1].abs()) * FLAT;
+    beyond & flat.less(rise[0].abs().max(rise[1].abs()) * 0.5) & turns(values, rise)
+}
+
+/// Least and largest that something may be between two places half an element apart. A cubic with these values and rises stays between
+/// the values and what a third of the way along the tangents at both ends leads to (Bezier's points, a sixth of an element from them);
+/// twice as far along these tangents what is of fifth degree stays, too.
+#[inline(always)]
+fn bounds<S: Number>([a, b]: [S; 2], rise: [S; 2]) -> [S; 2] {
+    let (p, q) = (a + rise[0] * (1.0 / 3.0), b - rise[1] * (1.0 / 3.0));
+    [least(least(a, b), least(p, q)), a.max(b).max(p.max(q))]
+}
+
+#[inline(always)]
+fn least<S: Number>(a: S, b: S) -> S {
+    a.if_less(b, a, b)
+}
+
+/// Whether something turns between two places: once, or, where the rise half-way is of another sign than at both ends, twice.
+#[inline(always)]
+fn turns<S: Number>([a, b]: [S; 2], rise: [S; 2]) -> S::Mask {
+    let zero = a.constant(0.0);
     let half_way = (b - a) * 3.0 - (rise[0] + rise[1]) * 0.25;
-    let turn = (rise[0] * rise[1]).less(reach.constant(0.0));
-    (reach, turn | (rise[0] * half_way).less(reach.constant(0.0)))
+    (rise[0] * rise[1]).less(zero) | (rise[0] * half_way).less(zero)
 }
 
 /// How far something gets beyond its values at these places at most.
 #[inline(always)]
 fn farther<S: Number>(values: [S; 2], rise: [S; 2]) -> S {
-    let (reach, turns) = reach(values, rise);
-    S::choose(turns, reach, reach.constant(0.0))
+    let [lower, upper] = bounds(values, rise);
+    let [a, b] = values;
+    let beyond = (upper - a.max(b)).max(least(a, b) - lower);
+    S::choose(turns(values, rise), beyond, a.constant(0.0))
 }
 
 /// What axial force and moment make of stress in the extreme fibres at both ends and in the middle of an element, shape (3, 2)
 /// \[1/m^2, 1/m^3\].
 pub type Depth<S> = [[S; 2]; 3];
+
+/// The same of a section.
+pub fn depth_of(section: &SectionValues) -> [f64; 2] {
+    [section.area.recip(), section.half_depth / section.inertia]
+}
+
+/// Least and largest so far, shape (2).
+pub fn extremes(range: &SectionRange) -> [f64; 2] {
+    [range.min.value, range.max.value]
+}
 
 /// Least and largest stress at these places, shape (3, 2) \[Pa\].
 #[inline(always)]
@@ -93,7 +127,7 @@ pub fn look_at_stresses<S: Number>(
         let far = farther(n, [p.rise.axial, q.rise.axial]);
         let turned = farther([p.moment, q.moment], [p.rise.moment, q.rise.moment]);
         let bent = (m[0].max(m[1]) + turned) * d[1].max(e[1]);
-        let (wide, narrow) = (d[0].max(e[0]), -((-d[0]).max(-e[0])));
+        let (wide, narrow) = (d[0].max(e[0]), least(d[0], e[0]));
         let (pulled, pushed) = (n[0].max(n[1]) + far, (-n[0]).max(-n[1]) + far);
         let zero = far.constant(0.0);
         let most = pulled * zero.if_less(pulled, wide, narrow) + bent;
