@@ -3,7 +3,7 @@
 use super::element::{ElementForces, PLACES, station};
 use super::fibres::Fibres;
 use super::line::{Rise, SectionForces};
-use super::screen::{depth_of, extremes, look_at_stresses, may_exceed_between};
+use super::screen::{depth_of, extremes, may_exceed_between, stress_may_exceed};
 use crate::summary::SectionForceSummary;
 
 /// Pieces in which extremes between two places are looked for.
@@ -20,57 +20,52 @@ impl ElementForces<'_> {
         places: &[SectionForces; 3],
         time: f64,
     ) {
-        let stressed = self.stress_may_exceed(out, places);
         for j in 1..PLACES.len() {
-            let known = [&out.axial, &out.shear, &out.moment].map(extremes);
-            let wanted = may_exceed_between(&places[j - 1], &places[j], &known);
-            let known = Some([&places[j - 1], &places[j]]);
-            self.take_within(out, ([PLACES[j - 1], PLACES[j]], known), wanted, stressed, time);
+            let ends = [&places[j - 1], &places[j]];
+            self.take_within(out, [PLACES[j - 1], PLACES[j]], ends, time);
         }
-    }
-
-    /// Whether the stress may be an extreme between the places.
-    fn stress_may_exceed(&self, out: &SectionForceSummary, places: &[SectionForces; 3]) -> bool {
-        if !self.has_fibres() {
-            return false;
-        }
-        let depth = PLACES.map(|xi| depth_of(&self.span.section_at(self.k, xi)));
-        look_at_stresses(places, &depth, &extremes(&out.stress))[1]
     }
 
     /// Takes what is behind and ahead of every force inside, and where section forces are largest between them.
     pub(super) fn take_between_forces(&self, out: &mut SectionForceSummary, time: f64) {
         let mut from = 0.0;
+        let mut ahead = self.line.at(from, self.inner, true);
         while from < 1.0 {
             let stops = self.inner.iter().map(|one| one.xi).chain(PLACES);
             let to = stops.filter(|xi| *xi > from).fold(1.0, f64::min);
-            self.take_within(out, ([from, to], None), [true; 3], self.has_fibres(), time);
-            for ahead in [false, true] {
-                self.take_at(out, to, &self.line.at(to, self.inner, ahead), time);
-            }
+            let behind = self.line.at(to, self.inner, false);
+            self.take_within(out, [from, to], [&ahead, &behind], time);
+            self.take_at(out, to, &behind, time);
+            ahead = self.line.at(to, self.inner, true);
+            self.take_at(out, to, &ahead, time);
             from = to;
         }
     }
 
-    /// Takes the wanted of axial force, shear force and moment, and the stress, where they are largest between two places with nothing
-    /// inside: in pieces, for each may turn more than once. What is known at both places is not asked for again.
+    /// Takes axial force, shear force and moment, and the stress, where they may be largest between two places with nothing inside: in
+    /// pieces, for each may turn more than once. What is known at both places is not asked for again.
     fn take_within(
         &self,
         out: &mut SectionForceSummary,
-        ([from, to], known): ([f64; 2], Option<[&SectionForces; 2]>),
-        wanted: [bool; 3],
-        stressed: bool,
+        [from, to]: [f64; 2],
+        ends: [&SectionForces; 2],
         time: f64,
     ) {
+        let known = [&out.axial, &out.shear, &out.moment].map(extremes);
+        let wanted = may_exceed_between(ends, to - from, &known);
+        let stressed = self.has_fibres() && {
+            let depth = [from, to].map(|xi| depth_of(&self.span.section_at(self.k, xi)));
+            stress_may_exceed(ends, to - from, depth, &extremes(&out.stress))
+        };
         if !stressed && wanted == [false; 3] {
             return;
         }
         let at: [f64; PIECES + 1] =
             std::array::from_fn(|k| station(from, to, k as f64 / PIECES as f64));
-        let forces: [SectionForces; PIECES + 1] = std::array::from_fn(|k| match known {
-            Some([first, _]) if k == 0 => *first,
-            Some([_, last]) if k == PIECES => *last,
-            _ => self.line.at(at[k], self.inner, k == 0),
+        let forces: [SectionForces; PIECES + 1] = std::array::from_fn(|k| match k {
+            0 => *ends[0],
+            PIECES => *ends[1],
+            _ => self.line.at(at[k], self.inner, false),
         });
         for (of, _) in RISES.into_iter().zip(wanted).filter(|(_, wanted)| *wanted) {
             for k in 1..=PIECES {

@@ -22,65 +22,78 @@ pub fn look_at<S: Number>(places: &[SectionForces<S>; 3], known: &BeamExtremes<S
         if j == 0 {
             continue;
         }
-        let [axial, shear, moment] = may_exceed_between(&places[j - 1], at, known);
+        let [axial, shear, moment] = may_exceed_between([&places[j - 1], at], 0.5, known);
         turns = turns | axial | shear | moment;
     }
     [exceeds, turns]
 }
 
-/// Whether axial force, shear force and moment between two places half an element apart may be an extreme there, shape (3).
+/// Whether axial force, shear force and moment between two places so many elements apart may be an extreme there, shape (3).
 #[inline(always)]
 pub fn may_exceed_between<S: Number>(
-    a: &SectionForces<S>,
-    b: &SectionForces<S>,
+    [a, b]: [&SectionForces<S>; 2],
+    apart: f64,
     known: &BeamExtremes<S>,
 ) -> [S::Mask; 3] {
     let (c, d) = (&a.rise, &b.rise);
+    let piece = |values: [S; 2], rise: [S; 2]| Piece { values, rise, apart };
     [
-        may_exceed([a.axial, b.axial], [c.axial, d.axial], &known[0]),
-        may_exceed([a.shear, b.shear], [c.shear, d.shear], &known[1]),
-        may_exceed([a.moment, b.moment], [c.moment, d.moment], &known[2]),
+        piece([a.axial, b.axial], [c.axial, d.axial]).may_exceed(&known[0]),
+        piece([a.shear, b.shear], [c.shear, d.shear]).may_exceed(&known[1]),
+        piece([a.moment, b.moment], [c.moment, d.moment]).may_exceed(&known[2]),
     ]
 }
 
-/// Whether something turns between two places half an element apart, given its values and rises, and may be an extreme there.
-#[inline(always)]
-fn may_exceed<S: Number>(values: [S; 2], rise: [S; 2], range: &[S; 2]) -> S::Mask {
-    let [least, most] = bounds(values, rise);
-    let beyond = is_outside(most, range) | is_outside(least, range);
-    let flat = values[0].abs().max(values[1].abs()) * FLAT;
-    beyond & flat.less(rise[0].abs().max(rise[1].abs()) * 0.5) & turns(values, rise)
+/// A curve between two places so many elements apart: values and rises at both.
+#[derive(Clone, Copy)]
+struct Piece<S> {
+    values: [S; 2],
+    rise: [S; 2],
+    apart: f64,
 }
 
-/// Least and largest that something may be between two places half an element apart. A cubic with these values and rises stays between
-/// the values and what a third of the way along the tangents at both ends leads to (Bezier's points, a sixth of an element from them);
-/// twice as far along these tangents what is of fifth degree stays, too.
-#[inline(always)]
-fn bounds<S: Number>([a, b]: [S; 2], rise: [S; 2]) -> [S; 2] {
-    let (p, q) = (a + rise[0] * (1.0 / 3.0), b - rise[1] * (1.0 / 3.0));
-    [least(least(a, b), least(p, q)), a.max(b).max(p.max(q))]
+impl<S: Number> Piece<S> {
+    /// Whether it turns and may be an extreme.
+    #[inline(always)]
+    fn may_exceed(&self, range: &[S; 2]) -> S::Mask {
+        let ([a, b], [c, d]) = (self.values, self.rise);
+        let [least, most] = self.bounds();
+        let beyond = is_outside(most, range) | is_outside(least, range);
+        let flat = a.abs().max(b.abs()) * FLAT;
+        beyond & flat.less(c.abs().max(d.abs()) * self.apart) & self.turns()
+    }
+
+    /// Least and largest that it may be. A cubic with these values and rises stays between the values and what a third of the way along
+    /// the tangents at both ends leads to (the control points of Bezier); twice as far along these what is of fifth degree stays, too.
+    #[inline(always)]
+    fn bounds(&self) -> [S; 2] {
+        let ([a, b], [c, d]) = (self.values, self.rise);
+        let way = 2.0 / 3.0 * self.apart;
+        let (p, q) = (a + c * way, b - d * way);
+        [least(least(a, b), least(p, q)), a.max(b).max(p.max(q))]
+    }
+
+    /// Whether it turns: once, or, where the rise half-way is of another sign than at both ends, twice.
+    #[inline(always)]
+    fn turns(&self) -> S::Mask {
+        let ([a, b], [c, d]) = (self.values, self.rise);
+        let zero = a.constant(0.0);
+        let half_way = (b - a) * (1.5 / self.apart) - (c + d) * 0.25;
+        (c * d).less(zero) | (c * half_way).less(zero)
+    }
+
+    /// How far it gets beyond its values at both places at most.
+    #[inline(always)]
+    fn farther(&self) -> S {
+        let ([a, b], [lower, upper]) = (self.values, self.bounds());
+        let beyond = (upper - a.max(b)).max(least(a, b) - lower);
+        S::choose(self.turns(), beyond, a.constant(0.0))
+    }
 }
 
 #[inline(always)]
 fn least<S: Number>(a: S, b: S) -> S {
     a.if_less(b, a, b)
-}
-
-/// Whether something turns between two places: once, or, where the rise half-way is of another sign than at both ends, twice.
-#[inline(always)]
-fn turns<S: Number>([a, b]: [S; 2], rise: [S; 2]) -> S::Mask {
-    let zero = a.constant(0.0);
-    let half_way = (b - a) * 3.0 - (rise[0] + rise[1]) * 0.25;
-    (rise[0] * rise[1]).less(zero) | (rise[0] * half_way).less(zero)
-}
-
-/// How far something gets beyond its values at these places at most.
-#[inline(always)]
-fn farther<S: Number>(values: [S; 2], rise: [S; 2]) -> S {
-    let [lower, upper] = bounds(values, rise);
-    let [a, b] = values;
-    let beyond = (upper - a.max(b)).max(least(a, b) - lower);
-    S::choose(turns(values, rise), beyond, a.constant(0.0))
 }
 
 /// What axial force and moment make of stress in the extreme fibres at both ends and in the middle of an element, shape (3, 2)
@@ -109,8 +122,7 @@ pub fn stresses_at<S: Number>(places: &[SectionForces<S>; 3], depth: &Depth<S>) 
     all
 }
 
-/// Whether stresses of an element may exceed those so far: at the places looked at, and between them, where axial force and moment are
-/// no larger together than each is alone.
+/// Whether stresses of an element exceed those so far at the places looked at, and whether they may between them.
 #[inline(always)]
 pub fn look_at_stresses<S: Number>(
     places: &[SectionForces<S>; 3],
@@ -122,19 +134,34 @@ pub fn look_at_stresses<S: Number>(
     let mut may = !exceeds & exceeds;
     for j in 1..3 {
         exceeds = exceeds | is_outside(stresses[j][0], known) | is_outside(stresses[j][1], known);
-        let ([p, q], [d, e]) = ([&places[j - 1], &places[j]], [&depth[j - 1], &depth[j]]);
-        let (n, m) = ([p.axial, q.axial], [p.moment.abs(), q.moment.abs()]);
-        let far = farther(n, [p.rise.axial, q.rise.axial]);
-        let turned = farther([p.moment, q.moment], [p.rise.moment, q.rise.moment]);
-        let bent = (m[0].max(m[1]) + turned) * d[1].max(e[1]);
-        let (wide, narrow) = (d[0].max(e[0]), least(d[0], e[0]));
-        let (pulled, pushed) = (n[0].max(n[1]) + far, (-n[0]).max(-n[1]) + far);
-        let zero = far.constant(0.0);
-        let most = pulled * zero.if_less(pulled, wide, narrow) + bent;
-        let least = pushed * zero.if_less(pushed, wide, narrow) + bent;
-        may = may | is_outside(most, known) | is_outside(-least, known);
+        let pair = [&places[j - 1], &places[j]];
+        may = may | stress_may_exceed(pair, 0.5, [depth[j - 1], depth[j]], known);
     }
     [exceeds, may]
+}
+
+/// Whether stresses between two places so many elements apart may exceed those so far: axial force and moment are no larger together
+/// than each is alone.
+#[inline(always)]
+pub fn stress_may_exceed<S: Number>(
+    [a, b]: [&SectionForces<S>; 2],
+    apart: f64,
+    [d, e]: [[S; 2]; 2],
+    known: &[S; 2],
+) -> S::Mask {
+    let n = [a.axial, b.axial];
+    let pulling = Piece { values: n, rise: [a.rise.axial, b.rise.axial], apart };
+    let bending =
+        Piece { values: [a.moment, b.moment], rise: [a.rise.moment, b.rise.moment], apart };
+    let far = pulling.farther();
+    let most_bent = a.moment.abs().max(b.moment.abs()) + bending.farther();
+    let bent = most_bent * d[1].max(e[1]);
+    let (wide, narrow) = (d[0].max(e[0]), least(d[0], e[0]));
+    let (pulled, pushed) = (n[0].max(n[1]) + far, (-n[0]).max(-n[1]) + far);
+    let zero = far.constant(0.0);
+    let most = pulled * zero.if_less(pulled, wide, narrow) + bent;
+    let least = pushed * zero.if_less(pushed, wide, narrow) + bent;
+    is_outside(most, known) | is_outside(-least, known)
 }
 
 /// Whether values are less than the least or more than the largest so far.
