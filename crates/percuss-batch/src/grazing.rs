@@ -1,6 +1,6 @@
 //! Contacts, and the yielding of beams, that are about to appear or to vanish in a run.
 
-use super::flight::{Derived, Flight};
+use super::derivative_run::{DerivativeRun, Derived};
 use super::yield_log::{Noted, YieldLog};
 use percuss::internals::scalar::Real;
 
@@ -29,7 +29,7 @@ pub struct Grazing {
     pub changes: Vec<f64>,
 }
 
-impl Flight<'_> {
+impl DerivativeRun<'_> {
     /// Contacts, misses and beams that can yield with the changes of the parameters that would end or begin them.
     pub fn grazing(&self, parameters: usize) -> Vec<Grazing> {
         let mut all = Vec::new();

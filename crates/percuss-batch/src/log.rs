@@ -150,7 +150,7 @@ impl<S: Number> Log<S> {
         let [gap_0, rate_0] = self.gap_start[k];
         let least = gap_0.if_less(state.gap, gap_0, state.gap);
         let log = &mut self.guides[k];
-        let flight = FreeGap { gap: gap_0, rate: rate_0, acceleration: log.free };
+        let free = FreeGap { gap: gap_0, rate: rate_0, acceleration: log.free };
         log.open_throughout(self.taken, !least.less(zero), (state.rate - rate_0) / h);
         if !least.any_less(zero) {
             return;
@@ -160,11 +160,11 @@ impl<S: Number> Log<S> {
             let (before, after) = (gap_0.lane(lane), state.gap.lane(lane));
             if self.taken.lane(lane) && !log.is_open[lane] && (before < 0.0 || after < 0.0) {
                 log.is_open[lane] = true;
-                let [opens, approach] = path::touch_down(&path, &flight, lane);
+                let [opens, approach] = path::touch_down(&path, &free, lane);
                 let mut new = Closed::none(zero);
                 new.start = time + opens;
                 new.approach = approach;
-                new.changes[0] = flight.acceleration * h;
+                new.changes[0] = free.acceleration * h;
                 new.place = engine.struck_before(k, h - opens);
                 log.open.set_lane(lane, &new, lane);
             }

@@ -6,7 +6,7 @@
 
 use percuss_codes::AnalysisCode;
 
-use super::flight::{Derived, Flight, TOGETHER};
+use super::derivative_run::{DerivativeRun, Derived, TOGETHER};
 use super::grazing::Grazing;
 use super::horizon::{Horizon, agreeing, align, withdraw, withdraw_plastic};
 use super::numbers::Numbers;
@@ -196,22 +196,22 @@ impl Case<'_> {
         let numbers = self.base.flat().into_iter().enumerate();
         let numbers: Vec<Derived> = numbers.map(|(i, x)| derived(x, &|p| p.numbers[i])).collect();
         let end = derived(self.settings.end, &|p| p.end);
-        let mut flight = Flight::new(self.model, self.settings, self.base.with(&numbers), end);
-        let reached = flight.run().err();
+        let mut run = DerivativeRun::new(self.model, self.settings, self.base.with(&numbers), end);
+        let reached = run.run().err();
         let telling = Telling {
             model: self.model,
-            engine: &flight.engine,
-            ledger: &flight.ledger,
-            log: &flight.log,
-            search: &flight.search,
+            engine: &run.engine,
+            ledger: &run.ledger,
+            log: &run.log,
+            search: &run.search,
             lane: 0,
             steps: self.settings.step_count(),
-            accumulated_steps: flight.pace.accumulated_steps,
-            solver_steps: flight.pace.solver_steps,
+            accumulated_steps: run.pace.accumulated_steps,
+            solver_steps: run.pace.solver_steps,
             rows: found.summary.rows,
             rigid: &|k, reading| {
                 let s = reading.fixed[k].s;
-                flight.rigid_logs[k].record(s, reading.read, reading.derivative)
+                run.rigid_logs[k].record(s, reading.read, reading.derivative)
             },
             residual: 0.0,
         };
@@ -227,13 +227,13 @@ impl Case<'_> {
             if let Some(horizon) = &horizon {
                 withdraw(&mut derivative, &found.summary, &own, horizon.time, self.settings.step);
             }
-            derivative.plastic = flight.plastic(self.model, &read, &found.summary.plastic);
+            derivative.plastic = run.plastic(self.model, &read, &found.summary.plastic);
             if horizon.is_some() {
                 derivative.plastic.iter_mut().for_each(withdraw_plastic);
             }
             found.derivatives.push(derivative);
         }
-        let grazing = flight.grazing(parameters.len());
+        let grazing = run.grazing(parameters.len());
         if found.grazing.is_empty() {
             found.grazing = grazing;
         } else {

@@ -8,11 +8,11 @@ use percuss::math::interpolant::Interpolant;
 /// Time from the start of the step at which a lane's contact closes, and the velocity of approach.
 pub(super) fn touch_down<S: Number>(
     path: &Interpolant<S>,
-    flight: &FreeGap<S>,
+    free: &FreeGap<S>,
     lane: usize,
 ) -> [S; 2] {
-    if flight.gap.lane(lane) >= 0.0 {
-        let [time, rate] = flight.closes(path.h);
+    if free.gap.lane(lane) >= 0.0 {
+        let [time, rate] = free.closes(path.h);
         if rate.lane(lane) < 0.0 {
             return [time, -rate];
         }

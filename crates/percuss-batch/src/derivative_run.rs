@@ -1,4 +1,4 @@
-//! One run with its derivatives, in mid-flight.
+//! State and stepping of one run with its derivatives.
 
 mod plastic;
 
@@ -26,8 +26,8 @@ pub const TOGETHER: usize = 4;
 /// A number with its derivatives; the last one is with respect to the size of the step at hand.
 pub type Derived = Dual<{ TOGETHER + 1 }>;
 
-/// A run in mid-flight.
-pub struct Flight<'a> {
+/// A run with its derivatives between two parts of steps.
+pub struct DerivativeRun<'a> {
     pub model: &'a Model,
     settings: &'a Settings,
     /// Time at which it ends \[s\].
@@ -48,7 +48,7 @@ pub struct Flight<'a> {
     pub misses: Vec<(usize, Derived, Derived)>,
 }
 
-impl<'a> Flight<'a> {
+impl<'a> DerivativeRun<'a> {
     /// At the start of a run that ends at `end`.
     pub fn new(
         model: &'a Model,

@@ -1,12 +1,12 @@
 //! Derivatives of what became of beams that can yield.
 
-use super::{Derived, Flight};
+use super::{DerivativeRun, Derived};
 use crate::yield_log::YieldLog;
 use percuss::internals::model::frozen::BeamData;
 use percuss::internals::scalar::{Number, Real};
 use percuss::{FirstYield, Model, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak};
 
-impl Flight<'_> {
+impl DerivativeRun<'_> {
     /// Derivatives of what became of each beam that can yield: of its largest strains, of what it dissipated and what hardening
     /// stored; hinges and what stays of displacements have none.
     pub fn plastic(
