@@ -10,8 +10,8 @@ use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
+use super::saved_lanes::SavedLanes;
 use super::sections::Sections;
-use super::stand::Stand;
 use super::summary::{Fixed, Reading, Telling};
 use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::locate::Seen;
@@ -38,7 +38,7 @@ pub struct LaneDriver<'a, S: Number> {
     ledger: LaneLedger<S>,
     log: Log<S>,
     search: LaneNewton<S>,
-    stand: Stand<S>,
+    saved: SavedLanes<S>,
     /// Section forces, if they are asked for.
     sections: Option<Sections<'a, S>>,
     /// Number of the rigid projectile, if there is one \[index of a projectile\].
@@ -68,7 +68,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             runs,
             sections: Sections::of(&engine, runs[0].model, detail),
             ledger: LaneLedger::open(&engine),
-            stand: Stand(Vec::new()),
+            saved: SavedLanes(Vec::new()),
             log: Log::new(&engine),
             lanes: (0..S::LANES).map(|_| None).collect(),
             next: 0,
@@ -185,13 +185,13 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         let idle = self.search.failed | self.engine.h.mask(|lane| lanes[lane].is_none());
         let go = if (!(go | idle)).any() { Some(go) } else { None };
         if go.is_some() {
-            self.stand.keep(&mut self.engine, &mut self.ledger);
+            self.saved.save(&mut self.engine, &mut self.ledger);
         }
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
         let sections = self.sections.as_mut();
         Accept { engine, ledger, log, sections, go }.accept();
         if let Some(go) = go {
-            self.stand.put_back(&mut self.engine, &mut self.ledger, go);
+            self.saved.restore(&mut self.engine, &mut self.ledger, go);
         }
     }
 

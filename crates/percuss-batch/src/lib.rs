@@ -34,10 +34,10 @@ mod pace;
 mod reactions;
 mod rigid_log;
 mod run;
+mod saved_lanes;
 mod sections;
 mod sensitivity;
 mod shape;
-mod stand;
 mod summary;
 mod yield_log;
 
