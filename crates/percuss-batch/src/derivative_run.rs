@@ -11,8 +11,8 @@ use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
-use super::pace::{Pace, scales};
 use super::rigid_log::RigidLog;
+use super::run_progress::{RunProgress, scales};
 use percuss::Model;
 use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales};
@@ -37,7 +37,7 @@ pub struct DerivativeRun<'a> {
     pub log: Log<Derived>,
     pub search: LaneNewton<Derived>,
     /// Where the run stands, as its values have it.
-    pub pace: Pace,
+    pub progress: RunProgress,
     /// Rigid projectiles, shape (rigid contacts) \[index of a projectile\].
     rigid: Vec<usize>,
     /// What their contacts did, shape (guided projectiles).
@@ -64,7 +64,7 @@ impl<'a> DerivativeRun<'a> {
         let rigid: Vec<usize> = rigid_guides(&engine.numbers).collect();
         let restitution = |k: &usize| engine.numbers.guides[*k].restitution.value;
         let restitutions: Vec<f64> = rigid.iter().map(restitution).collect();
-        let pace = Pace::new(settings, model.position_scale(), &restitutions);
+        let progress = RunProgress::new(settings, model.position_scale(), &restitutions);
         engine.press = rigid.first().map(|k| Press::new(&engine.numbers, *k));
         let offset = engine.h.constant(0.0);
         Self {
@@ -76,7 +76,7 @@ impl<'a> DerivativeRun<'a> {
             ledger,
             log,
             search,
-            pace,
+            progress,
             rigid,
             offset,
             misses: Vec::new(),
@@ -89,10 +89,10 @@ impl<'a> DerivativeRun<'a> {
     /// How far that is.
     pub fn run(&mut self) -> Result<(), Horizon> {
         let (stand, nothing) = (self.stand(), self.nothing());
-        self.pace.close_at_rest(stand.into_iter(), nothing);
-        while !self.pace.is_over() {
+        self.progress.close_at_rest(stand.into_iter(), nothing);
+        while !self.progress.is_over() {
             let (stand, nothing) = (self.stand(), self.nothing());
-            self.pace.begin(stand.into_iter(), nothing);
+            self.progress.begin(stand.into_iter(), nothing);
             self.advance()?;
         }
         for (k, guide) in self.engine.guides.iter().enumerate() {
@@ -127,7 +127,7 @@ impl<'a> DerivativeRun<'a> {
 
     /// Tells the engine of the contact that may press in the part at hand, if one does.
     fn set_press(&mut self) -> Result<(), Horizon> {
-        let contacts = self.pace.contacts.iter().zip(&self.rigid);
+        let contacts = self.progress.contacts.iter().zip(&self.rigid);
         let mut active = contacts.filter_map(|(c, k)| Some((c.phase?, *k)));
         let (first, second) = (active.next(), active.next());
         if second.is_some() {
@@ -157,7 +157,7 @@ impl<'a> DerivativeRun<'a> {
 
     /// Size of the step at hand, and time at its end \[s\]; the last one is as long as the run is.
     fn step(&self) -> [Derived; 2] {
-        let (settings, steps) = (self.settings, self.pace.steps);
+        let (settings, steps) = (self.settings, self.progress.steps);
         let until = ((steps + 1) as f64 * settings.step).min(settings.end);
         let mut both = [settings.size_behind(steps), until].map(|x| self.end.constant(x));
         if steps + 1 == settings.step_count() {
@@ -173,33 +173,33 @@ impl<'a> DerivativeRun<'a> {
         let mut h;
         loop {
             self.set_press()?;
-            h = target.constant(self.pace.h());
-            if self.pace.is_whole() {
+            h = target.constant(self.progress.h());
+            if self.progress.is_whole() {
                 h.slope = (target - self.offset).slope;
             }
             self.solve(h)?;
-            if self.pace.judge(&self.seen()) {
+            if self.progress.judge(&self.seen()) {
                 break;
             }
         }
-        if let Some(k) = self.pace.located {
+        if let Some(k) = self.progress.located {
             h = self.follow_instant(self.rigid[k])?;
         }
         self.check_gain()?;
-        let (mut seen, steps) = (self.seen(), self.pace.steps);
+        let (mut seen, steps) = (self.seen(), self.progress.steps);
         let impulse = |k: &usize| self.engine.guides[*k].impulse.value;
         let impulses: Vec<f64> = self.rigid.iter().map(impulse).collect();
         self.accept();
         for (seen, stand) in seen.iter_mut().zip(self.stand()) {
             seen.end = stand;
         }
-        self.pace.accept(&seen, &impulses, self.nothing());
+        self.progress.accept(&seen, &impulses, self.nothing());
         self.offset += h;
-        if self.pace.steps > steps {
+        if self.progress.steps > steps {
             self.offset = self.offset - target;
             self.log.time = until + self.offset;
         }
-        (self.offset.value, self.log.time.value) = (self.pace.offset, self.pace.time);
+        (self.offset.value, self.log.time.value) = (self.progress.offset, self.progress.time);
         match self.engine.fibres.failing {
             true => Err(self.horizon("there a fibre fails".into())),
             false => Ok(()),
@@ -212,9 +212,9 @@ impl<'a> DerivativeRun<'a> {
     }
 
     fn solve(&mut self, h: Derived) -> Result<(), Horizon> {
-        self.pace.solver_steps += 1;
+        self.progress.solver_steps += 1;
         self.engine.h = h;
-        self.engine.constraints.impulsive = self.pace.is_impact();
+        self.engine.constraints.impulsive = self.progress.is_impact();
         self.engine.solve(&self.ledger, &mut self.search);
         match self.search.failed {
             true => Err(self.horizon("there the step has to be cut".into())),
@@ -224,7 +224,7 @@ impl<'a> DerivativeRun<'a> {
 
     /// Not where an impulse would give energy: another law stands in for the contact's own.
     fn check_gain(&self) -> Result<(), Horizon> {
-        let Some(k) = self.pressing().filter(|_| self.pace.is_impact()) else { return Ok(()) };
+        let Some(k) = self.pressing().filter(|_| self.progress.is_impact()) else { return Ok(()) };
         let state = &self.engine.guides[k];
         let work = (state.impulse * state.gap_change / self.engine.h).value;
         match gives_energy(work, [(state.impulse.value, state.rate.value)]) {
@@ -243,7 +243,7 @@ impl<'a> DerivativeRun<'a> {
         }
         if let Some((k, before)) = pressing {
             let impulsive = self.engine.h.value < IMPULSIVE * self.settings.step;
-            let (part, rests) = (self.engine.part(k, before), !self.pace.is_impact());
+            let (part, rests) = (self.engine.part(k, before), !self.progress.is_impact());
             self.rigid_logs[k].take(&part, self.log.time, rests, impulsive);
             self.engine.guides[k].impulse = before.constant(0.0);
         }

@@ -109,8 +109,8 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         let mut lane = Lane::new(self.next, run, self.guide);
         let nothing = lane.nothing(&self.ledger, number);
         let stand = self.stands(number);
-        lane.pace.close_at_rest(stand.into_iter(), nothing);
-        lane.pace.begin(stand.into_iter(), nothing);
+        lane.progress.close_at_rest(stand.into_iter(), nothing);
+        lane.progress.begin(stand.into_iter(), nothing);
         self.lanes[number] = Some(lane);
         self.next += 1;
     }
@@ -129,13 +129,13 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         let of = |lane: usize, read: &dyn Fn(&Lane) -> f64, none: f64| {
             lanes[lane].as_ref().map_or(none, read)
         };
-        self.engine.h = h.constants(|i| of(i, &|lane| lane.pace.h(), h.lane(i)));
-        self.log.time = h.constants(|i| of(i, &|lane| lane.pace.time, 0.0));
+        self.engine.h = h.constants(|i| of(i, &|lane| lane.progress.h(), h.lane(i)));
+        self.log.time = h.constants(|i| of(i, &|lane| lane.progress.time, 0.0));
         if let (Some(press), Some(guide)) = (&mut self.engine.press, self.guide) {
             let rate = self.engine.guides[guide].rate;
             self.search.ahead = h.constants(|i| of(i, &|lane| lane.ahead(), 0.0));
             self.search.trusted = h.constants(|i| of(i, &|lane| lane.trusted(), 0.0));
-            let strikes = |lane: &Lane| lane.pace.is_impact();
+            let strikes = |lane: &Lane| lane.progress.is_impact();
             self.engine.constraints.impulsive = h.mask(|i| lanes[i].as_ref().is_some_and(strikes));
             let bound = |i: usize| lanes[i].as_ref().and_then(|lane| lane.bound(rate.lane(i)));
             press.bound = h.constants(|i| bound(i).unwrap_or(0.0));
@@ -147,7 +147,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         for (k, factor) in self.engine.load_factors.iter_mut().enumerate() {
             *factor = h.constants(|i| {
                 let load = |lane: &Lane| &self.runs[lane.run].model.loads[k];
-                of(i, &|lane| load(lane).factor(lane.pace.time, lane.pace.h()), 0.0)
+                of(i, &|lane| load(lane).factor(lane.progress.time, lane.progress.h()), 0.0)
             });
         }
         self.engine.apply_loads();
@@ -214,7 +214,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             if failed || gone && !self.advance(&mut lane, number, seen) {
                 keep(index, None);
                 self.fill(number);
-            } else if gone && lane.pace.is_over() {
+            } else if gone && lane.progress.is_over() {
                 keep(index, Some(self.summary(&lane, number)));
                 self.fill(number);
             } else {
@@ -236,14 +236,14 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             impulse = Some(seen.impulse.lane(number));
         }
         let nothing = lane.nothing(&self.ledger, number);
-        lane.pace.accept(now.as_slice(), impulse.as_slice(), nothing);
+        lane.progress.accept(now.as_slice(), impulse.as_slice(), nothing);
         if let Some([gap, _]) = stand {
-            lane.rigid.see(gap, lane.pace.time);
+            lane.rigid.see(gap, lane.progress.time);
         }
-        if lane.pace.has_accumulated() {
+        if lane.progress.has_accumulated() {
             return false;
         }
-        lane.pace.begin(stand.into_iter(), nothing);
+        lane.progress.begin(stand.into_iter(), nothing);
         true
     }
 
@@ -252,24 +252,24 @@ impl<'a, S: Number> LaneDriver<'a, S> {
     fn note(&self, lane: &mut Lane, number: usize, seen: &Views<S>) -> bool {
         let (own, impulse) = (seen.lane(number), seen.impulse.lane(number));
         let work = seen.work.lane(number);
-        if lane.pace.is_impact() && gives_energy(work, [(impulse, own.start[1])]) {
+        if lane.progress.is_impact() && gives_energy(work, [(impulse, own.start[1])]) {
             return false;
         }
-        let contact = lane.pace.contacts[0];
+        let contact = lane.progress.contacts[0];
         if let Some(press) = &self.engine.press
             && contact.phase.is_some()
             && (impulse > 0.0 || contact.rests())
         {
             let part = self.engine.part(press.guide, seen.start[1]).lane(number);
             let impulsive = part.h < IMPULSIVE * self.engine.numbers.step.lane(number);
-            lane.rigid.take(&part, lane.pace.time, contact.rests(), impulsive);
+            lane.rigid.take(&part, lane.progress.time, contact.rests(), impulsive);
             lane.weigh(&part, press.opening.lane(number), press.bound.lane(number));
         }
         true
     }
 
     fn summary(&mut self, lane: &Lane, number: usize) -> RunSummary {
-        let end = self.engine.h.constant(lane.pace.time);
+        let end = self.engine.h.constant(lane.progress.time);
         self.log.time.set_lane(number, end, number);
         let own = &self.runs[lane.run];
         let telling = Telling {
@@ -279,10 +279,10 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             log: &self.log,
             search: &self.search,
             lane: number,
-            steps: lane.pace.steps,
+            steps: lane.progress.steps,
             accumulated_steps: 0,
-            solver_steps: lane.pace.solver_steps,
-            rows: lane.pace.rows,
+            solver_steps: lane.progress.solver_steps,
+            rows: lane.progress.rows,
             rigid: &|k, reading| lane.rigid.record(reading.fixed[k].s, &|x| x, false),
             residual: lane.rigid.residual,
         };

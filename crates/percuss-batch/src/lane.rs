@@ -2,8 +2,8 @@
 
 use super::ledger::LaneLedger;
 use super::numbers::Numbers;
-use super::pace::{Pace, scales};
 use super::rigid_log::{ContactPart, RigidLog};
+use super::run_progress::{RunProgress, scales};
 use percuss::Model;
 use percuss::internals::run::decider::{Negligible, RunScales};
 use percuss::internals::run::locate::Seen;
@@ -26,7 +26,7 @@ pub struct LaneRun<'a> {
 pub struct Lane {
     /// Its number among the runs.
     pub run: usize,
-    pub pace: Pace,
+    pub progress: RunProgress,
     pub rigid: RigidLog<f64>,
     /// What the run is measured by, its energy apart.
     scales: RunScales,
@@ -44,7 +44,7 @@ impl Lane {
         let restitution = guide.map(|k| run.numbers.guides[k].restitution);
         Self {
             run: number,
-            pace: Pace::new(settings, scales.positions, restitution.as_slice()),
+            progress: RunProgress::new(settings, scales.positions, restitution.as_slice()),
             rigid: RigidLog::new(0.0),
             scales,
             last: (settings.step, 0.0),
@@ -60,14 +60,14 @@ impl Lane {
 
     /// Whether the part solved last is accepted, by what is seen of the rigid contact.
     pub fn judge(&mut self, seen: &[Seen], failed: bool) -> bool {
-        self.pace.solver_steps += 1;
-        let even = self.last == (self.pace.h(), 1.0);
+        self.progress.solver_steps += 1;
+        let even = self.last == (self.progress.h(), 1.0);
         self.even = if even { self.even + 1 } else { 0 };
-        self.last = (self.pace.h(), 1.0);
-        let goes = !failed && self.pace.judge(seen);
+        self.last = (self.progress.h(), 1.0);
+        let goes = !failed && self.progress.judge(seen);
         if !goes {
             self.last.1 = -1.0;
-        } else if self.pace.is_impact() {
+        } else if self.progress.is_impact() {
             self.last.1 = 0.0;
         }
         goes
@@ -79,7 +79,7 @@ impl Lane {
         let miss = part.after - bound;
         let miss = if part.impulse > 0.0 { miss.abs() } else { (-miss).max(0.0) };
         let free = part.after - mobility * part.impulse;
-        let fastest = self.pace.contacts[0].approach_max;
+        let fastest = self.progress.contacts[0].approach_max;
         let scale = free.abs().max(bound.abs()).max(fastest);
         if scale > 0.0 {
             self.rigid.residual = self.rigid.residual.max(miss / scale);
@@ -88,18 +88,18 @@ impl Lane {
 
     /// Share of the accelerations of the part before that those of the one at hand are taken for, by the square of the sizes.
     pub fn ahead(&self) -> f64 {
-        let longer = self.pace.h() / self.last.0;
-        let unknown = self.last.1 == 0.0 || self.pace.is_impact() || longer > MOST_LONGER;
+        let longer = self.progress.h() / self.last.0;
+        let unknown = self.last.1 == 0.0 || self.progress.is_impact() || longer > MOST_LONGER;
         if unknown { 0.0 } else { self.last.1 * longer * longer }
     }
 
     /// Share of the last change of accelerations that is expected again: all of it behind parts of the same size.
     pub fn trusted(&self) -> f64 {
-        f64::from(u8::from(self.even > 0 && self.last == (self.pace.h(), 1.0)))
+        f64::from(u8::from(self.even > 0 && self.last == (self.progress.h(), 1.0)))
     }
 
     /// Whether the contact may press in the part at hand, and the least rate of its gap if it has this one \[m/s\].
     pub fn bound(&self, rate: f64) -> Option<f64> {
-        self.pace.contacts[0].phase.map(|phase| phase.least_rate(rate))
+        self.progress.contacts[0].phase.map(|phase| phase.least_rate(rate))
     }
 }

@@ -206,8 +206,8 @@ impl Case<'_> {
             search: &run.search,
             lane: 0,
             steps: self.settings.step_count(),
-            accumulated_steps: run.pace.accumulated_steps,
-            solver_steps: run.pace.solver_steps,
+            accumulated_steps: run.progress.accumulated_steps,
+            solver_steps: run.progress.solver_steps,
             rows: found.summary.rows,
             rigid: &|k, reading| {
                 let s = reading.fixed[k].s;

@@ -47,7 +47,7 @@ impl Touching {
 
 /// A run on its way through its steps.
 #[derive(Clone, Debug)]
-pub struct Pace {
+pub struct RunProgress {
     settings: Settings,
     decider: Decider,
     /// Steps of the run, those done, and those of them in which impacts accumulated.
@@ -68,7 +68,7 @@ pub struct Pace {
     pub solver_steps: usize,
 }
 
-impl Pace {
+impl RunProgress {
     /// At the start of a run with rigid contacts of these coefficients of restitution; what positions are as large as \[m\].
     pub fn new(settings: &Settings, positions: f64, rigid: &[f64]) -> Self {
         let contact = |restitution: &f64| Touching {
