@@ -88,11 +88,11 @@ impl<'a> DerivativeRun<'a> {
     /// # Errors
     /// How far that is.
     pub fn run(&mut self) -> Result<(), Horizon> {
-        let (stand, nothing) = (self.stand(), self.nothing());
-        self.progress.close_at_rest(stand.into_iter(), nothing);
+        let (gaps, nothing) = (self.gaps_and_rates(), self.nothing());
+        self.progress.close_at_rest(gaps.into_iter(), nothing);
         while !self.progress.is_over() {
-            let (stand, nothing) = (self.stand(), self.nothing());
-            self.progress.begin(stand.into_iter(), nothing);
+            let (gaps, nothing) = (self.gaps_and_rates(), self.nothing());
+            self.progress.begin(gaps.into_iter(), nothing);
             self.advance()?;
         }
         for (k, guide) in self.engine.guides.iter().enumerate() {
@@ -105,7 +105,7 @@ impl<'a> DerivativeRun<'a> {
     }
 
     /// Gaps of the rigid contacts and their rates, shape (rigid contacts, 2) \[m, m/s\].
-    fn stand(&self) -> Vec<[f64; 2]> {
+    fn gaps_and_rates(&self) -> Vec<[f64; 2]> {
         let guides = self.rigid.iter().map(|k| &self.engine.guides[*k]);
         guides.map(|g| [g.gap.value, g.rate.value]).collect()
     }
@@ -116,7 +116,7 @@ impl<'a> DerivativeRun<'a> {
             let end = self.engine.gap_next(*k).map(|x| x.value);
             Seen { contact, start, end }
         };
-        self.rigid.iter().zip(self.stand()).enumerate().map(seen).collect()
+        self.rigid.iter().zip(self.gaps_and_rates()).enumerate().map(seen).collect()
     }
 
     /// What is as good as nothing between things that touch.
@@ -190,8 +190,8 @@ impl<'a> DerivativeRun<'a> {
         let impulse = |k: &usize| self.engine.guides[*k].impulse.value;
         let impulses: Vec<f64> = self.rigid.iter().map(impulse).collect();
         self.accept();
-        for (seen, stand) in seen.iter_mut().zip(self.stand()) {
-            seen.end = stand;
+        for (seen, gaps) in seen.iter_mut().zip(self.gaps_and_rates()) {
+            seen.end = gaps;
         }
         self.progress.accept(&seen, &impulses, self.nothing());
         self.offset += h;

@@ -108,16 +108,16 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         }
         let mut lane = Lane::new(self.next, run, self.guide);
         let nothing = lane.nothing(&self.ledger, number);
-        let stand = self.stands(number);
-        lane.progress.close_at_rest(stand.into_iter(), nothing);
-        lane.progress.begin(stand.into_iter(), nothing);
+        let gap = self.gap_and_rate(number);
+        lane.progress.close_at_rest(gap.into_iter(), nothing);
+        lane.progress.begin(gap.into_iter(), nothing);
         self.lanes[number] = Some(lane);
         self.next += 1;
     }
 
     /// Gap of the rigid contact of a lane and its rate, if there is one, shape (2) \[m, m/s\].
     #[inline(always)]
-    fn stands(&self, number: usize) -> Option<[f64; 2]> {
+    fn gap_and_rate(&self, number: usize) -> Option<[f64; 2]> {
         let state = &self.engine.guides[self.guide?];
         Some([state.gap.lane(number), state.rate.lane(number)])
     }
@@ -226,9 +226,9 @@ impl<'a, S: Number> LaneDriver<'a, S> {
     /// Takes the part of a lane in and begins the next one; not if single runs go on otherwise than lanes.
     #[inline(always)]
     fn advance(&self, lane: &mut Lane, number: usize, seen: Option<&Views<S>>) -> bool {
-        let stand = self.stands(number);
+        let gap = self.gap_and_rate(number);
         let (mut now, mut impulse) = (None, None);
-        if let (Some(seen), Some(end)) = (seen, stand) {
+        if let (Some(seen), Some(end)) = (seen, gap) {
             if !self.note(lane, number, seen) {
                 return false;
             }
@@ -237,13 +237,13 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         }
         let nothing = lane.nothing(&self.ledger, number);
         lane.progress.accept(now.as_slice(), impulse.as_slice(), nothing);
-        if let Some([gap, _]) = stand {
+        if let Some([gap, _]) = gap {
             lane.rigid.see(gap, lane.progress.time);
         }
         if lane.progress.has_accumulated() {
             return false;
         }
-        lane.progress.begin(stand.into_iter(), nothing);
+        lane.progress.begin(gap.into_iter(), nothing);
         true
     }
 

@@ -119,8 +119,8 @@ impl RunProgress {
     }
 
     /// Begins the next part where the contacts stand: gaps and their rates, shape (rigid contacts, 2) \[m, m/s\].
-    pub fn begin(&mut self, stand: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
-        let standing = |(contact, (c, [gap, rate])): (usize, (&Touching, [f64; 2]))| {
+    pub fn begin(&mut self, gaps: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
+        let pair = |(contact, (c, [gap, rate])): (usize, (&Touching, [f64; 2]))| {
             let (closed, approach_max) = (c.closed, c.approach_max);
             RigidPair {
                 contact,
@@ -136,7 +136,7 @@ impl RunProgress {
             cut: f64::INFINITY,
             jumps: false,
             located: self.located.take(),
-            contacts: self.contacts.iter().zip(stand).enumerate().map(standing).collect(),
+            contacts: self.contacts.iter().zip(gaps).enumerate().map(pair).collect(),
             nothing,
         };
         self.decider.goes_on(&moment);
@@ -186,8 +186,8 @@ impl RunProgress {
     }
 
     /// Contacts that touch, at rest but for what is no approach, count as closed: gaps and their rates, shape (rigid contacts, 2) \[m, m/s\].
-    pub fn close_at_rest(&mut self, stand: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
-        for (contact, [gap, rate]) in self.contacts.iter_mut().zip(stand) {
+    pub fn close_at_rest(&mut self, gaps: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
+        for (contact, [gap, rate]) in self.contacts.iter_mut().zip(gaps) {
             contact.closed |= nothing.is_at_rest(gap, rate);
         }
     }
