@@ -12,7 +12,7 @@ use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
 use super::saved_lanes::SavedLanes;
 use super::sections::Sections;
-use super::summary::{Fixed, Reading, Telling};
+use super::summary::{Fixed, Reading, SummaryInput};
 use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::locate::Seen;
 use percuss::internals::scalar::{Mask, Number};
@@ -63,7 +63,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         let guide = rigid_guides(&engine.numbers).next();
         engine.press = guide.map(|guide| Press::new(&engine.numbers, guide));
         let mut search = LaneNewton::idle(engine.h);
-        search.told = guide.is_some();
+        search.by_parts = guide.is_some();
         Self {
             runs,
             sections: Sections::of(&engine, runs[0].model, detail),
@@ -272,7 +272,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         let end = self.engine.h.constant(lane.progress.time);
         self.log.time.set_lane(number, end, number);
         let own = &self.runs[lane.run];
-        let telling = Telling {
+        let input = SummaryInput {
             model: own.model,
             engine: &self.engine,
             ledger: &self.ledger,
@@ -289,7 +289,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         let fixed = Fixed::all(own.model);
         let read = |x: S| x.lane(number);
         let reading = Reading { read: &read, fixed: &fixed, derivative: false };
-        let mut summary = telling.summary(Termination::Completed, &reading);
+        let mut summary = input.summary(Termination::Completed, &reading);
         if let Some(sections) = &self.sections {
             summary.section_forces = sections.end(number);
         }

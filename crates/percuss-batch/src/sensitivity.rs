@@ -11,7 +11,7 @@ use super::grazing::Grazing;
 use super::horizon::{Horizon, agreeing, align, withdraw, withdraw_plastic};
 use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
-use super::summary::{Fixed, Reading, Telling};
+use super::summary::{Fixed, Reading, SummaryInput};
 use percuss::Model;
 use percuss::NoRecorder;
 use percuss::Settings;
@@ -198,7 +198,7 @@ impl Case<'_> {
         let end = derived(self.settings.end, &|p| p.end);
         let mut run = DerivativeRun::new(self.model, self.settings, self.base.with(&numbers), end);
         let reached = run.run().err();
-        let telling = Telling {
+        let input = SummaryInput {
             model: self.model,
             engine: &run.engine,
             ledger: &run.ledger,
@@ -217,12 +217,12 @@ impl Case<'_> {
         };
         let read = |x: Derived| x.value;
         let reading = Reading { read: &read, fixed: &self.fixed, derivative: false };
-        let own = telling.summary(Termination::Completed, &reading);
+        let own = input.summary(Termination::Completed, &reading);
         let horizon = agreeing(&own, &found.summary, self.settings.step, reached);
         for (j, parameter) in parameters.iter().enumerate() {
             let read = |x: Derived| x.slope[j];
             let reading = Reading { read: &read, fixed: &parameter.fixed, derivative: true };
-            let mut derivative = telling.summary(Termination::Completed, &reading);
+            let mut derivative = input.summary(Termination::Completed, &reading);
             align(&mut derivative, &found.summary, &own, self.settings.step);
             if let Some(horizon) = &horizon {
                 withdraw(&mut derivative, &found.summary, &own, horizon.time, self.settings.step);

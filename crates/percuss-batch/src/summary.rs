@@ -15,8 +15,8 @@ use percuss::internals::scalar::Number;
 use percuss::internals::step::effective_mass::EffectiveMass;
 use percuss::*;
 
-/// All there is to tell of one lane.
-pub struct Telling<'a, S: Number> {
+/// State and records of a lane from which its summary is computed.
+pub struct SummaryInput<'a, S: Number> {
     pub model: &'a Model,
     pub engine: &'a Engine<S>,
     pub ledger: &'a LaneLedger<S>,
@@ -70,7 +70,7 @@ impl Fixed {
     }
 }
 
-impl<S: Number> Telling<'_, S> {
+impl<S: Number> SummaryInput<'_, S> {
     /// The summary; section forces and reactions are unset.
     pub fn summary(&self, termination: Termination, reading: &Reading<S>) -> RunSummary {
         let (model, read) = (self.model, reading.read);

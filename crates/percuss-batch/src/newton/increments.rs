@@ -19,14 +19,14 @@ impl<S: Number> Engine<S> {
     /// by the share `trusted` of what they changed by then.
     #[inline(always)]
     pub(super) fn predict(&mut self, before: S, ahead: S, trusted: S) {
-        let (zero, told) = (self.h.constant(0.0), !ahead.equals(self.h.constant(0.0)));
+        let (zero, extrapolated) = (self.h.constant(0.0), !ahead.equals(self.h.constant(0.0)));
         for n in 0..self.increment.len() {
             for i in 0..4 {
                 let v = self.velocity[n][i];
                 let last = (before * v - self.increment[n][i]) * ahead;
                 let change = last + (last - self.trend[n][i]) * trusted;
-                self.trend[n][i] = S::choose(told, last, zero);
-                self.increment[n][i] = self.h * v + S::choose(told, change, zero);
+                self.trend[n][i] = S::choose(extrapolated, last, zero);
+                self.increment[n][i] = self.h * v + S::choose(extrapolated, change, zero);
             }
         }
         project_held(&self.numbers.prescribed, &mut self.increment);
@@ -34,7 +34,7 @@ impl<S: Number> Engine<S> {
         for guide in &mut self.guides {
             let v = guide.velocity;
             let change = (before * v - guide.increment) * ahead;
-            guide.increment = self.h * v + S::choose(told, change, zero);
+            guide.increment = self.h * v + S::choose(extrapolated, change, zero);
             if self.press.is_some() {
                 guide.impulse = zero; // it is found anew
             }

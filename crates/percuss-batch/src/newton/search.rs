@@ -39,7 +39,7 @@ pub struct LaneNewton<S: Number> {
     /// Accelerations, as a share of those of the step before, by the square of what this one is longer: if they stay, if none, if that
     /// step was not accepted; and whether others say so than steps of the same size.
     pub ahead: S,
-    pub told: bool,
+    pub by_parts: bool,
     /// Share of the last change of these additions that is expected again.
     pub trusted: S,
     /// Corrections and factorisations of the run so far.
@@ -65,7 +65,7 @@ impl<S: Number> LaneNewton<S> {
             renew: no,
             size: never,
             ahead: zero,
-            told: false,
+            by_parts: false,
             trusted: zero,
             iterations: zero,
             factorizations: zero,
@@ -97,7 +97,7 @@ impl<S: Number> LaneNewton<S> {
         let no = h.less(h);
         self.convergence = ConvergenceMonitor::new(energy);
         (self.seeking, self.failed) = (self.live, no);
-        if !self.told {
+        if !self.by_parts {
             // Derivatives need the tangent at the solution anyway.
             let steady = if S::DERIVES { no } else { h.equals(self.size) };
             self.ahead = S::choose(steady, h.constant(1.0), h.constant(0.0));
@@ -106,7 +106,7 @@ impl<S: Number> LaneNewton<S> {
         self.served += h.constant(1.0);
         let due = if S::DERIVES { !no } else { self.service.at_most(self.served) };
         self.renew = self.live & (due | !self.fits(h));
-        let most = h.constant(if self.told { MOST_SERVICE_APART } else { MOST_SERVICE });
+        let most = h.constant(if self.by_parts { MOST_SERVICE_APART } else { MOST_SERVICE });
         let longer = self.service + h.constant(1.0);
         let longer = longer.if_less(most, longer, most);
         self.service = S::choose(due, longer, self.service);
@@ -116,7 +116,7 @@ impl<S: Number> LaneNewton<S> {
     /// Whether the factors are those of steps of size `h`, or of nearly that.
     #[inline(always)]
     pub fn fits(&self, h: S) -> S::Mask {
-        let near = h * if self.told { NEARLY } else { 0.0 };
+        let near = h * if self.by_parts { NEARLY } else { 0.0 };
         (h - self.factored_for).abs().at_most(near)
     }
 
