@@ -31,8 +31,8 @@ impl<S: Number> Engine<S> {
         self.predict(before, search.ahead, search.trusted);
         let reach = largest(&self.displacement, self.numbers.size);
         let momentum = {
-            let momentum = (self.numbers.total_mass * ledger.sums.energy_scale * 2.0).sqrt();
-            momentum.max(ledger.sums.linear_scale)
+            let of_energy = (self.numbers.total_mass * ledger.sums.energy_scale * 2.0).sqrt();
+            of_energy.max(ledger.sums.linear_scale)
         };
         let (mut assemble, mut seen) = (search.renew.any(), false);
         let mut corrections = 0;
