@@ -5,7 +5,7 @@ use std::path::Path;
 use percuss_output::fields::Fields;
 
 use crate::error::Error;
-use crate::request::{Look, Plan, PrintFormat, Told};
+use crate::request::{FilmOutcome, Look, Plan, PrintFormat};
 
 /// A scene that can be drawn at any time; there is none in this build.
 pub struct Film {
@@ -52,6 +52,6 @@ pub fn animate(
     _: &Plan,
     _: (&Path, &dyn Fn(&Path) -> bool),
     _: &mut dyn FnMut(usize) -> bool,
-) -> Result<Told, Error> {
+) -> Result<FilmOutcome, Error> {
     Err(Error::not_built())
 }

@@ -19,7 +19,7 @@ use crate::film::Film;
 use crate::gif::{Gif, Palette};
 use crate::mp4::Mp4;
 use crate::pixels::Pixels;
-use crate::request::{Format, Plan, Told};
+use crate::request::{FilmOutcome, Format, Plan};
 
 /// Frames from which the colours of a GIF are chosen.
 const PALETTE_FRAMES: usize = 12;
@@ -38,11 +38,11 @@ pub fn animate(
     plan: &Plan,
     (out, may_go): (&Path, &dyn Fn(&Path) -> bool),
     go_on: &mut dyn FnMut(usize) -> bool,
-) -> Result<Told, Error> {
+) -> Result<FilmOutcome, Error> {
     let unfinished = Unfinished::of(out)?;
     Ok(match record(film, plan, &unfinished, go_on)? {
-        true => Told::Done { kept: unfinished.put(may_go)? },
-        false => Told::Stopped,
+        true => FilmOutcome::Done { kept: unfinished.put(may_go)? },
+        false => FilmOutcome::Stopped,
     })
 }
 

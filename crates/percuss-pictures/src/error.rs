@@ -22,15 +22,15 @@ impl Error {
         Self { text, code: FileCode::System.into(), input: false }
     }
 
-    /// What makes the picture gave up on what well-formed input does not bring.
+    /// The drawing library failed on content that well-formed input does not produce.
     #[cfg(feature = "drawing")]
     pub(crate) fn drawing(reason: impl fmt::Display) -> Self {
-        Self::gave_up(format!("the picture cannot be drawn: {reason}"))
+        Self::failed(format!("the picture cannot be drawn: {reason}"))
     }
 
-    /// The same, told by what gave up.
+    /// The same with the text of the program that failed.
     #[cfg(feature = "drawing")]
-    pub(crate) fn gave_up(text: String) -> Self {
+    pub(crate) fn failed(text: String) -> Self {
         Self { text, code: FileCode::Drawing.into(), input: false }
     }
 

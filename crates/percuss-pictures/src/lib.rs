@@ -43,4 +43,4 @@ pub use mark::{is_ours, marked, put};
 pub use percuss_output::unfinished;
 #[cfg(feature = "drawing")]
 pub use print::picture;
-pub use request::{Format, Look, Plan, PrintFormat, Told};
+pub use request::{FilmOutcome, Format, Look, Plan, PrintFormat};

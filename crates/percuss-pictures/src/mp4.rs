@@ -69,7 +69,7 @@ impl Mp4 {
         let status = self.child.wait().map_or_else(|e| e.to_string(), |s| s.to_string());
         let said = self.complaints.take().and_then(|thread| thread.join().ok()).unwrap_or_default();
         let said = said.trim().lines().last().unwrap_or("without a word").to_owned();
-        Error::gave_up(format!("ffmpeg gave up ({status}): {said}"))
+        Error::failed(format!("ffmpeg gave up ({status}): {said}"))
     }
 }
 

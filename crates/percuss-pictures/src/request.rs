@@ -65,15 +65,15 @@ impl Plan {
     }
 }
 
-/// How a film ended.
+/// Outcome of a film.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Told {
-    /// It is there.
+pub enum FilmOutcome {
+    /// The film is written.
     Done {
-        /// Where something is kept that came to stand in its place meanwhile.
+        /// Path to which a file was moved that somebody else wrote at the same place meanwhile.
         kept: Option<PathBuf>,
     },
-    /// It was not wanted any more; nothing is left.
+    /// Drawing was stopped; no file is left.
     Stopped,
 }
 
