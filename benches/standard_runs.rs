@@ -55,11 +55,11 @@ fn main() {
         .expect("sound settings");
     println!("{} steps, {} corrections", summary.steps, summary.newton_iterations);
     if arguments.get(2).is_some_and(|argument| argument == "--bits") {
-        let told = format!("{:?}", summary.section_forces);
+        let forces = format!("{:?}", summary.section_forces);
         let bits = recorder.values.iter().flat_map(|value| value.to_bits().to_le_bytes());
         // Fowler, Noll and Vo's hash.
         let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        let hash = bits.chain(told.bytes()).fold(0xcbf2_9ce4_8422_2325, mix);
+        let hash = bits.chain(forces.bytes()).fold(0xcbf2_9ce4_8422_2325, mix);
         println!("{hash:016x}");
     }
 }

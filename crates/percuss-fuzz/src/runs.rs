@@ -66,12 +66,12 @@ fn changed(text: &str, changes: &[u8]) -> String {
         if let Ok(value) = out[place..place + length].parse::<f64>() {
             let number = value * factor;
             let whole = out[place..place + length].bytes().all(|b| b.is_ascii_digit());
-            let told = if whole {
+            let text = if whole {
                 format!("{}", number.round().clamp(0.0, 1e6))
             } else {
                 format!("{number:?}")
             };
-            out.replace_range(place..place + length, &told);
+            out.replace_range(place..place + length, &text);
         }
     }
     out

@@ -103,12 +103,12 @@ pub fn propped_cantilever() -> Report {
     c.absolute("its place [m]", range.max.s, 0.625, 1e-6);
     let envelope = &found.section_forces[0].envelope;
     let exact = |s: f64| load * (-1.0 / 8.0 + 5.0 / 8.0 * s - s * s / 2.0);
-    let told = envelope.s.iter().zip(&envelope.moment[1]).map(|(s, m)| [*s, *m]).collect();
+    let computed = envelope.s.iter().zip(&envelope.moment[1]).map(|(s, m)| [*s, *m]).collect();
     let closed = (0..=20).map(|k| f64::from(k) / 20.0).map(|s| [s, exact(s)]).collect();
     c.figure(
         "Moment along the beam",
         ["place [m]", "moment [N m]"],
-        [Curve::computed("Percuss", told), Curve::reference("closed form", closed)],
+        [Curve::computed("Percuss", computed), Curve::reference("closed form", closed)],
     );
     c.into_report()
 }

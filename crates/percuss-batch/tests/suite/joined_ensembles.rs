@@ -90,8 +90,8 @@ fn batch(runs: &[(Model, Settings)]) -> Vec<RunSummary> {
     simulate_batch(&runs, Detail::Motion).into_iter().map(Result::unwrap).collect()
 }
 
-/// What a run tells of motion, impacts and balance, each with its size.
-fn told(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
+/// Results of motion, impacts and balance, each with its scale.
+fn scaled_results(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
     let energy = s.energy.scale;
     let mut all = vec![
         ("energy", s.energy.final_, energy),
@@ -146,7 +146,7 @@ fn joined_beams_move_in_lanes_as_they_do_alone() {
             let worst = found.energy.residual_max.max(m.linear_residual_max);
             let worst = worst.max(m.angular_residual_max);
             assert!(worst < 1e-10, "run {k}: {worst:e}");
-            let (a, b) = (told(&single), told(&found));
+            let (a, b) = (scaled_results(&single), scaled_results(&found));
             assert_eq!(a.len(), b.len(), "run {k}");
             for ((what, a, scale), (_, b, _)) in a.iter().zip(&b) {
                 assert!((a - b).abs() <= known(&single) * scale, "run {k}: {what}: {a} {b}");

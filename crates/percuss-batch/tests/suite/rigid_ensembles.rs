@@ -70,9 +70,9 @@ fn settings(variants: &[Variant]) -> Vec<Settings> {
         .collect()
 }
 
-type Told<'a> = (&'a [Impact], &'a [ContactInterval], f64);
+type RigidRecord<'a> = (&'a [Impact], &'a [ContactInterval], f64);
 
-fn told(summary: &RunSummary) -> Told<'_> {
+fn rigid_record(summary: &RunSummary) -> RigidRecord<'_> {
     match &summary.contacts[0].record {
         ContactRecord::Nonsmooth { impacts, intervals, impulse_total, .. } => {
             (impacts, intervals, *impulse_total)
@@ -83,7 +83,7 @@ fn told(summary: &RunSummary) -> Told<'_> {
 
 /// All numbers of impacts and intervals, of points and of the balance; those of the contact by what is largest of them.
 fn numbers(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
-    let (impacts, intervals, total) = told(s);
+    let (impacts, intervals, total) = rigid_record(s);
     // Approach under a millimetre a second is that of what lies on the beam.
     let speed = impacts.iter().map(|i| i.approach_velocity).fold(1e-3, f64::max);
     let energy = s.energy.scale;
@@ -128,7 +128,7 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
 }
 
 fn counts(s: &RunSummary) -> Vec<usize> {
-    let (impacts, intervals, _) = told(s);
+    let (impacts, intervals, _) = rigid_record(s);
     let mut all = vec![s.steps, s.step_cuts, s.accumulated_steps, s.shared_blows.count];
     if impacts.len() <= FEW {
         all.extend([s.solver_steps, s.rows, impacts.len(), intervals.len()]);
@@ -163,7 +163,7 @@ const FEW: usize = 8;
 
 /// How well the runs are known: each impact of many makes what is not known of the last one larger.
 fn known(single: &RunSummary) -> f64 {
-    if told(single).0.len() <= FEW { 1e-9 } else { 1e-5 }
+    if rigid_record(single).0.len() <= FEW { 1e-9 } else { 1e-5 }
 }
 
 fn batch(models: &[Model], settings: &[Settings]) -> Vec<RunSummary> {
@@ -184,8 +184,8 @@ fn lanes_strike_as_single_runs_do() {
     for (k, found) in batch(&models, &settings).iter().enumerate() {
         let single = single(&models[k], &settings[k]);
         agree(&single, found, known(&single), k);
-        impacts += told(found).0.len();
-        rests += told(found).1.len();
+        impacts += rigid_record(found).0.len();
+        rests += rigid_record(found).1.len();
     }
     assert!(impacts > 80 && rests > 10, "{impacts} impacts, {rests} rests");
 }
@@ -263,7 +263,7 @@ fn gravity_lays_projectiles_down_in_lanes_too() {
     let settings = [lies, falls].map(|v| Settings::new(v.end, v.step));
     for (k, found) in batch(&models, &settings).iter().enumerate() {
         let single = single(&models[k], &settings[k]);
-        assert!(!told(&single).1.is_empty(), "nothing rests");
+        assert!(!rigid_record(&single).1.is_empty(), "nothing rests");
         agree(&single, found, 1e-6, k);
     }
 }

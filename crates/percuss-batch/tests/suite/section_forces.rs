@@ -118,12 +118,12 @@ fn section_forces_side_by_side_are_those_of_single_runs() {
 fn compare(kind: Kind, own: &SectionForceSummary, side: &SectionForceSummary, step: f64) {
     assert_eq!(own.name, side.name);
     assert!(side.strain.min.value.is_nan());
-    let told = if kind == Kind::Yielding { 3 } else { 4 };
-    for (peaks, envelope) in peaks(side).iter().zip(envelopes(side)).skip(told) {
+    let count = if kind == Kind::Yielding { 3 } else { 4 };
+    for (peaks, envelope) in peaks(side).iter().zip(envelopes(side)).skip(count) {
         assert!(peaks.iter().all(|peak| peak.value.is_nan()));
         assert!(envelope.iter().flatten().all(|x| x.is_nan()));
     }
-    let both = peaks(own).into_iter().zip(peaks(side)).take(told);
+    let both = peaks(own).into_iter().zip(peaks(side)).take(count);
     let envelopes = envelopes(own).into_iter().zip(envelopes(side));
     for ((a, b), envelope) in both.zip(envelopes) {
         let scale = a[0].value.abs().max(a[1].value.abs());
@@ -140,7 +140,7 @@ fn compare(kind: Kind, own: &SectionForceSummary, side: &SectionForceSummary, st
     }
 }
 
-/// Runs do not see each other, nor does what is asked for change what else is told.
+/// Runs do not see each other, nor does what is asked for change what else is reported.
 #[test]
 fn section_forces_alone_and_in_company_have_the_same_bits() {
     for kind in KINDS {

@@ -107,7 +107,7 @@ fn results(s: &RunSummary) -> [f64; 12] {
         ContactRecord::Smooth { intervals, .. } => intervals[0].restitution(),
         ContactRecord::Nonsmooth { impacts, .. } => impacts.last().unwrap().restitution(),
     };
-    told(s, restitution.unwrap())
+    values(s, restitution.unwrap())
 }
 
 /// The same of derivatives: a coefficient of restitution is a quotient.
@@ -123,10 +123,10 @@ fn derived(s: &RunSummary, by: &RunSummary) -> [f64; 12] {
         ) => own.last().unwrap().restitution_derivative(by.last().unwrap()),
         _ => unreachable!(),
     };
-    told(by, restitution.unwrap())
+    values(by, restitution.unwrap())
 }
 
-fn told(s: &RunSummary, restitution: f64) -> [f64; 12] {
+fn values(s: &RunSummary, restitution: f64) -> [f64; 12] {
     let contact = &s.contacts[0];
     let [force, peak, impulse, start, end, place] = match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {

@@ -133,7 +133,7 @@ fn impulse(record: &ContactRecord) -> f64 {
 }
 
 /// What a run tells of motion, flow and balance, each with its size.
-fn told(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
+fn scaled_results(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
     let energy = s.energy.scale;
     let mut all = vec![
         ("energy", s.energy.final_, energy),
@@ -183,7 +183,7 @@ fn beams_that_yield_move_in_lanes_as_they_do_alone() {
             let worst = found.energy.residual_max.max(m.linear_residual_max);
             let worst = worst.max(m.angular_residual_max);
             assert!(worst < 1e-10, "{name}: run {k}: {worst:e}");
-            let (mut a, mut b) = (told(&single), told(&found));
+            let (mut a, mut b) = (scaled_results(&single), scaled_results(&found));
             if kind == Kind::Crushing {
                 // Sections that bear no tension stand open here and there once unloaded: round-off decides which equilibrium is found, if any.
                 a.retain(|(what, ..)| *what != "set");
