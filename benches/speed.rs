@@ -5,7 +5,7 @@ use std::time::Instant;
 use percuss::*;
 use percuss_batch::{Detail, simulate_batch};
 use percuss_bench::{
-    Besides, above_floor, elastic_example, frame, rigid_study, sliding_discs, varied,
+    Addition, above_floor, elastic_example, frame, rigid_study, sliding_discs, varied,
 };
 use percuss_output::{HistoryFormat, HistoryWriter};
 
@@ -171,13 +171,13 @@ fn rigid_ensembles() {
 fn ensembles() {
     println!("a study of the elastic example, 6 elements, 1500 steps, one core");
     let settings = Settings::new(0.15, 1e-4);
-    for (name, besides) in [
-        ("as it is", Besides::None),
-        ("under gravity", Besides::Gravity),
-        ("damped", Besides::Damped),
-        ("slender elements", Besides::Slender),
+    for (name, addition) in [
+        ("as it is", Addition::None),
+        ("under gravity", Addition::Gravity),
+        ("damped", Addition::Damped),
+        ("slender elements", Addition::Slender),
     ] {
-        let model = varied(6, besides);
+        let model = varied(6, addition);
         let runs = vec![(&model, &settings); 64];
         let seconds = least(|| {
             let start = Instant::now();

@@ -6,7 +6,7 @@
 //! Without arguments it says which runs there are, and which vector registers a run would use here: counts differ between them.
 
 use percuss::*;
-use percuss_bench::{Besides, elastic_example, frame, rigid_example, varied};
+use percuss_bench::{Addition, elastic_example, frame, rigid_example, varied};
 
 const STEP: f64 = 1e-4;
 const NAMES: [&str; 5] = ["elastic-6", "elastic-60", "elastic-600", "rigid-6", "frame"];
@@ -21,8 +21,8 @@ fn model(name: &str) -> Option<Model> {
     Some(match kind {
         "elastic" => elastic_example(elements),
         "rigid" => rigid_example(elements, 0.5),
-        "deep" => varied(elements, Besides::Deep),
-        "yielding" => varied(elements, Besides::Yielding),
+        "deep" => varied(elements, Addition::Deep),
+        "yielding" => varied(elements, Addition::Yielding),
         _ => return None,
     })
 }
