@@ -9,9 +9,9 @@ use percuss_scenario::{Compiled, read, templates};
 const BEFORE: usize = 60;
 const BEHIND: usize = 20;
 
-/// Keeps the checkpoint of one step; stops some steps later.
+/// Recorder that stores the checkpoint of one step and stops some steps later.
 #[derive(Default)]
-struct Keeps {
+struct CheckpointRecorder {
     asked: usize,
     at: usize,
     steps: usize,
@@ -19,7 +19,7 @@ struct Keeps {
     kept: Vec<u8>,
 }
 
-impl Recorder for Keeps {
+impl Recorder for CheckpointRecorder {
     fn wants_checkpoint(&mut self, _: bool) -> bool {
         self.asked += 1;
         self.asked == self.at
@@ -43,9 +43,9 @@ fn valid() -> &'static [(Compiled, Vec<u8>)] {
         let each = templates().iter().filter_map(|template| {
             let compiled = read(template.text, template.name).ok()?.compile().ok()?;
             let simulation = Simulation::new(&compiled.model, &compiled.settings).ok()?;
-            let mut keeps = Keeps { at: BEFORE, ..Keeps::default() };
-            simulation.run(&mut keeps);
-            (!keeps.kept.is_empty()).then_some((compiled, keeps.kept))
+            let mut recorder = CheckpointRecorder { at: BEFORE, ..CheckpointRecorder::default() };
+            simulation.run(&mut recorder);
+            (!recorder.kept.is_empty()).then_some((compiled, recorder.kept))
         });
         each.collect()
     })
@@ -66,6 +66,6 @@ pub fn checkpoint(data: &[u8]) {
     }
     let Ok(checkpoint) = postcard::from_bytes(&bytes) else { return };
     if let Ok(run) = Simulation::resume(&compiled.model, &compiled.settings, checkpoint) {
-        let _ = run.run(&mut Keeps::default());
+        let _ = run.run(&mut CheckpointRecorder::default());
     }
 }

@@ -45,7 +45,7 @@ function = { kind = "table", file = "pulse.csv" }
 end = 0.01
 step = 0.001
 "#;
-    static SOUND: Once = Once::new();
+    static CHECKED: Once = Once::new();
     let answer = |data: &[u8]| {
         let dir = folder();
         fs::write(dir.path().join("pulse.csv"), data).expect("written");
@@ -53,7 +53,7 @@ step = 0.001
         load(dir.path().join("scenario.toml")).and_then(|scenario| scenario.compile())
     };
     // With faults of its own the scenario would hide what the table leads to.
-    SOUND.call_once(|| {
+    CHECKED.call_once(|| {
         let _ = answer(b"0,0\n1,1\n").unwrap_or_else(|faults| panic!("{faults}"));
     });
     let _ = answer(data);
