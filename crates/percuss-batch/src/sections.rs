@@ -21,12 +21,12 @@ pub struct Sections<'m, S: Number> {
     /// Share of every element in each distributed load, on values and slopes, shape (loads, elements, 2, 4) \[N, N m\]; empty of other loads.
     shares: Vec<Vec<[[S; 4]; 2]>>,
     /// What may act inside which element, shape (such forces) \[index of an element\].
-    inside: Vec<(usize, ActsInside)>,
+    inside: Vec<(usize, ForceSource)>,
 }
 
 /// What acts inside an element, by its number.
 #[derive(Clone, Copy, Debug)]
-enum ActsInside {
+enum ForceSource {
     Guide(usize),
     Load(usize),
 }
@@ -45,9 +45,9 @@ impl<'m, S: Number> Sections<'m, S> {
             elements.find(|(_, _, a, _)| *a == node).map(|(.., element)| element)
         };
         let guides = engine.numbers.guides.iter().enumerate();
-        let guides = guides.filter_map(|(k, g)| Some((first(g.node)?, ActsInside::Guide(k))));
+        let guides = guides.filter_map(|(k, g)| Some((first(g.node)?, ForceSource::Guide(k))));
         let loads = model.loads.iter().enumerate().filter_map(|(k, load)| match &load.kind {
-            LoadAction::Point { point, .. } => Some((first(point.node)?, ActsInside::Load(k))),
+            LoadAction::Point { point, .. } => Some((first(point.node)?, ForceSource::Load(k))),
             _ => None,
         });
         let shares = |load: &LoadAction| match load {
@@ -161,16 +161,16 @@ impl<'m, S: Number> Sections<'m, S> {
 fn acts<'m, S: Number>(
     engine: &Engine<S>,
     model: &'m Model,
-    source: ActsInside,
+    source: ForceSource,
     lane: usize,
 ) -> Option<(&'m MaterialPoint, [f64; 2])> {
     let (point, force) = match source {
-        ActsInside::Guide(k) => {
+        ForceSource::Guide(k) => {
             let (state, projectile) = (&engine.guides[k], &model.projectiles[k]);
             let push = state.force + state.impulse / engine.h;
             (&projectile.point, scale(push.lane(lane), projectile.direction))
         }
-        ActsInside::Load(k) => match &model.loads[k].kind {
+        ForceSource::Load(k) => match &model.loads[k].kind {
             LoadAction::Point { point, force, .. } => {
                 (point, scale(engine.load_factors[k].lane(lane), *force))
             }

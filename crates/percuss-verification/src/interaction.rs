@@ -14,7 +14,7 @@ const LIMIT: f64 = 250e6;
 const FIBRES: usize = 96;
 
 /// Whether a cantilever bears an axial force and a moment at its end, which grow together.
-fn bears(axial: f64, moment: f64) -> bool {
+fn is_carried(axial: f64, moment: f64) -> bool {
     let [width, depth, length] = BAR;
     let mut b = ModelBuilder::new();
     let steel = b.material(perfect(200e9, 7850.0, LIMIT));
@@ -39,7 +39,7 @@ pub fn interaction() -> Report {
         let (mut low, mut high) = (0.5, 1.5);
         for _ in 0..13 {
             let share = 0.5 * (low + high);
-            let borne = bears(share * n * axial, share * m * moment);
+            let borne = is_carried(share * n * axial, share * m * moment);
             *(if borne { &mut low } else { &mut high }) = share;
         }
         c.absolute(format!("N/N0 = {n}, M/M0 = {m:.2}: share borne"), low, 1.0, 3e-3);
