@@ -10,10 +10,10 @@ pub fn elastic_example(elements: usize) -> Model {
     varied(elements, Addition::None)
 }
 
-/// The same struck by a rigid projectile.
+/// The elastic example with a rigid projectile.
 ///
 /// # Panics
-/// If the restitution is none.
+/// If `restitution` is not a coefficient of restitution.
 pub fn rigid_example(elements: usize, restitution: f64) -> Model {
     struck(elements, Addition::None, ProjectileKind::Rigid { restitution })
 }
@@ -60,9 +60,9 @@ pub enum Addition {
     Slender,
     /// No supports.
     Unsupported,
-    /// A section whose depth is known, and so its stresses.
+    /// A section with a depth, for which stresses are computed.
     Deep,
-    /// The same of a material that yields early.
+    /// A section with a depth, of a material with a low yield stress.
     Yielding,
 }
 
@@ -74,7 +74,7 @@ pub fn varied(elements: usize, addition: Addition) -> Model {
     struck(elements, addition, ProjectileKind::spring(7.5e5))
 }
 
-/// The clamped plank, struck amidst.
+/// The clamped plank, struck at midspan.
 fn struck(elements: usize, addition: Addition, kind: ProjectileKind) -> Model {
     let mut b = ModelBuilder::new();
     let (retardation, mass_damping) =
@@ -116,7 +116,7 @@ fn struck(elements: usize, addition: Addition, kind: ProjectileKind) -> Model {
     b.build().expect("a sound scene")
 }
 
-/// A clamped beam that sways 1 m above a floor, some points of each element with a pair of their own.
+/// A clamped beam that oscillates 1 m above a floor; several points of each element have a contact pair of their own.
 ///
 /// # Panics
 /// Never: the definitions are sound.
@@ -145,7 +145,7 @@ pub fn above_floor(elements: usize, points_per_element: usize) -> Model {
     b.build().expect("a sound scene")
 }
 
-/// Discs that slide along a clamped beam of 60 elements, pressed on by their weight; or as far above it as given \[m\].
+/// Discs that slide along a clamped beam of 60 elements, pressed on by their weight, or at the given distance above it \[m\].
 ///
 /// # Panics
 /// Never: the definitions are sound.

@@ -36,13 +36,13 @@ pub struct DerivativeRun<'a> {
     pub ledger: LaneLedger<Derived>,
     pub log: Log<Derived>,
     pub search: LaneNewton<Derived>,
-    /// Where the run stands, as its values have it.
+    /// Time and contacts of the run, from its values without derivatives.
     pub progress: RunProgress,
     /// Rigid projectiles, shape (rigid contacts) \[index of a projectile\].
     rigid: Vec<usize>,
-    /// What their contacts did, shape (guided projectiles).
+    /// Records of their contacts, shape (guided projectiles).
     pub rigid_logs: Vec<RigidLog<Derived>>,
-    /// What is done of the step at hand \[s\].
+    /// Completed share of the step at hand \[s\].
     offset: Derived,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
     pub misses: Vec<(usize, Derived, Derived)>,
@@ -83,10 +83,10 @@ impl<'a> DerivativeRun<'a> {
         }
     }
 
-    /// Runs to the end, or as far as derivatives are known.
+    /// Runs to the end, or to the horizon of the derivatives.
     ///
     /// # Errors
-    /// How far that is.
+    /// The horizon of the derivatives, if it is earlier than the end.
     pub fn run(&mut self) -> Result<(), Horizon> {
         let (gaps, nothing) = (self.gaps_and_rates(), self.nothing());
         self.progress.close_at_rest(gaps.into_iter(), nothing);
@@ -96,7 +96,7 @@ impl<'a> DerivativeRun<'a> {
             self.advance()?;
         }
         for (k, guide) in self.engine.guides.iter().enumerate() {
-            // What still approaches may touch before the end in a run beside this one.
+            // A projectile that still approaches may touch before the end in a neighbouring run.
             if guide.gap.value > 0.0 && guide.rate.value < 0.0 {
                 self.misses.push((k, self.log.time, guide.gap));
             }
@@ -110,7 +110,7 @@ impl<'a> DerivativeRun<'a> {
         guides.map(|g| [g.gap.value, g.rate.value]).collect()
     }
 
-    /// The same over what was solved last, shape (rigid contacts).
+    /// The same at the start and at the end of the part solved last, shape (rigid contacts).
     fn seen(&self) -> Vec<Seen> {
         let seen = |(contact, (k, start)): (usize, (&usize, [f64; 2]))| {
             let end = self.engine.gap_next(*k).map(|x| x.value);
@@ -119,13 +119,13 @@ impl<'a> DerivativeRun<'a> {
         self.rigid.iter().zip(self.gaps_and_rates()).enumerate().map(seen).collect()
     }
 
-    /// What is as good as nothing between things that touch.
+    /// Negligible gaps and rates of bodies in contact.
     fn nothing(&self) -> Negligible {
         let energy = self.ledger.sums.energy_scale.value;
         RunScales { energy, ..scales(self.model, self.settings) }.negligible()
     }
 
-    /// Tells the engine of the contact that may press in the part at hand, if one does.
+    /// Sets the contact that may press in the part at hand in the engine, if there is one.
     fn set_press(&mut self) -> Result<(), Horizon> {
         let contacts = self.progress.contacts.iter().zip(&self.rigid);
         let mut active = contacts.filter_map(|(c, k)| Some((c.phase?, *k)));
@@ -142,7 +142,7 @@ impl<'a> DerivativeRun<'a> {
             press.guide = k;
             press.bound = match phase {
                 Phase::Impact { restitution, .. } if restitution == own.value => -(own * rate),
-                // As much as it opens at the start: then it is where it was at the end.
+                // The opening rate at the start: the gap at the end is then that at the start.
                 Phase::Resting { .. } => -rate.max(zero),
                 Phase::Impact { .. } | Phase::PlasticPostStep { .. } => zero,
             };
@@ -150,12 +150,12 @@ impl<'a> DerivativeRun<'a> {
         Ok(())
     }
 
-    /// The projectile that may press in the part at hand, if one does \[index of a projectile\].
+    /// The projectile that may press in the part at hand, if there is one \[index of a projectile\].
     fn pressing(&self) -> Option<usize> {
         self.engine.press.as_ref().filter(|press| press.which).map(|press| press.guide)
     }
 
-    /// Size of the step at hand, and time at its end \[s\]; the last one is as long as the run is.
+    /// Size of the step at hand, and time at its end \[s\]; the last one ends at the end of the run.
     fn step(&self) -> [Derived; 2] {
         let (settings, steps) = (self.settings, self.progress.steps);
         let until = ((steps + 1) as f64 * settings.step).min(settings.end);
@@ -166,7 +166,7 @@ impl<'a> DerivativeRun<'a> {
         both
     }
 
-    /// Solves the part at hand and takes it in.
+    /// Solves the part at hand and accepts it.
     fn advance(&mut self) -> Result<(), Horizon> {
         let [target, until] = self.step();
         self.log.begin(&self.engine);
@@ -206,7 +206,7 @@ impl<'a> DerivativeRun<'a> {
         }
     }
 
-    /// Derivatives end where the run stands.
+    /// Horizon of the derivatives at the current time.
     fn horizon(&self, why: String) -> Horizon {
         Horizon { time: self.log.time.value, why }
     }
@@ -222,7 +222,7 @@ impl<'a> DerivativeRun<'a> {
         }
     }
 
-    /// Not where an impulse would give energy: another law stands in for the contact's own.
+    /// Horizon if an impulse would increase the energy: Moreau's law replaces the law of the contact there.
     fn check_gain(&self) -> Result<(), Horizon> {
         let Some(k) = self.pressing().filter(|_| self.progress.is_impact()) else { return Ok(()) };
         let state = &self.engine.guides[k];
@@ -233,7 +233,7 @@ impl<'a> DerivativeRun<'a> {
         }
     }
 
-    /// Moves the run to the end of the part solved last, and notes what its contact did.
+    /// Moves the run to the end of the part solved last, and records its contact.
     fn accept(&mut self) {
         let pressing = self.pressing().map(|k| (k, self.engine.guides[k].rate));
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);

@@ -1,5 +1,4 @@
-//! Steps the runs of a shape side by side to their ends: each lane goes on by parts of steps of its own, and takes the next run when its own
-//! has ended.
+//! Steps the runs of a shape in lanes: each lane advances by its own parts of steps, and is filled with the next run when its run has ended.
 
 use super::commit::Accept;
 use super::detail::Detail;
@@ -19,18 +18,18 @@ use percuss::internals::scalar::{Mask, Number};
 use percuss::internals::step::contacts::IMPULSIVE;
 use percuss::{RunSummary, Termination};
 
-/// What is read of the rigid contact, lane by lane.
+/// Gap, rate and impulse of the rigid contact in all lanes.
 struct Views<S> {
     /// Gap and its rate at the start of the part, shape (2) \[m, m/s\].
     start: [S; 2],
     /// The same at its end, shape (2) \[m, m/s\].
     end: [S; 2],
-    /// Impulse \[N s\], and the work it does \[J\].
+    /// Impulse \[N s\], and its work \[J\].
     impulse: S,
     work: S,
 }
 
-/// Runs of one shape in mid-flight.
+/// Runs of one shape in lanes.
 pub struct LaneDriver<'a, S: Number> {
     /// The runs, shape (runs).
     runs: &'a [LaneRun<'a>],
@@ -39,13 +38,13 @@ pub struct LaneDriver<'a, S: Number> {
     log: Log<S>,
     search: LaneNewton<S>,
     saved: SavedLanes<S>,
-    /// Section forces, if they are asked for.
+    /// Section forces, if they are requested.
     sections: Option<Sections<'a, S>>,
     /// Number of the rigid projectile, if there is one \[index of a projectile\].
     guide: Option<usize>,
     /// The run in each lane, shape (lanes).
     lanes: Vec<Option<Lane>>,
-    /// The first run that no lane has taken yet.
+    /// Number of the next run, which is in no lane yet.
     next: usize,
 }
 
@@ -56,7 +55,7 @@ pub fn rigid_guides<S>(numbers: &Numbers<S>) -> impl Iterator<Item = usize> {
 }
 
 impl<'a, S: Number> LaneDriver<'a, S> {
-    /// Of runs of one shape, at most one of whose projectiles is rigid.
+    /// A driver for runs of one shape with at most one rigid projectile.
     #[inline(always)]
     pub fn of(runs: &'a [LaneRun<'a>], detail: Detail, like: S) -> Self {
         let mut engine = Engine::new(runs[0].numbers.map(&mut |x| like.constant(x)));
@@ -78,7 +77,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         }
     }
 
-    /// Runs all to their ends, handing over their summaries.
+    /// Steps all runs to their ends and passes their summaries to `keep`.
     #[inline(always)]
     pub fn run(mut self, keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
         (0..S::LANES).for_each(|lane| self.fill(lane));
@@ -122,7 +121,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         Some([state.gap.lane(number), state.rate.lane(number)])
     }
 
-    /// Gives every lane the part at hand: its size, the bound of its contact, the factors of its loads.
+    /// Sets the part at hand of every lane: its size, the bound of its contact, the factors of its loads.
     #[inline(always)]
     fn set_parts(&mut self) {
         let (lanes, h) = (&self.lanes, self.engine.h);
@@ -153,7 +152,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         self.engine.apply_loads();
     }
 
-    /// What is seen of the rigid contact, if there is one.
+    /// Gap, rate and impulse of the rigid contact, if there is one.
     #[inline(always)]
     fn views(&self) -> Option<Views<S>> {
         let guide = self.guide?;
@@ -178,7 +177,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         self.engine.h.mask(|lane| go[lane])
     }
 
-    /// Moves the lanes that `go` to the end of their parts. What becomes of lanes whose run is over, or has failed, is nothing to anybody.
+    /// Moves the lanes of the mask `go` to the end of their parts. The state of lanes whose run has ended or failed is not used again.
     #[inline(always)]
     fn go_on(&mut self, go: S::Mask) {
         let lanes = &self.lanes;
@@ -195,8 +194,8 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         }
     }
 
-    /// Takes in the ends of the parts of lanes that `go`: runs that have ended leave their lanes, and those in which something odd
-    /// has happened are left to the solver that knows it.
+    /// Concludes the parts of the lanes of the mask `go`: runs that have ended leave their lanes, and runs with an event that lanes do not support
+    /// are repeated as single runs.
     #[inline(always)]
     fn close_parts(
         &mut self,
@@ -208,7 +207,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             let Some(mut lane) = self.lanes[number].take() else { continue };
             let index = self.runs[lane.run].index;
             let gone = go.lane(number);
-            // A fibre that fails is left to single runs.
+            // Failing fibres are computed in single runs.
             let fails = gone && self.engine.fibres.failing.lane(number);
             let failed = self.search.failed.lane(number) || fails;
             if failed || gone && !self.advance(&mut lane, number, seen) {
@@ -223,7 +222,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         }
     }
 
-    /// Takes the part of a lane in and begins the next one; not if single runs go on otherwise than lanes.
+    /// Accepts the part of a lane and begins the next one; `false` where a single run would continue differently.
     #[inline(always)]
     fn advance(&self, lane: &mut Lane, number: usize, seen: Option<&Views<S>>) -> bool {
         let gap = self.gap_and_rate(number);
@@ -247,7 +246,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         true
     }
 
-    /// Notes what the rigid contact of a lane did in its part; not if another law stands in for the contact's own.
+    /// Records the rigid contact of a lane in its part; `false` where Moreau's law replaces the law of the contact.
     #[inline(always)]
     fn note(&self, lane: &mut Lane, number: usize, seen: &Views<S>) -> bool {
         let (own, impulse) = (seen.lane(number), seen.impulse.lane(number));
@@ -298,7 +297,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
 }
 
 impl<S: Number> Views<S> {
-    /// Those of a lane.
+    /// The values of one lane.
     #[inline(always)]
     fn lane(&self, lane: usize) -> Seen {
         let both = |x: [S; 2]| [x[0].lane(lane), x[1].lane(lane)];

@@ -19,13 +19,13 @@ use percuss::internals::scalar::Dual;
 use percuss::simulate;
 use percuss::{RunSummary, Termination};
 
-/// A parameter, by the models that it makes.
+/// A parameter, given by models with its changed values.
 #[derive(Clone, Debug)]
 pub struct Variation {
-    /// The model with the parameter less twice, less once, plus once, plus twice its change, shape (4). What a model is made of is a smooth
-    /// function of its parameters: its derivative is the fourth-order difference.
+    /// The model with the parameter changed by -2, -1, 1 and 2 times `change`, shape (4). The numbers of a model are smooth functions of its
+    /// parameters: fourth-order differences give their derivatives.
     pub models: [Model; 4],
-    /// Time at which the run ends with each of them, shape (4) \[s\]. No other setting may change with a parameter: what the step does to a
+    /// Time at which the run ends with each of them, shape (4) \[s\]. No other setting may change with a parameter: the effect of the step on a
     /// result is its error.
     pub ends: [f64; 4],
     /// Change of the parameter.
@@ -35,9 +35,9 @@ pub struct Variation {
 /// Why a run has no derivatives.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Undifferentiated {
-    /// Something of model, settings or parameters, or something that happens in the run, has no derivatives here.
+    /// A property of model, settings or parameters, or an event in the run, is not differentiable.
     Refused(String),
-    /// The run itself fails: as what, and why.
+    /// The run itself fails: code and reason.
     Failed(AnalysisCode, String),
 }
 
@@ -72,13 +72,12 @@ impl From<String> for Undifferentiated {
 pub struct Sensitivities {
     /// The run.
     pub summary: RunSummary,
-    /// For every parameter, a summary whose numbers are the derivatives of those of `summary`, shape (parameters); NaN where there is none:
-    /// of section forces and reactions, of measures of error, of the time of a peak that steps do not resolve, of what is later than
-    /// `horizon`. Counts have none either and are those of the run.
+    /// For every parameter, a summary whose numbers are the derivatives of those of `summary`, shape (parameters). They are NaN for section forces
+    /// and reactions, measures of error, times of peaks that steps do not resolve, and results later than `horizon`. Counts are those of the run.
     pub derivatives: Vec<RunSummary>,
-    /// How far derivatives reach, if not to the end of the run.
+    /// Time up to which derivatives are valid, if it is before the end of the run.
     pub horizon: Option<Horizon>,
-    /// Contacts of the run and contacts it misses, each with the changes of the parameters that would end or begin it,
+    /// Contacts of the run and near misses, each with the changes of the parameters at which it vanishes or appears,
     /// shape (such contacts).
     pub grazing: Vec<Grazing>,
 }
@@ -86,8 +85,8 @@ pub struct Sensitivities {
 /// Runs a model and differentiates its results.
 ///
 /// # Errors
-/// In words, what stands against it: a part of the model or the settings that ensembles do not know, a parameter that changes
-/// more than numbers, a run that fails.
+/// The reason in words: a part of the model or of the settings that ensembles do not support, a parameter that changes more than numbers, a run
+/// that fails.
 pub fn sensitivities(
     model: &Model,
     settings: &Settings,
@@ -109,7 +108,7 @@ pub fn sensitivities(
     let mut found =
         Sensitivities { summary, derivatives: Vec::new(), horizon: None, grazing: Vec::new() };
     let none: &[ParameterSlopes] = &[];
-    // Without parameters it still tells what grazes.
+    // Without parameters the grazing contacts are still found.
     let chunks: Vec<_> =
         if parameters.is_empty() { vec![none] } else { parameters.chunks(TOGETHER).collect() };
     for chunk in chunks {
@@ -118,7 +117,7 @@ pub fn sensitivities(
     Ok(found)
 }
 
-/// The numbers of a model, or why they have no derivatives.
+/// The numbers of a model, or the reason why they have no derivatives.
 fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferentiated> {
     if model.loads.iter().any(|load| !load.is_steady()) {
         let why = "derivatives are not known for loads that change in time".to_owned();
@@ -127,7 +126,7 @@ fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferent
     numbers(model, settings).map_err(|what| format!("derivatives are not known for {what}").into())
 }
 
-/// What a parameter changes, by unit of it.
+/// Derivatives of the input with respect to a parameter.
 struct ParameterSlopes {
     /// Numbers of the model, in the order of [`Numbers::flat`], shape (numbers) \[unit of the number by that of the parameter\].
     numbers: Vec<f64>,
@@ -156,7 +155,7 @@ fn slopes(
         }
         let size = flat[0].len();
         let change = variation.change;
-        // What is unset stays so.
+        // Unset numbers remain unset.
         let plain = |x: f64| if x.is_nan() { 0.0 } else { x };
         let numbers =
             (0..size).map(|k| plain(difference([0, 1, 2, 3].map(|m| flat[m][k]), change)));
@@ -176,7 +175,7 @@ fn difference([far_below, below, above, far_above]: [f64; 4], change: f64) -> f6
     (8.0 * (above - below) - (far_above - far_below)) / (12.0 * change)
 }
 
-/// What is differentiated.
+/// The differentiated run.
 struct Case<'a> {
     model: &'a Model,
     settings: &'a Settings,
@@ -186,7 +185,7 @@ struct Case<'a> {
 }
 
 impl Case<'_> {
-    /// Adds the derivatives by up to [`TOGETHER`] parameters.
+    /// Adds the derivatives with respect to up to [`TOGETHER`] parameters.
     fn differentiate(&self, parameters: &[ParameterSlopes], found: &mut Sensitivities) {
         let derived = |value: f64, of: &dyn Fn(&ParameterSlopes) -> f64| {
             let mut slope = [0.0; TOGETHER + 1];
