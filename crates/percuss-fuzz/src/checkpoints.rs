@@ -1,11 +1,11 @@
-//! Checkpoints with some of their bytes changed, whose checksum fits all the same.
+//! Checkpoints with changed bytes and a valid checksum.
 
 use std::sync::OnceLock;
 
 use percuss::{Checkpoint, Flow, Recorder, RecorderError, Simulation};
 use percuss_scenario::{Compiled, read, templates};
 
-/// Steps before the checkpoint, and behind it.
+/// Steps before the checkpoint, and after it.
 const BEFORE: usize = 60;
 const BEHIND: usize = 20;
 
@@ -15,7 +15,7 @@ struct CheckpointRecorder {
     asked: usize,
     at: usize,
     steps: usize,
-    /// The checkpoint kept last, shape (bytes) \[-\].
+    /// The last stored checkpoint, shape (bytes) \[-\].
     kept: Vec<u8>,
 }
 
@@ -36,7 +36,7 @@ impl Recorder for CheckpointRecorder {
     }
 }
 
-/// Models of the templates that run, each with a checkpoint.
+/// Models of the templates that can be run, each with a checkpoint.
 fn valid() -> &'static [(Compiled, Vec<u8>)] {
     static VALID: OnceLock<Vec<(Compiled, Vec<u8>)>> = OnceLock::new();
     VALID.get_or_init(|| {
@@ -51,7 +51,7 @@ fn valid() -> &'static [(Compiled, Vec<u8>)] {
     })
 }
 
-/// The first byte chooses a checkpoint, each three that follow a place in it and the byte that is put there.
+/// The first byte selects a checkpoint; each following group of three bytes is a position in it and the new byte there.
 pub fn checkpoint(data: &[u8]) {
     let Some((&which, changes)) = data.split_first() else { return };
     let all = valid();
@@ -60,7 +60,7 @@ pub fn checkpoint(data: &[u8]) {
     for change in changes.chunks_exact(3).take(32) {
         let place = usize::from(u16::from_le_bytes([change[0], change[1]]));
         let count = bytes.len();
-        // Some places from the end, where lists are.
+        // Half of the positions count from the end, where lists are.
         let at = if place % 2 == 0 { place % count } else { count - 1 - place % count };
         bytes[at] = change[2];
     }

@@ -1,4 +1,4 @@
-//! What fuzzers found worth keeping, tried again; and that each target has such a corpus.
+//! Replay of the stored inputs of the fuzzers; each target has such a corpus.
 
 use std::fs;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Beams that are joined, or stand on springs and strike stops, side by side: what a single run gives, and the same bits alone and in company.
+//! Beams with joints, spring supports and stops, in lanes: the results of single runs, and the same bits alone and beside others.
 
 use crate::common;
 
@@ -17,7 +17,7 @@ struct Portal {
     rigid: Option<f64>,
 }
 
-/// All kinds of it.
+/// All variants of the portal.
 fn portals() -> impl Iterator<Item = Portal> {
     let held = [(false, false), (true, false), (false, true)];
     let kinds = [false, true].into_iter().flat_map(move |hinged| held.map(|held| (hinged, held)));
@@ -122,7 +122,7 @@ fn scaled_results(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
     all
 }
 
-/// How well a run is known: each impact of many makes what is not known of the last one larger.
+/// Tolerance for a run: each of many impacts magnifies the error of the previous one.
 fn known(single: &RunSummary) -> f64 {
     match &single.contacts[0].record {
         ContactRecord::Nonsmooth { impacts, .. } if impacts.len() > 8 => 1e-5,
@@ -159,7 +159,7 @@ fn joined_beams_move_in_lanes_as_they_do_alone() {
 fn joined_beams_give_the_same_bits_alone_and_in_company() {
     for kind in portals() {
         let runs = runs(kind, 9);
-        let text = |s: &RunSummary| format!("{s:?}"); // in which every float is exact
+        let text = |s: &RunSummary| format!("{s:?}"); // contains every float exactly
         for (k, together) in batch(&runs).iter().enumerate() {
             let alone = batch(&runs[k..=k]);
             assert_eq!(text(&alone[0]), text(together), "run {k}");
