@@ -5,7 +5,7 @@ use percuss::*;
 /// The paper's elastic example, clamped, with any number of elements.
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn elastic_example(elements: usize) -> Model {
     varied(elements, Addition::None)
 }
@@ -21,7 +21,7 @@ pub fn rigid_example(elements: usize, restitution: f64) -> Model {
 /// Variants of the paper's rigid example, which differ in speed, mass and restitution.
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn rigid_study(count: usize) -> Vec<Model> {
     let share = |k: usize, step: f64| (k as f64 * step).fract();
     let model = |k: usize| {
@@ -69,7 +69,7 @@ pub enum Addition {
 /// The elastic example with another property.
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn varied(elements: usize, addition: Addition) -> Model {
     struck(elements, addition, ProjectileKind::spring(7.5e5))
 }
@@ -119,7 +119,7 @@ fn struck(elements: usize, addition: Addition, kind: ProjectileKind) -> Model {
 /// A clamped beam that oscillates 1 m above a floor; several points of each element have a contact pair of their own.
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn above_floor(elements: usize, points_per_element: usize) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("composite", 0.2e10, 3e3));
@@ -148,7 +148,7 @@ pub fn above_floor(elements: usize, points_per_element: usize) -> Model {
 /// Discs that slide along a clamped beam of 60 elements, pressed on by their weight, or at the given distance above it \[m\].
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn sliding_discs(count: usize, above: f64) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("composite", 0.2e10, 3e3));
@@ -184,7 +184,7 @@ pub fn sliding_discs(count: usize, above: f64) -> Model {
 /// A frame of storeys and bays of 3 m, `elements` in each member, joints rigid and feet clamped, its lowest left column struck.
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn frame(storeys: usize, bays: usize, elements: usize) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("composite", 0.2e10, 3e3));

@@ -1,4 +1,4 @@
-//! The only writer of the state of an ensemble: the step at hand becomes the start of the next one.
+//! The only writer of the state of an ensemble: the current step becomes the start of the next one.
 
 use super::engine::Engine;
 use super::ledger::LaneLedger;
@@ -52,7 +52,7 @@ impl<S: Number> Task for Accept<'_, '_, S> {
 }
 
 impl<S: Number> Engine<S> {
-    /// Accepts the step at hand.
+    /// Accepts the current step.
     #[inline(always)]
     fn commit(&mut self) {
         let rate = self.h.recip();

@@ -25,7 +25,7 @@ pub fn unknown(c: &Constraint) -> Option<&'static str> {
     }
 }
 
-/// The constraints of all runs in the step at hand.
+/// The constraints of all runs in the current step.
 #[derive(Clone, Debug)]
 pub struct Constraints<S: Number> {
     /// One by one, shape (constraints).
@@ -38,12 +38,12 @@ pub struct Constraints<S: Number> {
     pub impulsive: S::Mask,
 }
 
-/// State of a constraint, and its values in the step at hand.
+/// State of a constraint, and its values in the current step.
 #[derive(Clone, Debug)]
 pub struct ConstraintState<S> {
     /// Multiplier of the step accepted last, which the next one starts from \[N, N m\].
     pub accepted: S,
-    /// Multiplier in the step at hand, and its correction \[N, N m\].
+    /// Multiplier in the current step, and its correction \[N, N m\].
     pub multiplier: S,
     pub correction: S,
     /// Round-off of the previous steps that this one compensates \[m, -\].
@@ -95,7 +95,7 @@ impl<S: Number> Constraints<S> {
         }
     }
 
-    /// Accepts the multipliers of the step at hand.
+    /// Accepts the multipliers of the current step.
     #[inline(always)]
     pub fn commit(&mut self) {
         for c in &mut self.each {

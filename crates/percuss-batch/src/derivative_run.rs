@@ -23,7 +23,7 @@ use percuss::internals::step::contacts::{IMPULSIVE, Phase};
 
 /// Parameters differentiated at once.
 pub const TOGETHER: usize = 4;
-/// A number with its derivatives; the last one is with respect to the size of the step at hand.
+/// A number with its derivatives; the last one is with respect to the size of the current step.
 pub type Derived = Dual<{ TOGETHER + 1 }>;
 
 /// A run with its derivatives between two parts of steps.
@@ -42,7 +42,7 @@ pub struct DerivativeRun<'a> {
     rigid: Vec<usize>,
     /// Records of their contacts, shape (guided projectiles).
     pub rigid_logs: Vec<RigidLog<Derived>>,
-    /// Completed share of the step at hand \[s\].
+    /// Completed share of the current step \[s\].
     offset: Derived,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
     pub misses: Vec<(usize, Derived, Derived)>,
@@ -125,7 +125,7 @@ impl<'a> DerivativeRun<'a> {
         RunScales { energy, ..scales(self.model, self.settings) }.negligible()
     }
 
-    /// Sets the contact that may press in the part at hand in the engine, if there is one.
+    /// Sets the contact that may press in the current part in the engine, if there is one.
     fn set_press(&mut self) -> Result<(), Horizon> {
         let contacts = self.progress.contacts.iter().zip(&self.rigid);
         let mut active = contacts.filter_map(|(c, k)| Some((c.phase?, *k)));
@@ -150,12 +150,12 @@ impl<'a> DerivativeRun<'a> {
         Ok(())
     }
 
-    /// The projectile that may press in the part at hand, if there is one \[index of a projectile\].
+    /// The projectile that may press in the current part, if there is one \[index of a projectile\].
     fn pressing(&self) -> Option<usize> {
         self.engine.press.as_ref().filter(|press| press.which).map(|press| press.guide)
     }
 
-    /// Size of the step at hand, and time at its end \[s\]; the last one ends at the end of the run.
+    /// Size of the current step, and time at its end \[s\]; the last one ends at the end of the run.
     fn step(&self) -> [Derived; 2] {
         let (settings, steps) = (self.settings, self.progress.steps);
         let until = ((steps + 1) as f64 * settings.step).min(settings.end);
@@ -166,7 +166,7 @@ impl<'a> DerivativeRun<'a> {
         both
     }
 
-    /// Solves the part at hand and accepts it.
+    /// Solves the current part and accepts it.
     fn advance(&mut self) -> Result<(), Horizon> {
         let [target, until] = self.step();
         self.log.begin(&self.engine);

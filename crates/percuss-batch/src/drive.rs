@@ -121,7 +121,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         Some([state.gap.lane(number), state.rate.lane(number)])
     }
 
-    /// Sets the part at hand of every lane: its size, the bound of its contact, the factors of its loads.
+    /// Sets the current part of every lane: its size, the bound of its contact, the factors of its loads.
     #[inline(always)]
     fn set_parts(&mut self) {
         let (lanes, h) = (&self.lanes, self.engine.h);

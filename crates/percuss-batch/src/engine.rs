@@ -26,7 +26,7 @@ pub use guide::GuideState;
 #[derive(Clone, Debug)]
 pub struct Engine<S: Number> {
     pub numbers: Numbers<S>,
-    /// Size of the step at hand \[s\].
+    /// Size of the current step \[s\].
     pub h: S,
     /// Displacements of the beams' nodes, shape (beam nodes, 4) \[m, -\].
     pub displacement: Vec<[S; 4]>,
@@ -51,7 +51,7 @@ pub struct Engine<S: Number> {
     /// Rows of their nodes in the tangent in use, before degrees of freedom were fixed: blocks of the previous node, of the node, and of the next
     /// one, shape (nodes held, 3, 4, 4) \[N/m, N, N m\].
     pub reaction_rows: Vec<[Block<S>; 3]>,
-    /// Mean factors of the loads over the step at hand, shape (loads) \[-\].
+    /// Mean factors of the loads over the current step, shape (loads) \[-\].
     pub load_factors: Vec<S>,
     /// Nodal forces of the loads, shape (beam nodes, 4) \[N, N m\].
     pub applied: Vec<[S; 4]>,

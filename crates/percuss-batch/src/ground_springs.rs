@@ -17,7 +17,7 @@ pub struct GroundSpringNumbers<S> {
     pub damping: S,
 }
 
-/// A spring in the step at hand.
+/// A spring in the current step.
 #[derive(Clone, Copy, Debug)]
 pub struct GroundSpringState<S> {
     /// Force of spring and damper \[N\], its slope by the displacement at the end of the step \[N/m\], and the change of the displacement over the

@@ -1,4 +1,4 @@
-//! A run in a lane: its progress, the record of its rigid contact, and the prediction for the part at hand.
+//! A run in a lane: its progress, the record of its rigid contact, and the prediction for the current part.
 
 use super::ledger::LaneLedger;
 use super::numbers::Numbers;
@@ -86,7 +86,7 @@ impl Lane {
         }
     }
 
-    /// Accelerations of the part at hand relative to those of the previous part, times the ratio of the squared sizes.
+    /// Accelerations of the current part relative to those of the previous part, times the ratio of the squared sizes.
     pub fn ahead(&self) -> f64 {
         let longer = self.progress.h() / self.last.0;
         let unknown = self.last.1 == 0.0 || self.progress.is_impact() || longer > MOST_LONGER;
@@ -98,7 +98,7 @@ impl Lane {
         f64::from(u8::from(self.even > 0 && self.last == (self.progress.h(), 1.0)))
     }
 
-    /// Whether the contact may press in the part at hand, and the least rate of its gap for the present rate `rate` \[m/s\].
+    /// Whether the contact may press in the current part, and the least rate of its gap for the present rate `rate` \[m/s\].
     pub fn bound(&self, rate: f64) -> Option<f64> {
         self.progress.contacts[0].phase.map(|phase| phase.least_rate(rate))
     }

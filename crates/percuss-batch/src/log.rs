@@ -20,7 +20,7 @@ pub use guide::{Closed, Top};
 /// The record of an ensemble.
 #[derive(Clone, Debug)]
 pub struct Log<S: Number> {
-    /// Time at the start of the step at hand \[s\].
+    /// Time at the start of the current step \[s\].
     pub time: S,
     /// Extremes of the recorded points, by component, shape (recorded points, 2).
     pub points: Vec<[Crest<S>; 2]>,

@@ -18,7 +18,7 @@ pub use search::LaneNewton;
 const UNFORESEEN: f64 = 1e-13;
 
 impl<S: Number> Engine<S> {
-    /// Solves for the increments of the step at hand; lanes without a solution are marked as failed.
+    /// Solves for the increments of the current step; lanes without a solution are marked as failed.
     #[inline(always)]
     pub fn solve(&mut self, ledger: &LaneLedger<S>, search: &mut LaneNewton<S>) {
         self.h.apart(SolveStep { engine: self, ledger, search });

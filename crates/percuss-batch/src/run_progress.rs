@@ -27,17 +27,17 @@ pub struct Touching {
     pub closed: bool,
     /// Fastest approach so far \[m/s\].
     pub approach_max: f64,
-    /// Its phase in the part at hand; `None` for an open contact.
+    /// Its phase in the current part; `None` for an open contact.
     pub phase: Option<Phase>,
 }
 
 impl Touching {
-    /// Whether the contact rests in the part at hand.
+    /// Whether the contact rests in the current part.
     pub fn rests(&self) -> bool {
         matches!(self.phase, Some(Phase::Resting { .. }))
     }
 
-    /// Whether the part at hand is an impact of this contact.
+    /// Whether the current part is an impact of this contact.
     pub fn strikes(&self) -> bool {
         matches!(self.phase, Some(Phase::Impact { .. }))
     }
@@ -52,10 +52,10 @@ pub struct RunProgress {
     count: usize,
     pub steps: usize,
     pub accumulated_steps: usize,
-    /// Time at the start of the part at hand, and completed share of its step \[s\].
+    /// Time at the start of the current part, and completed share of its step \[s\].
     pub time: f64,
     pub offset: f64,
-    /// The contact that was located at the end of the previous part, or of the one at hand \[index of a rigid contact\].
+    /// The contact that was located at the end of the previous part, or of the current one \[index of a rigid contact\].
     pub located: Option<usize>,
     /// Rigid contacts, shape (rigid contacts).
     pub contacts: Vec<Touching>,
@@ -111,7 +111,7 @@ impl RunProgress {
         !self.is_impact() && self.decider.h() == self.decider.part.size
     }
 
-    /// Whether the part at hand is an impact interval.
+    /// Whether the current part is an impact interval.
     pub fn is_impact(&self) -> bool {
         matches!(self.decider.part.resolution, Resolution::Impact | Resolution::Sequence)
     }
@@ -148,7 +148,7 @@ impl RunProgress {
         }
     }
 
-    /// Whether the part solved last is accepted, given the contacts, shape (rigid contacts); if not, the next trial becomes the part at hand.
+    /// Whether the part solved last is accepted, given the contacts, shape (rigid contacts); if not, the next trial becomes the current part.
     pub fn judge(&mut self, seen: &[Seen]) -> bool {
         let verdict = self.decider.judge(seen, |_| None);
         self.note_phases();
@@ -158,7 +158,7 @@ impl RunProgress {
         verdict != Verdict::Again
     }
 
-    /// Accepts the part at hand with the given contacts and impulses, shape (rigid contacts).
+    /// Accepts the current part with the given contacts and impulses, shape (rigid contacts).
     pub fn accept(&mut self, seen: &[Seen], impulses: &[f64], nothing: Negligible) {
         let h = self.h();
         self.decider.spend(self.is_impact() || self.located.is_some());

@@ -1,4 +1,4 @@
-//! Section forces of the runs of an ensemble, from the balance of their elements in the step at hand.
+//! Section forces of the runs of an ensemble, from the balance of their elements in the current step.
 
 use super::detail::Detail;
 use super::engine::Engine;
@@ -96,7 +96,7 @@ impl<'m, S: Number> Sections<'m, S> {
         self.found.end(lane)
     }
 
-    /// Records the step at hand, which begins at `start`, in the lanes of the mask `go`; steps as short as an impact interval have impulses and no
+    /// Records the current step, which begins at `start`, in the lanes of the mask `go`; steps as short as an impact interval have impulses and no
     /// forces.
     #[inline(always)]
     pub fn take(&mut self, engine: &Engine<S>, start: S, go: Option<S::Mask>) {
@@ -158,7 +158,7 @@ impl<'m, S: Number> Sections<'m, S> {
     }
 }
 
-/// Place and value of a force inside an element in a lane's run in the step at hand \[N\], if it acts.
+/// Place and value of a force inside an element in a lane's run in the current step \[N\], if it acts.
 fn acts<'m, S: Number>(
     engine: &Engine<S>,
     model: &'m Model,
@@ -210,7 +210,7 @@ impl<S: Number> Task for TakeStep<'_, '_, S> {
 }
 
 impl<S: Number> Engine<S> {
-    /// Forces on an element in the step at hand, for the given acceleration of gravity \[m/s^2\].
+    /// Forces on an element in the current step, for the given acceleration of gravity \[m/s^2\].
     #[inline(always)]
     fn acting(
         &self,

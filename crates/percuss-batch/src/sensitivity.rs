@@ -132,7 +132,7 @@ struct ParameterSlopes {
     numbers: Vec<f64>,
     /// End of the run.
     end: f64,
-    /// What the model tells by itself, shape (guided projectiles).
+    /// Results that depend only on the model, shape (guided projectiles).
     fixed: Vec<Fixed>,
 }
 
@@ -180,7 +180,7 @@ struct Case<'a> {
     model: &'a Model,
     settings: &'a Settings,
     base: Numbers<f64>,
-    /// What the model tells by itself, shape (guided projectiles).
+    /// Results that depend only on the model, shape (guided projectiles).
     fixed: Vec<Fixed>,
 }
 

@@ -138,7 +138,7 @@ impl Parkes {
         way * (beta / (1.0 + beta) + 2.0 * beta.ln_1p())
     }
 
-    /// Share of the energy that remains when the hinge is at the distance `x` from the tip: `(1 + mx/3G) / (1 + mx/2G)^2`.
+    /// Share of the energy that remains when the hinge is at the distance x = `way` from the tip: `(1 + mx/3G) / (1 + mx/2G)^2`.
     fn share(&self, way: f64) -> f64 {
         (1.0 + way / (3.0 * self.ratio)) / (1.0 + way / (2.0 * self.ratio)).powi(2)
     }

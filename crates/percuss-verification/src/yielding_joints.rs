@@ -181,7 +181,7 @@ fn portal(p: f64) -> Model {
 
 /// Pushover of a portal, small displacements: a sequence of plastic hinges, and finally a mechanism.
 ///
-/// By hand, with the slope-deflection method in fractions: moments of the right foot, the right corner, the middle and the left foot
+/// Hand calculation with the slope-deflection method in fractions: moments of the right foot, the right corner, the middle and the left foot
 /// are 1.65, 1.55, 1.2 and 0.85 times p at first, so that the right foot yields at 20/33 of the moment; solved again with each hinge
 /// the others follow at 43/67, 17/23 and 3/4, the sway then 16/3 M/EI. The combined mechanism has `p (H + L/2) = 6 M`, which is the
 /// last of them, below those of the girder, `p L/2 = 4 M`, and of sway, `p H = 4 M`.

@@ -80,7 +80,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// An element over the step at hand: its table, first node and number, and its damping.
+    /// An element over the current step: its table, first node and number, and its damping.
     #[inline(always)]
     fn invariant_step<'a>(
         &'a self,

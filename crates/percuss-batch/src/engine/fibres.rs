@@ -16,7 +16,7 @@ impl<S: Number> Engine<S> {
         self.numbers.spans.iter().filter(|span| span.fibres.is_some()).count()
     }
 
-    /// Moves the fibres to the end of the step at hand, to which the displacements belong already.
+    /// Moves the fibres to the end of the current step, to which the displacements belong already.
     #[inline(always)]
     pub fn advance_fibres(&mut self) {
         if !self.fibres.is_empty() {

@@ -1,4 +1,4 @@
-//! Guided projectiles of the runs in the step at hand.
+//! Guided projectiles of the runs in the current step.
 
 use crate::ground_springs::row;
 use crate::numbers::GuideNumbers;
@@ -6,7 +6,7 @@ use percuss::internals::model::frozen::combine;
 use percuss::internals::scalar::Number;
 use percuss::math::vec2::dot;
 
-/// State of a guided projectile, and its values in the step at hand.
+/// State of a guided projectile, and its values in the current step.
 #[derive(Clone, Copy, Debug)]
 pub struct GuideState<S> {
     /// Displacement along the line of flight \[m\], velocity \[m/s\].

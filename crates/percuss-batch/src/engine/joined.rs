@@ -8,7 +8,7 @@ use percuss::internals::scalar::{Number, array};
 use percuss::internals::step::constraint::{ConstraintStep, NodalForm, point_nodes};
 
 impl<S: Number> Engine<S> {
-    /// Share of the constraints' round-off that is compensated in the step at hand: its size as a share of a whole step.
+    /// Share of the constraints' round-off that is compensated in the current step: its size as a share of a whole step.
     #[inline(always)]
     fn taken_back(&self) -> S {
         let one = self.h.constant(1.0);
@@ -31,7 +31,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// The step at hand for the constraints.
+    /// The current step for the constraints.
     #[inline(always)]
     fn constraint_step(&self) -> ConstraintStep<'_, S> {
         let (start, increment) = (&self.displacement, &self.increment);
