@@ -13,11 +13,11 @@ use crate::model::Model;
 /// Corrections of a point; more and the arc is halved. Contacts close and open one after the other.
 pub(super) const MOST_ITERATIONS: usize = 16;
 const MOST_WITH_CONTACTS: usize = 60;
-/// A correction longer than so many arcs (or first arcs) leads to no point of the branch.
+/// A correction longer than this number of arcs (or first arcs) does not lead to a point of the branch.
 const WILDEST: f64 = 20.0;
 /// Last correction of a point relative to its displacements; the next would be its square.
 pub(super) const SETTLED: f64 = 1e-9;
-/// Share of the loads by which discs settle on what holds them.
+/// Share of the loads at which discs come to rest on their supports.
 const LITTLE: f64 = 1e-4;
 
 /// A place on the path.
@@ -70,8 +70,8 @@ impl<'m> Tracer<'m> {
         if stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) > 0.0) {
             search.solve(0.0);
         }
-        // Discs lie on what holds them, and stops that hold a structure are closed, before the path is followed: nothing answers to the
-        // loads till then.
+        // Discs rest on their supports, and stops that support a structure are closed, before the path is followed: the structure has no response
+        // to the loads before.
         let settles = search.contacts.has_discs() || leans_on_stops(model);
         let start = search.reached();
         if settles && !search.solve(LITTLE) && !search.relax_from(&start, LITTLE) {
