@@ -86,7 +86,7 @@ pub fn interpolated<S: Real>(
     array(|k| interpolate(at, &[forms[0][k], forms[1][k], forms[2][k]]))
 }
 
-/// What a Gauss point adds to an element: forces along the gradients of its strains, and their tangent.
+/// Contribution of a Gauss point to an element: forces along the gradients of its strains, and their tangent.
 #[inline(always)]
 pub fn add_section<S: Real, const TANGENT: bool>(
     sums: &mut ElementSums<S>,
