@@ -7,11 +7,11 @@ use percuss_codes::AnalysisCode;
 /// An error of a recorder, passed through the run to its caller.
 pub type RecorderError = Box<dyn std::error::Error + Send + Sync>;
 
-/// Why an analysis gave up.
+/// Reason why an analysis has no result.
 #[derive(Debug)]
 pub struct Error {
     kind: ErrorKind,
-    /// What has failed before, in words; empty where nothing has.
+    /// Previous failures, in words; empty without any.
     after: String,
 }
 
@@ -31,7 +31,7 @@ enum ErrorKind {
 }
 
 impl Error {
-    /// Newton's iteration failed down to the smallest step; `what` it was that did not converge.
+    /// Newton's iteration failed down to the smallest step; `what` did not converge.
     pub(crate) fn no_convergence(time: f64, step: f64, what: String) -> Self {
         Self::of(ErrorKind::NoConvergence { time, step, what, cure: "try a smaller step" })
     }
@@ -47,7 +47,7 @@ impl Error {
         Self::of(ErrorKind::NoEquilibrium { share })
     }
 
-    /// The same where rigid contacts are closed, whose forces may be what does not settle.
+    /// The same with closed rigid contacts, whose forces may be the part that does not converge.
     pub(crate) fn unsettled_contacts(share: f64) -> Self {
         Self::of(ErrorKind::UnsettledContacts { share })
     }
@@ -67,12 +67,12 @@ impl Error {
         Self::of(ErrorKind::Overlap { what })
     }
 
-    /// Without what failed at a share of the loads, in words, there is no equilibrium at it.
+    /// There is no equilibrium after a failure, given in words, at a share of the loads.
     pub(crate) fn nothing_left(share: f64, what: String) -> Self {
         Self::of(ErrorKind::NothingLeft { share, what })
     }
 
-    /// Forces from outside that do not balance in what was found: `left` \[N\] of `gross` \[N\].
+    /// Unbalanced external forces in the solution: `left` \[N\] of `gross` \[N\].
     pub(crate) fn unbalanced(left: f64, gross: f64) -> Self {
         Self::of(ErrorKind::Unbalanced { left, gross })
     }
@@ -81,7 +81,7 @@ impl Error {
         Self { kind, after: String::new() }
     }
 
-    /// The same after what has failed on the way, in words.
+    /// The same after failures during loading, given in words.
     pub(crate) fn after(mut self, failures: &str) -> Self {
         if !failures.is_empty() {
             self.after = format!("; before: {failures}");
@@ -94,7 +94,7 @@ impl Error {
         Self::of(ErrorKind::Singular { time, place })
     }
 
-    /// A scheme that does not conserve energy has made more of it than any result can have: `made` \[J\] beyond what `came` in \[J\].
+    /// Energy growth beyond any valid result in a scheme that does not conserve energy: `made` \[J\] more than the supplied energy `came` \[J\].
     pub(crate) fn grown(time: f64, made: f64, came: f64) -> Self {
         Self::of(ErrorKind::Grown { time, made, came })
     }
@@ -138,7 +138,7 @@ impl Error {
         matches!(self.kind, ErrorKind::Singular { .. })
     }
 
-    /// Whether energy grew out of nothing.
+    /// Whether the error is a growth of energy.
     pub fn is_growth(&self) -> bool {
         matches!(self.kind, ErrorKind::Grown { .. })
     }

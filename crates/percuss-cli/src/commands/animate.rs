@@ -5,7 +5,7 @@ use std::path::Path;
 use percuss_codes::{FileCode, RequestCode};
 use percuss_output::fields;
 use percuss_pictures::{
-    Error, Film, Format, Look, Plan, PrintFormat, Told, animate, ffmpeg, is_ours, picture,
+    Error, Film, FilmOutcome, Format, Look, Plan, PrintFormat, animate, ffmpeg, is_ours, picture,
     unfinished,
 };
 
@@ -60,17 +60,17 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
     interrupt::protect([&unfinished(out)]);
     let progress = Progress::of_frames(frames, !arguments.quiet);
     let may_go = |there: &Path| arguments.force || is_ours(there);
-    let told = animate(&film, &plan, (out, &may_go), &mut |done| {
+    let outcome = animate(&film, &plan, (out, &may_go), &mut |done| {
         progress.reach(done as u64);
         !interrupt::requested()
     });
     progress.clear();
-    match told? {
-        Told::Stopped => {
+    match outcome? {
+        FilmOutcome::Stopped => {
             terminal::tell("interrupted; nothing is written");
             Ok(Status::Interrupted)
         }
-        Told::Done { kept } => {
+        FilmOutcome::Done { kept } => {
             kept.iter().for_each(|kept| kept::tell(out, kept));
             if !arguments.quiet {
                 let [width, height] = film.size;

@@ -1,4 +1,4 @@
-//! The static force that does to a structure what an impact did to it at most: what engineers design against.
+//! The equivalent static force of an impact: the force with the same peak effect on the structure, as used in design.
 //!
 //! It acts at the struck point along the line of flight, beside the weight if there is any, on the structure in its reference
 //! configuration, by linear elasticity: its largest bending moment in the struck beam, or its deflection of the struck point, is that of
@@ -17,16 +17,16 @@ use crate::state::State;
 use crate::step::workspace::Workspace;
 use crate::summary::{EquivalentForce, RunSummary};
 
-/// Displacements of the linear solution against the size of the structure: so small that what is of second order is round-off.
+/// Displacements of the linear solution relative to the size of the structure: so small that second-order terms are round-off.
 const SMALL: f64 = 1e-7;
-/// A moment that differs from the one looked for by this share is it, and the most secants that lead there.
+/// Relative tolerance of the moment in the search, and the largest number of secant steps.
 const FOUND: f64 = 1e-11;
 const SECANTS: usize = 60;
 
 /// The equivalent static force of a run in which one guided projectile strikes a structure at rest.
 ///
 /// # Errors
-/// Why there is none: more than the impact and a weight acts, or the structure is none that linear analysis knows.
+/// The reason why there is none: more actions than the impact and weight, or a structure that linear analysis does not support.
 pub fn equivalent_force(
     model: &Model,
     start: Start,
@@ -65,7 +65,7 @@ fn striker(model: &Model) -> Result<&ProjectileData, &'static str> {
     }
 }
 
-/// Refuses what moves or loads the structure beside the impact, its weight at rest excepted.
+/// Rejects motions and loads other than the impact and weight at rest.
 fn refuse_others(model: &Model, start: Start) -> Result<(), &'static str> {
     let steady = |load: &LoadView<'_>| {
         load.gravity().is_some()
@@ -88,7 +88,7 @@ fn refuse_others(model: &Model, start: Start) -> Result<(), &'static str> {
     Ok(())
 }
 
-/// Refuses structures that are no linear ones as long as nothing yields.
+/// Rejects structures that are not linear before yield.
 fn refuse_what_is_not_linear(model: &Model, run: &RunSummary) -> Result<(), &'static str> {
     if run.joints.iter().any(|joint| joint.parted.is_some())
         || run.plastic.iter().any(|beam| !beam.parted.is_empty() || beam.failed > 0)
@@ -197,7 +197,7 @@ impl SmallForces {
             *m = small * both(*w, *u);
         }
         search.assemble::<false>();
-        // Of very many elements memory is not to hold what has no part in section forces.
+        // For very many elements memory is not spent on results without section forces.
         search.work.residual = Vec::new();
         let (row, force) = (row(projectile), small * shares[1]);
         let state = search.state();
@@ -234,7 +234,7 @@ impl SmallForces {
     }
 }
 
-/// What a projectile presses on, as a form.
+/// The point under the projectile's force, as a form.
 fn row(projectile: &ProjectileData) -> Row {
     let (point, [e1, e2]) = (&projectile.point, projectile.direction);
     let [n0, n1, n2, n3] = point.shape;

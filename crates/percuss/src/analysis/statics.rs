@@ -23,15 +23,15 @@ const FIRST_STEP: f64 = 0.1;
 /// weathervane, and no structure that stops hold.
 const CARRIED_AWAY: f64 = 0.1;
 
-/// Static equilibrium of `model` under the loads that act at time zero, with the contacts a transient knows.
+/// Static equilibrium of `model` under the loads at time zero, with the contacts of a transient.
 ///
-/// Newton's iteration in load steps, smaller ones where it does not converge. What fails on the way (fibres, springs, hinges, joints
-/// of a given strength) does so at the load factor at which it bears its whole strength, and what it gave is let go slowly. Compliant contacts press by their potentials, rigid
-/// ones as gap and force are complementary, all without friction. Guided projectiles and discs on their way take no part.
+/// Newton's iteration in load steps, with smaller ones if it does not converge. A part fails (fibres, springs, hinges, joints of a given strength)
+/// at the load factor of its full strength, and its forces are released gradually. Compliant contacts act by their potentials, rigid ones with
+/// complementary gap and force, all without friction. Guided projectiles and moving discs are ignored.
 ///
 /// # Errors
-/// Convergence lost even for small load steps: a limit point, or a load no equilibrium can carry. Something fails that leaves none.
-/// A disc or a beam that nothing holds. One thing inside another before any load acts.
+/// No convergence even for small load steps: a limit point, or a load without equilibrium. A failure without a following equilibrium. A disc or a
+/// beam without support. Bodies that overlap before any load acts.
 pub fn equilibrium(model: &Model) -> Result<Equilibrium, Error> {
     equilibrium_in(model, FIRST_STEP)
 }
@@ -67,7 +67,7 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     Ok(found)
 }
 
-/// Beams that can be shifted with what presses on them staying closed.
+/// Beams that can slide with their active contacts closed.
 fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
     let state = found.state.of_structure(structure);
     let layout = Layout::holding(structure, found.held.clone());
@@ -77,7 +77,7 @@ fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
     structure.beams.iter().filter(slides).map(|beam| beam.name.clone()).collect()
 }
 
-/// Refuses what is inside something else before any load acts.
+/// Rejects overlapping bodies before any load acts.
 pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
     let overlaps = search.model.overlaps(&search.base.displacement, |_| true);
     overlaps.first().map_or(Ok(()), |fault| Err(Error::overlap(fault.to_string())))
@@ -127,10 +127,10 @@ pub(super) fn leans_on_stops(model: &Model) -> bool {
         && !free_motions(&layout, &StaticSearch::at(&structure, &rest)).motions.is_empty()
 }
 
-/// A fault for each beam that supports and joints leave free to move without strain and that nothing can be held by: what the rank
-/// of the stiffness matrix lacks, whatever stiffness and density are.
+/// A fault for each beam that can move without strain despite supports and joints and cannot be supported otherwise: from the rank deficiency of
+/// the stiffness matrix, for any stiffness and density.
 ///
-/// Beams that have a contact or a stop may rest on something; whether they do [`equilibrium`] tells.
+/// Beams with a contact or a stop may rest on a body; [`equilibrium`] decides whether they do.
 pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let beams = model.beams.len();
     let apart = loose_ends(model);

@@ -169,7 +169,7 @@ pub(super) fn check_along(
     false
 }
 
-/// Whether the point exists; faults say where its beam ends.
+/// Whether the point exists; faults contain the length of its beam.
 pub(super) fn check_point(
     model: &ModelBuilder,
     point: &PointRef,

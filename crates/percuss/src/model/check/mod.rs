@@ -156,7 +156,7 @@ fn names(model: &ModelBuilder, out: &mut Faults) {
     each("beam", model.beams.iter().map(|x| &x.name), out);
     each("support", model.supports.iter().map(|x| &x.name), out);
     each("joint", model.joints.iter().map(|x| &x.name), out);
-    // Discs are projectiles too, and results of contacts and obstacles stand beside those of projectiles and supports.
+    // Discs are projectiles too, and results of contacts and obstacles are listed with those of projectiles and supports.
     fn apart<'a>(
         kind: &str,
         names: impl Iterator<Item = &'a String>,

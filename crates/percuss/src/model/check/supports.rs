@@ -60,7 +60,7 @@ pub(super) fn check_support(model: &ModelBuilder, support: &Support, out: &mut F
     }
 }
 
-/// A motion can only move what the support holds.
+/// A motion can only be prescribed for fixed components.
 fn check_motion(support: &Support, motion: &Motion, out: &mut Faults) {
     let path = || format!("support.{}.motion", support.name);
     out.finite(path(), &motion.displacement, "m");
@@ -154,7 +154,7 @@ pub(super) fn check_joint(model: &ModelBuilder, joint: &Joint, out: &mut Faults)
     }
 }
 
-/// What a joint carries at most.
+/// Strength of a joint.
 fn check_strength(joint: &Joint, out: &mut Faults) {
     let Some(strength) = joint.strength else { return };
     let path = |field: &str| format!("joint.{}.strength{field}", joint.name);

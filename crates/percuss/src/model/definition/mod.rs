@@ -1,4 +1,4 @@
-//! What a user defines: plain structs, handed to the [`ModelBuilder`](super::ModelBuilder).
+//! Definitions of a user: plain structs for the [`ModelBuilder`](super::ModelBuilder).
 //!
 //! Names are those of the scenario file. All quantities are SI.
 

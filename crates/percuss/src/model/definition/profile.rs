@@ -1,7 +1,7 @@
 //! How the area of a section lies about its centre line, and fibres laid out over it.
 //!
-//! Fibres stand at the points of Gauss rules over the upper and the lower half: with two points or more in each, area, second moment
-//! of area and fully plastic moment are exact, since `1`, `y^2` and `|y|` are polynomials of low degree over a half.
+//! Fibres are at the points of Gauss rules over the upper and the lower half: with two points or more in each, area, second moment of area and
+//! plastic moment are exact, since `1`, `y^2` and `|y|` are polynomials of low degree over a half.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 

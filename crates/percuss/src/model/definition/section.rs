@@ -27,7 +27,7 @@ pub struct Section {
     pub depth: Option<f64>,
     /// Rotary inertia per unit length.
     pub rotary_inertia: RotaryInertia,
-    /// Stations of a tapered section, shape (stations); empty for a uniform one, whose values stand above. Area, inertia and depth vary
+    /// Stations of a tapered section, shape (stations); empty for a uniform one, whose values are given above. Area, inertia and depth vary
     /// linearly between stations.
     pub stations: Vec<Station>,
     /// How its area lies about the centre line; that of the first station of a tapered one.
@@ -77,7 +77,7 @@ impl Station {
 }
 
 impl Section {
-    /// Fibres through the depth unless said otherwise.
+    /// Default number of fibres through the depth.
     pub const FIBRES: usize = 16;
 
     /// Most fibres through the depth.
@@ -169,7 +169,7 @@ impl Section {
         SectionSize { area: self.area, inertia: self.inertia, depth: self.depth }
     }
 
-    /// Stations before and behind a fraction of the beam's length and how far it lies from the first to the second; nothing of a uniform
+    /// Stations before and after a fraction of the beam's length, and its relative distance from the first to the second; `None` for a uniform
     /// section.
     pub(crate) fn stations_about(&self, fraction: f64) -> Option<([&Station; 2], f64)> {
         let (first, last) = (self.stations.first()?, self.stations.last()?);
