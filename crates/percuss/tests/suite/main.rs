@@ -33,6 +33,7 @@ mod registers;
 mod round_ends;
 mod schemes;
 mod section_forces;
+mod shear_forces;
 mod slack;
 mod spectra;
 mod static_contact;
