@@ -35,6 +35,7 @@ mod schemes;
 mod section_forces;
 mod shear_forces;
 mod slack;
+mod sliding;
 mod spectra;
 mod static_contact;
 mod static_contact_stretches;
