@@ -30,6 +30,7 @@ mod parts_of_steps;
 mod permanent_set;
 mod reactions;
 mod registers;
+mod rotations;
 mod round_ends;
 mod schemes;
 mod section_forces;
