@@ -186,6 +186,48 @@ fn permanent_penetration_and_lengths_of_steps_are_told() {
     desk.percuss(&["run", "both.toml"]).ends_with(2).tells("accuracy");
 }
 
+/// A block that slides to rest on rigid ground: v^2 / (2 mu g) = 0.5 m, m v^2 / 2 = 4 J.
+#[test]
+fn sliding_distance_and_friction_work_are_told() {
+    const SLIDE: &str = r#"
+[projectile.block]
+kind = "rigid"
+contact = "surface"
+mass = 2
+inertia = 1e9
+radius = 0.1
+position = [0, 0.1]
+velocity = [2, 0]
+strikes = "ground"
+restitution = 0
+friction = 0.4
+[obstacle.ground]
+kind = "half-plane"
+point = [0, 0]
+normal = [0, 1]
+[load.weight]
+kind = "gravity"
+acceleration = [0, -10]
+[time]
+end = 0.6
+step = 1e-3
+"#;
+    let desk = Desk::empty();
+    desk.put("slide.toml", SLIDE);
+    let run = desk.percuss(&["run", "slide.toml"]);
+    run.ends_with(0).tells("sliding distance 0.5 m, friction work 4 J");
+    let contact = &desk.summary("runs/slide")["contact"]["block"];
+    let of = |key: &str| contact[key].as_f64().unwrap_or(f64::NAN);
+    assert!((of("sliding_distance") - 0.5).abs() < 1e-5, "{contact:#}");
+    assert!((of("friction_work") - 4.0).abs() < 1e-8, "{contact:#}");
+    let page = std::fs::read_to_string(desk.path("runs/slide/report.html")).expect("the page");
+    assert!(page.contains("sliding distance") && page.contains("friction work"));
+    desk.put("smooth.toml", SLIDE.replace("friction = 0.4\n", ""));
+    let smooth = desk.percuss(&["run", "smooth.toml", "--no-report"]);
+    smooth.ends_with(0);
+    assert!(!smooth.stderr.contains("friction work"), "{}", smooth.stderr);
+}
+
 /// The sentence on springs and hinges that yield is about the one that dissipated most, and what they dissipated makes the whole.
 #[test]
 fn energy_taken_by_springs_and_hinges_is_told() {

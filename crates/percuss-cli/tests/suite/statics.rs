@@ -58,6 +58,12 @@ fn a_cantilever_sags_by_the_hand_formula() {
     let sag = found["point"]["arm.end"]["displacement"][1].as_f64().unwrap();
     let hand = -100.0 * 8.0 / (3.0 * 210e9 * 8e-8); // P L^3 / 3 EI
     assert!((sag / hand - 1.0).abs() < 1e-3, "{sag} {hand}");
+    let slope = found["point"]["arm.end"]["rotation"].as_f64().unwrap();
+    let by_hand = -100.0 * 4.0 / (2.0 * 210e9 * 8e-8); // P L^2 / 2 EI
+    assert!((slope / by_hand - 1.0).abs() < 1e-3, "{slope} {by_hand}");
+    let most = &found["largest_displacement"];
+    assert!((most["value"].as_f64().unwrap() / -hand - 1.0).abs() < 1e-3, "{most}");
+    assert!(most["beam"] == "arm" && most["s"].as_f64() == Some(2.0), "{most}");
     let moment = found["section_forces"]["arm"]["moment_max"]["value"].as_f64().unwrap();
     assert!((moment / -200.0 - 1.0).abs() < 1e-3, "{moment}");
     let forces = &found["section_forces"]["arm"];
@@ -71,6 +77,7 @@ fn a_cantilever_sags_by_the_hand_formula() {
     let (status, stdout, stderr) = percuss(&file, &["--out", out]);
     assert_eq!(status, Some(0), "{stderr}");
     assert!(stdout.contains("wall: force") && stdout.contains("100 N"), "{stdout}");
+    assert!(stdout.contains("largest displacement: ") && stdout.contains("rotation "), "{stdout}");
     assert!(!stdout.contains("fibre stress"), "{stdout}");
 }
 

@@ -2,6 +2,7 @@
 
 use super::balance::{self, StaticBalance};
 use super::equilibrium::Equilibrium;
+use super::largest_displacement::LargestDisplacement;
 use super::lost::{loose, moves};
 use super::spectrum::{Layout, free_motions};
 use super::stability::stability;
@@ -97,6 +98,8 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     let balance = StaticBalance::new(search, &reactions);
     Equilibrium {
         points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
+        rotations: model.rotations(&state.displacement),
+        largest_displacement: LargestDisplacement::of(model, &state),
         section_forces,
         element_forces,
         contact_forces: search.contacts.frame_forces(model, &state),

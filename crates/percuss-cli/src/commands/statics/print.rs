@@ -1,9 +1,9 @@
 //! An equilibrium and a path, as text.
 
 use percuss::{
-    BucklingOutcome, Equilibrium, FollowerStability, LinearBuckling, Model, Path, PlasticHinge,
-    PlasticSummary, SectionPeak, SectionRange, StaticContact, StaticFailure, StaticYielding,
-    yielded_at_rest,
+    BucklingOutcome, Equilibrium, FollowerStability, LargestDisplacement, LinearBuckling, Model,
+    Path, PlasticHinge, PlasticSummary, SectionPeak, SectionRange, StaticContact, StaticFailure,
+    StaticYielding, yielded_at_rest,
 };
 
 use crate::number::{count, number};
@@ -27,10 +27,12 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
         );
     }
     text.push_str(&failures(&found.failures));
+    text.push_str(&found.largest_displacement.as_ref().map_or(String::new(), farthest));
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
-    for (name, u) in &found.points {
-        let [u1, u2] = u.map(|u| beside(moved, u));
-        text.push_str(&format!("  {name}: displacement {u1} m, {u2} m\n"));
+    let turned = largest(found.rotations.iter());
+    for ((name, u), rotation) in found.points.iter().zip(&found.rotations) {
+        let ([u1, u2], rotation) = (u.map(|u| beside(moved, u)), beside(turned, *rotation));
+        text.push_str(&format!("  {name}: displacement {u1} m, {u2} m, rotation {rotation} rad\n"));
     }
     if found.points.is_empty() {
         text.push_str("  no points recorded: `[record] points = [\"beam.mid\"]` names some\n");
@@ -82,6 +84,13 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
         text.push_str(&format!("{}\n", under_followers(stability)));
     }
     text
+}
+
+/// The largest displacement.
+fn farthest(most: &LargestDisplacement) -> String {
+    let (size, s) = (number(most.size()), number(most.s));
+    let [u1, u2] = most.displacement.map(|u| beside(most.size(), u));
+    format!("  largest displacement: {size} m ({u1} m, {u2} m), `{}` at s = {s} m\n", most.beam)
 }
 
 /// What has failed on the way.

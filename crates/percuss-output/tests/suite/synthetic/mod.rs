@@ -294,6 +294,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             permanent_penetration: None,
             carried_crush: None,
             pressed_in: None,
+            sliding: None,
             equivalent_force: None,
             no_equivalent_force: None,
             record,

@@ -1,9 +1,12 @@
 //! The contacts of a run in the table at its end: forces or impulses, the first impacts and intervals.
 
-use percuss::{ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, RunSummary};
+use percuss::{
+    ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, RunSummary, Sliding,
+};
 use percuss_output::report::told_as_start;
 
 use super::super::equivalent::{equivalent, without_equivalent};
+use super::ROUNDING;
 use super::lines::{LISTED, listed};
 use crate::effective_mass;
 use crate::number::{count, number};
@@ -60,6 +63,7 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
                     number(*impulse_resting)
                 ));
             }
+            lines.extend(contact.sliding.and_then(|sliding| slid(sliding, run)));
             lines.extend(listed(impacts, *impact_count, LISTED, |one| impact(one, run)));
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             if *fallback_count > 0 {
@@ -72,6 +76,15 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
             lines
         }
     }
+}
+
+/// How far a contact with friction slid; nothing where it stuck or rolled, or never closed.
+fn slid(sliding: Sliding, run: &RunSummary) -> Option<String> {
+    let Sliding { distance, work } = sliding;
+    let slides = work > ROUNDING * run.energy.scale;
+    slides.then(|| {
+        format!("sliding distance {} m, friction work {} J", number(distance), number(work))
+    })
 }
 
 /// An instant \[s\]; the first impact of a run that begins in contact ends as the run begins.
