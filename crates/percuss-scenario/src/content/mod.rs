@@ -31,6 +31,7 @@ pub use yielding::*;
 pub use crate::partner::{Partner, PartnerKind, Strikes};
 pub use crate::point::Anchor;
 pub use crate::preset::Preset;
+pub use crate::profile::SteelProfile;
 
 use percuss_codes::Code;
 

@@ -6,13 +6,14 @@ use crate::format::{Count, List, Maybe};
 use crate::measure;
 use crate::name::{MaterialName, NameOf, SectionName};
 use crate::node::{Body, Reader};
+use crate::profile::{ProfileName, SteelProfile};
 use crate::quantity::Quantity;
 use crate::words::Rotary;
 use crate::write::Writer;
 
 kinds! {
     /// Shape of a cross section.
-    pub enum Shape by "shape" default "explicit" {
+    pub enum Shape by "shape" default "explicit" implied "profile" by "profile" {
         /// Area and second moment of area as given.
         Explicit = "explicit" {
             /// Area (m^2).
@@ -60,6 +61,12 @@ kinds! {
             depth: f64 as Quantity<measure::Length>,
             /// Thickness of the wall (m).
             thickness: f64 as Quantity<measure::Length>,
+        },
+        /// A steel profile by its name, bent about the axis across its depth; `profile` alone implies this shape.
+        Profile = "profile" {
+            /// IPE, HEA, HEB (EN 10365), W (AISC): "IPE 200", "HEB 300", "W12x26". Hot finished hollow sections of any size in mm (EN 10210-2): "RHS
+            /// 200x100x8" (depth, width, wall), "SHS 100x5", "CHS 168.3x5". A beam may also name a profile as its `section`.
+            profile: SteelProfile as ProfileName,
         },
         /// Fibres one by one, of one material or of several; the centre line is their elastic centroid.
         Fibres = "fibres" {
