@@ -86,7 +86,7 @@ fn a_touch_that_loads_change_is_no_fact_before_the_run() {
         BLAST.replace("kind = \"elastic\"", rigid).replace("stiffness = \"1e6 N/m\"\n", ""),
     );
     let guessed = told("time.end=1e-3");
-    assert!(guessed.contains("note: p, first touch: by free flight alone"), "{guessed}");
+    assert!(guessed.contains("note: p, first contact: by free flight alone"), "{guessed}");
     assert!(
         guessed.contains("2 ms, where the run ends at 1 ms; other loads act as well"),
         "{guessed}"
