@@ -265,7 +265,7 @@ class PercussWarning(UserWarning):
     Examples
     --------
     >>> import warnings
-    >>> warnings.simplefilter("error", percuss.PercussWarning)  # stop where a balance does not close
+    >>> warnings.simplefilter("error", percuss.PercussWarning)  # stop at a balance error
     >>> percuss.run("plank.toml").status
     'completed'
     """

@@ -26,7 +26,7 @@ class Advice(NamedTuple):
     --------
     >>> first = percuss.check("plank.toml")[0]
     >>> first.verdict, first.code, first.text
-    ('fine', 'W001', 'the first touch comes at 10 ms of 150 ms')
+    ('fine', 'W001', 'first contact at 10 ms of 150 ms')
     """
 
     verdict: str
@@ -42,7 +42,7 @@ class Review(list[Advice]):
     Examples
     --------
     >>> percuss.check("plank.toml")
-    fine: the first touch comes at 10 ms of 150 ms [W001]
+    fine: first contact at 10 ms of 150 ms [W001]
     fine: the contact lasts about 43.1 ms, 216 steps [W002]
     ...
     """

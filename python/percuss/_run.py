@@ -24,7 +24,7 @@ def run(
 ) -> Result:
     """Simulates a scenario.
 
-    What the audit of the run warns of, such as a balance that does not close, is raised as a :class:`PercussWarning` with its code,
+    What the audit of the run warns of, such as a balance error, is raised as a :class:`PercussWarning` with its code,
     unless the scenario allows it; ``result.summary["warnings"]`` has all of it.
 
     Parameters

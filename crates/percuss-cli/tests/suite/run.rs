@@ -26,7 +26,7 @@ fn the_elastic_example_leaves_every_file_and_number_promised() {
         .tells("completed at t = 0.15 s")
         .tells("contact mass")
         .tells("peak force")
-        .tells("two masses and two springs, largest contact force");
+        .tells("two-degree-of-freedom model, largest contact force");
     assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
     for file in FILES.iter().chain(&["history.parquet"]) {
         assert!(desk.path("out").join(file).exists(), "no {file}");
