@@ -115,8 +115,8 @@ fn codes_of_how_a_command_went_cannot_be_allowed() {
     for caution in Caution::ALL.into_iter().filter(|one| !one.is_of_the_audit()) {
         desk.put("f.toml", format!("{text}\n[allow]\n{} = \"why\"\n", caution.code()));
         let check = desk.percuss(&["check", "f.toml"]);
-        check.ends_with(2).tells("which tells how a command went: it cannot be allowed");
-        check.tells("expected a finding of the advisor, W001 to W023, or of the audit of a run, W101 to W105 [E008]");
+        check.ends_with(2).tells("which reports on a command and cannot be accepted in a scenario");
+        check.tells("expected a warning of the model and result checks, W001 to W023, or of the audit of a run, W101 to W105 [E008]");
     }
     desk.put("f.toml", format!("{text}\n[allow]\nW15 = \"why\"\n"));
     desk.percuss(&["check", "f.toml"]).ends_with(2).tells("[E007]");

@@ -137,7 +137,7 @@ fn untouched(content: &Content, faults: &mut Vec<Fault>) {
             |partner: &&Partner| partner.kind == PartnerKind::Obstacle && partner.name == *name;
         if !touched.iter().any(this) {
             let expected = "a table [contact.NAME] with it, or a projectile that strikes it";
-            let fault = Fault::new(format!("obstacle.{name}"), "nothing that touches it", expected);
+            let fault = Fault::new(format!("obstacle.{name}"), "no contact", expected);
             faults.push(fault);
         }
     }

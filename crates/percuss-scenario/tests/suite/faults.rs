@@ -145,7 +145,7 @@ fn a_missing_table_is_named() {
     assert_eq!(
         beam.to_string(),
         "f.toml:1:1: beam: found no beam, expected at least one table [beam.NAME], or free projectiles \
-         [projectile.NAME] and what they meet"
+         [projectile.NAME] and their contacts"
     );
     let text = &ELASTIC[..ELASTIC.find("[time]").unwrap()];
     assert!(faults(text).to_string().contains("time: found no [time], expected a table with"));
