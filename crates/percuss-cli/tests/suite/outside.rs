@@ -99,7 +99,7 @@ fn names_need_not_be_utf_8() {
     run("time.end=3e-3").ends_with(0);
     assert_eq!(std::fs::read(&own).unwrap(), b"my own");
     std::fs::remove_file(own.with_file_name(".percuss.json")).unwrap();
-    run("time.end=4e-3").ends_with(2).tells("so it is left alone");
+    run("time.end=4e-3").ends_with(2).tells("not empty and not the directory of a run");
 }
 
 #[test]

@@ -212,7 +212,7 @@ fn a_directory_that_is_no_run_is_refused() {
     std::fs::create_dir(desk.path("thesis")).expect("a directory");
     desk.put("thesis/chapter.txt", "years of work");
     let run = desk.percuss(&["run", "elastic.toml", "--out", "thesis"]);
-    run.ends_with(2).tells("thesis").tells("does not hold a run");
+    run.ends_with(2).tells("thesis").tells("not empty and not the directory of a run");
     assert_eq!(names(&desk.path("thesis")), ["chapter.txt"]);
     assert_eq!(desk.names(), ["elastic.toml", "rigid.toml", "thesis"]);
     desk.percuss(&["run", "elastic.toml", "--out", "rigid.toml"]).ends_with(2).tells("rigid.toml");
@@ -302,7 +302,7 @@ fn a_report_needs_a_run() {
     desk.percuss(&["report", "."]).ends_with(2).tells("not the directory of a run");
     desk.percuss(&["run", "elastic.toml", "--no-report", "-q"]).ends_with(0);
     std::fs::remove_file(desk.path("runs/elastic/history.parquet")).expect("a file");
-    desk.percuss(&["report", "runs/elastic"]).ends_with(2).tells("holds no history");
+    desk.percuss(&["report", "runs/elastic"]).ends_with(2).tells("contains no history");
 }
 
 #[test]
@@ -326,7 +326,9 @@ fn a_scenario_in_the_directory_of_results_is_never_replaced() {
     desk.percuss(&again).ends_with(2).tells("the scenario lies in it");
     // A comment of the user's makes it his own, whatever is run.
     desk.put("out/scenario.toml", format!("# mine\n{echo}"));
-    desk.percuss(&["run", "rigid.toml", "--out", "out"]).ends_with(2).tells("was changed since");
+    desk.percuss(&["run", "rigid.toml", "--out", "out"])
+        .ends_with(2)
+        .tells("was modified after percuss wrote it");
     let kept = std::fs::read_to_string(desk.path("out/scenario.toml")).expect("a scenario");
     assert!(kept.starts_with("# mine"));
 }

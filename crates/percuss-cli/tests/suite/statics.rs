@@ -250,7 +250,7 @@ fn a_path_overwrites_no_run() {
         .ends_with(0);
     desk.percuss(&["static", "arch.toml", "--path", "--out", "out"])
         .ends_with(2)
-        .tells("holds other results (run)");
+        .tells("contains other results (run)");
 }
 
 #[test]
