@@ -180,7 +180,7 @@ impl Partners<'_> {
             }
             (Some(Disc(a)), Some(Disc(b))) if a == b => {
                 let found = format!("the projectile {:?} and itself", between[0].name);
-                Err((found, "two different things".into()))
+                Err((found, "two different bodies".into()))
             }
             _ => Ok(first.zip(second).map(|(first, second)| [first, second])),
         }

@@ -134,7 +134,7 @@ fn struck_things_have_names() {
         (
             "\"p\"",
             "22:11: projectile.p.strikes: found the projectile \"p\" and itself, expected two \
-             different things",
+             different bodies",
         ),
         (
             "[\"b\", \"b\"]",
@@ -263,7 +263,7 @@ fn contacts_are_between_two_things_that_can_touch() {
     );
     bad(
         &(between("[\"p\", \"p\"]") + &free("position = [0, 2]")),
-        &[&format!("{at}the projectile \"p\" and itself, expected two different things")],
+        &[&format!("{at}the projectile \"p\" and itself, expected two different bodies")],
     );
     bad(
         &between("[\"wall\", \"b\"]"),

@@ -285,7 +285,7 @@ fn a_step_or_an_accuracy_is_given_and_not_both() {
     }
     let text = RIGID.replace(step, "accuracy = 0.01");
     let text = one(&text, "impacts = \"event\"", "impacts = \"time-stepping\"");
-    assert!(text.contains("a gap that is looked at once per step"), "{text}");
+    assert!(text.contains("a gap that is evaluated once per step"), "{text}");
 }
 
 #[test]

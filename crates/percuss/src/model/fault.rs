@@ -15,7 +15,7 @@ pub struct Fault {
 
 impl Fault {
     /// What is found at an obstacle that no contact names. (Readers of files, who know which contacts were meant, say it better.)
-    pub const UNTOUCHED: &str = "nothing touches it";
+    pub const UNTOUCHED: &str = "no contact";
 
     /// A fault at `path`.
     pub fn new(
