@@ -47,7 +47,7 @@ def run(
     Returns
     -------
     Result
-        The run. One that the solver gives up has the ``status`` ``"failed"`` and everything up to the last step.
+        The run. Without convergence its ``status`` is ``"failed"``, with everything up to the last step.
 
     Raises
     ------
