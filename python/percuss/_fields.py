@@ -57,7 +57,7 @@ class Fields:
 
     @cached_property
     def scene(self) -> dict[str, Any]:
-        """What stands there, as in ``fields/scene.json``.
+        """Content, as in ``fields/scene.json``.
 
         Returns
         -------

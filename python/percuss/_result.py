@@ -425,7 +425,7 @@ class Result(Columns[np.float64]):
         Raises
         ------
         InputError
-            If the column is no acceleration, or the band or the damping cannot be had.
+            If the column is no acceleration, or the band or the damping is out of range.
         MissingError
             If xarray is not installed.
 

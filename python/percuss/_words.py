@@ -1,4 +1,4 @@
-"""What columns are called on axes and in legends: words, with units."""
+"""Labels of columns on axes and in legends: words, with units."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Words(NamedTuple):
     quantity: str
     """What is measured: ``contact force``."""
     of: str
-    """Of what: ``mass``, ``girder.mid, along e2``."""
+    """Of what: ``mass``, ``girder.mid, in y``."""
 
     @property
     def label(self) -> str:
@@ -44,9 +44,9 @@ def words(name: str) -> Words:
     kind, _, rest = name.partition(".")
     thing, _, quantity = rest.rpartition(".")
     along = ""
-    for number in ("1", "2"):
+    for number, axis in (("1", "x"), ("2", "y")):
         if quantity.endswith(f"_{number}"):
-            quantity, along = quantity[:-2], f"along e{number}"
+            quantity, along = quantity[:-2], f"in {axis}"
     if kind == "energy":
         return Words("energy", _ENERGIES.get(quantity, quantity.replace("_", " ")))
     if kind == "momentum" and quantity in ("linear", "angular"):

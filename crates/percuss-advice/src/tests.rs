@@ -140,7 +140,7 @@ fn a_long_contact_follows_two_masses_and_two_springs_while_deflections_are_small
         b.projectile(spring(girder, 500.0, 7.5e5, speed));
         let all = compared(&b, &Settings::new(0.15, 2e-4));
         for quantity in ["largest contact force", "contact duration", "largest deflection"] {
-            let c = row(&all, "two masses and two springs", quantity);
+            let c = row(&all, "two-degree-of-freedom model", quantity);
             let within = c.difference_percent.abs() < off;
             assert!(within || !small, "{c:#?}");
             assert_eq!(c.holds_if.contains("not met"), !small, "{c:#?}");

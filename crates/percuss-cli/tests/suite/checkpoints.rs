@@ -122,7 +122,7 @@ fn an_extension_that_was_killed_goes_on_where_it_was() {
     child.kill().unwrap();
     child.wait().unwrap();
     assert_eq!(desk.summary("out")["time"], 0.01, "the run before is not whole");
-    desk.percuss(&extend[..extend.len() - 1]).ends_with(2).tells("go on from it with --resume");
+    desk.percuss(&extend[..extend.len() - 1]).ends_with(2).tells("continue with --resume");
     desk.percuss(&extend).ends_with(0);
     assert_eq!(differences(&desk.path("whole"), &desk.path("out")), Vec::<String>::new());
     assert!(!desk.path("out.checkpoint").exists());
@@ -137,7 +137,7 @@ fn files_that_are_no_checkpoint_of_the_run_are_refused_and_left_alone() {
     let desk = Desk::new();
     let resume =
         |more: &[&str]| desk.percuss(&arguments(&[&["--out", "out", "--resume"], more].concat()));
-    resume(&[]).ends_with(2).tells("there is no checkpoint to go on from");
+    resume(&[]).ends_with(2).tells("no checkpoint: a run writes one with --checkpoint");
     // One that a killed run left, made by one that cannot write its results.
     let mut child = desk
         .command(&arguments(&["--set", "time.end=10", "--out", "out", "--checkpoint", "10 steps"]))
@@ -152,9 +152,9 @@ fn files_that_are_no_checkpoint_of_the_run_are_refused_and_left_alone() {
     child.wait().unwrap();
     let kept = fs::read(&state).unwrap();
     let again = desk.percuss(&arguments(&["--out", "out", "--checkpoint", "1 s"]));
-    again.ends_with(2).tells("go on from it with --resume, or remove it");
+    again.ends_with(2).tells("continue with --resume, or remove it");
     desk.put("rigid.toml", RIGID.replace("restitution = ", "restitution = 0.25 # "));
-    resume(&[]).ends_with(2).tells("another scenario, or of this one before it was changed");
+    resume(&[]).ends_with(2).tells("belongs to a different scenario");
     desk.put("rigid.toml", RIGID);
     for (cut, word) in
         [(kept.len() - 9, "damaged"), (10, "not a checkpoint"), (0, "not a checkpoint")]

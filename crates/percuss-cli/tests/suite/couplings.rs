@@ -171,17 +171,20 @@ fn checks_say_whether_runs_go_side_by_side() {
     let [moment, stress] = ["moment_max.value", "stress.max.value"]
         .map(|force| asking(&format!("section_forces.girder.{force}")));
     for study in [STUDY.to_owned(), rigid, moment, stress] {
-        assert_eq!(told(study), "runs go side by side in vector registers");
+        assert_eq!(told(study), "runs are computed in SIMD batches");
     }
     for alone in ["section_forces.girder.strain.max.value", "support.left.moment.max.value"] {
-        let why = format!("runs go one by one: `asked` is asked for ({alone})");
+        let why = format!("runs are computed one at a time: `asked` is requested ({alone})");
         assert_eq!(told(asking(alone)), why);
     }
     let stayed = common::ELASTIC.to_owned()
         + "\n[spring.stay]\nbetween = [\"girder.mid\", [0, 1]]\nstiffness = 1e3\n";
     desk.put("stayed.toml", stayed);
     let springs = STUDY.replace("elastic.toml", "stayed.toml");
-    assert_eq!(told(springs), "runs go one by one: springs between points, and rotational springs");
+    assert_eq!(
+        told(springs),
+        "runs are computed one at a time: springs between points, and rotational springs"
+    );
 }
 
 /// A request over HTTP: status and answer.

@@ -52,10 +52,10 @@ fn results_that_cannot_be_judged_are_refused_with_a_cure() {
     desk.percuss(&["spectrum", "hit", &velocity]).ends_with(2).tells("is no acceleration");
     // It moves along e2 alone.
     let aside = column.replace("acceleration_2", "acceleration_1");
-    desk.percuss(&["spectrum", "hit", &aside]).ends_with(2).tells("zero throughout");
+    desk.percuss(&["spectrum", "hit", &aside]).ends_with(2).tells("the acceleration is zero");
     desk.percuss(&["spectrum", "hit", &column, "--to", "1e12"])
         .ends_with(2)
-        .tells("samples a second");
+        .tells("samples per second");
     desk.percuss(&["spectrum", "hit", &column, "--damping", "1"]).ends_with(2).tells("0.05");
     desk.percuss(&["spectrum", "hit", &column, "--cfc", "100"]).ends_with(2).tells("60, 180");
 }

@@ -109,7 +109,7 @@ fn a_changed_study_does_not_mix_with_an_old_one() {
     std::fs::write(desk.path("study.toml"), changed).expect("a study");
     desk.percuss(&["sweep", "study.toml", "--out", "out"])
         .ends_with(2)
-        .tells("holds another study")
+        .tells("belongs to another study")
         .tells("--out");
 }
 

@@ -20,7 +20,7 @@ kinds! {
             area: f64 as Quantity<measure::Area>,
             /// Second moment of area (m^4).
             inertia: f64 as Quantity<measure::Inertia>,
-            /// Depth between the extreme fibres (m); without it no fibre strains are reported.
+            /// Depth between the extreme fibres (m); no fibre strains are reported if omitted.
             depth: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         },
         /// A full rectangle.
@@ -68,15 +68,15 @@ kinds! {
             /// 200x100x8" (depth, width, wall), "SHS 100x5", "CHS 168.3x5". A beam may also name a profile as its `section`.
             profile: SteelProfile as ProfileName,
         },
-        /// Fibres one by one, of one material or of several; the centre line is their elastic centroid.
+        /// Single fibres, of one material or of several; the centre line is their elastic centroid.
         Fibres = "fibres" {
             /// Heights of the fibres above the centre line (m).
             heights: Vec<f64> as List<Quantity<measure::Length>>,
             /// Areas of the fibres (m^2).
             areas: Vec<f64> as List<Quantity<measure::Area>>,
-            /// Names of the materials of the fibres; all are of the beam's material without.
+            /// Names of the materials of the fibres; that of the beam if omitted.
             materials: Option<Vec<String>> as Maybe<List<NameOf<MaterialName>>> = None,
-            /// Depth of what touches and is drawn, the centre line half-way (m); twice the largest distance of a fibre without.
+            /// Depth for contact and drawing, centred on the centre line (m); twice the largest distance of a fibre if omitted.
             depth: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         },
         /// Varies along the beam: area, second moment of area and depth linearly between stations.

@@ -73,7 +73,7 @@ impl Gate {
             return Parsed::Refused(answer);
         }
         let Some(path) = self.behind_token(about.path) else {
-            let text = "the address of this server ends in a token, which it told when it began";
+            let text = "the address ends in a token that was printed at the start";
             return refused(Kind::Forbidden, text);
         };
         let whole = head + about.length;

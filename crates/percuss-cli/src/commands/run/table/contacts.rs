@@ -36,9 +36,9 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
                 let (value, time) = (number(peak_force.value), number(peak_force.time));
                 lines.push(format!("peak force {value} N at {time} s"));
             }
-            // What has not been touched is not pushed in.
+            // A contact that did not close has no indentation.
             if let Some(permanent) = contact.permanent_penetration.filter(|p| *p > 0.0) {
-                lines.push(format!("stays pushed in by {} m", number(permanent)));
+                lines.push(format!("permanent indentation {} m", number(permanent)));
             }
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
@@ -56,10 +56,10 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
         } => {
             let counted = count(*impact_count, "impact");
             let struck = (impulse_total - impulse_resting).max(0.0);
-            let mut lines = vec![format!("{counted}, impulse {} N s in all", number(struck))];
+            let mut lines = vec![format!("{counted}, total impulse {} N s", number(struck))];
             if !intervals.is_empty() {
                 lines.push(format!(
-                    "resting contact, impulse {} N s in all",
+                    "persistent contact, total impulse {} N s",
                     number(*impulse_resting)
                 ));
             }
@@ -67,7 +67,7 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
             lines.extend(listed(impacts, *impact_count, LISTED, |one| impact(one, run)));
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             if *fallback_count > 0 {
-                let law = "under Moreau's law, where Newton's would have given energy";
+                let law = "with Moreau's law (Newton's law would increase the energy)";
                 lines.push(format!("{} {law}", count(*fallback_count, "impact")));
             }
             lines.extend(contact.effective_mass.as_ref().map(effective_mass::line));
