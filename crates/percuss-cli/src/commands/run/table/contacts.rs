@@ -1,7 +1,7 @@
 //! The contacts of a run in the table at its end: forces or impulses, the first impacts and intervals.
 
 use percuss::{ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, RunSummary};
-use percuss_output::report::told_as_start;
+use percuss_output::report::taken_as_start;
 
 use super::super::equivalent::{equivalent, without_equivalent};
 use super::lines::{LISTED, listed};
@@ -76,7 +76,7 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
 
 /// An instant \[s\]; the first impact of a run that begins in contact ends as the run begins.
 fn instant(time: f64, run: &RunSummary) -> String {
-    number(if time <= told_as_start(run.time, run.steps as f64) { 0.0 } else { time })
+    number(if time <= taken_as_start(run.time, run.steps as f64) { 0.0 } else { time })
 }
 
 fn interval(interval: &ContactInterval, run: &RunSummary) -> String {
