@@ -171,7 +171,7 @@ fn permanent_penetration_and_lengths_of_steps_are_told() {
     for (name, text) in [("post", &post), ("chosen", &chosen)] {
         desk.put(&format!("{name}.toml"), text);
         let run = desk.percuss(&["run", &format!("{name}.toml"), "--no-report"]);
-        run.ends_with(0).tells("stays pushed in by").tells("dissipated in contacts");
+        run.ends_with(0).tells("permanent indentation").tells("dissipated in contacts");
         let contact = &desk.summary(&format!("runs/{name}"))["contact"]["car"];
         let permanent = contact["permanent_penetration"].as_f64().unwrap_or(0.0);
         // 40 kN slow 900 kg down: 5 m/s over 20 ms come to 91 mm, less what the post gives way by.

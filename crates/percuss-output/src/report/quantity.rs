@@ -42,7 +42,8 @@ impl Scale {
             if (1.0..1e4).contains(&largest) {
                 return Self { factor: 1.0, unit: pretty };
             }
-            let exponent = exponent.clamp(-12, 12);
+            // Stresses are never shown in millipascals: those below 1 Pa are round-off or no stresses.
+            let exponent = exponent.clamp(if unit == "Pa" { 0 } else { -12 }, 12);
             let prefix = PREFIXES.iter().find(|(e, _)| *e == exponent).map_or("", |(_, p)| p);
             return Self { factor: 10f64.powi(-exponent), unit: format!("{prefix}{pretty}") };
         }
@@ -149,6 +150,9 @@ mod tests {
         assert_eq!(quantity(Some(163_849.3), "1"), "163850");
         assert_eq!(quantity(Some(2.13e-12), "1"), "2.13e-12");
         assert_eq!(quantity(Some(0.0), "m"), "0 m");
+        assert_eq!(quantity(Some(0.0587), "Pa"), "0.0587 Pa");
+        assert_eq!(quantity(Some(-4.2e-9), "Pa"), "-4.2e-9 Pa");
+        assert_eq!(quantity(Some(2.35e8), "Pa"), "235 MPa");
         assert_eq!(quantity(None, "m"), "\u{2013}");
         assert_eq!(quantity(Some(f64::INFINITY), "kg"), "\u{2013}");
         assert_eq!(quantity(Some(1e-300), "J"), "1e-300 J");
