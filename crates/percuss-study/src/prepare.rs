@@ -92,8 +92,8 @@ impl Study {
     /// Whether runs go side by side or one by one, and why, in words.
     pub fn how_runs_go(&self) -> String {
         match self.runs_alone() {
-            Some(why) => format!("runs go one by one: {why}"),
-            None => "runs go side by side in vector registers".to_owned(),
+            Some(why) => format!("runs are computed one at a time: {why}"),
+            None => "runs are computed in SIMD batches".to_owned(),
         }
     }
 
