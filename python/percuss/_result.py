@@ -232,8 +232,8 @@ class Result(Columns[np.float64]):
 
         Examples
         --------
-        >>> percuss.run("plank.toml").story[:20]
-        'bag struck plank.mid'
+        >>> percuss.run("plank.toml").story.split(" at ")[0]
+        "'plank.mid' was struck by projectile 'bag'"
         """
         return _percuss.story(self._native["summary"])
 

@@ -99,7 +99,9 @@ fn a_run_is_extended_in_its_place_or_beside_it_once_and_again() {
     extend(&["--end", "15 ms"]).ends_with(0);
     extend(&["--end", "20 ms"]).ends_with(0);
     assert_eq!(differences(&desk.path("whole"), &desk.path("run")), Vec::<String>::new());
-    extend(&["--end", "20 ms"]).ends_with(2).tells("reaches 0.02 s already; give a later time");
+    extend(&["--end", "20 ms"])
+        .ends_with(2)
+        .tells("already reaches t = 20 ms; choose a later time");
     let without = desk.percuss(&["extend", "whole", "--end", "1 s"]);
     without.ends_with(2).tells("only a complete run that was given --checkpoint has one");
 }
@@ -129,7 +131,7 @@ fn an_extension_that_was_killed_goes_on_where_it_was() {
     // A queue that starts the job once more finds nothing to do.
     desk.percuss(&extend).ends_with(0);
     let told: Vec<&str> = extend.iter().copied().filter(|word| *word != "--quiet").collect();
-    desk.percuss(&told).ends_with(0).tells("reached 0.03 s; nothing to do");
+    desk.percuss(&told).ends_with(0).tells("reached t = 30 ms; nothing to do");
 }
 
 #[test]
