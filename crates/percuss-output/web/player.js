@@ -63,7 +63,7 @@ class Player {
     const factors = motion.rests || canExaggerate(motion) ? exaggerations(motion) : [1];
     const chosen = motion.rests ? visibleFactor(motion, factors) : 1;
     const offered = factors.filter((f, k) => k === 0 || f === chosen || k >= factors.length - 5);
-    select.replaceChildren(...offered.map((f) => new Option(f === 1 ? "true" : `\u00d7 ${f}`, String(f), false, f === chosen)));
+    select.replaceChildren(...offered.map((f) => new Option(String(f), String(f), false, f === chosen)));
     select.parentElement.hidden = factors.length < 2;
   }
 

@@ -121,7 +121,7 @@ test("the caption tells the largest moment of the instant, and that of all insta
     drawing.draw(pen, t, page.viewOf(drawing.bounds, 600, 400), { diagram: "moment" });
     return pen.finish();
   };
-  assert.match(caption(0), /M up to 2 N m \(6 N m in all\)</);
+  assert.match(caption(0), /M up to 2 N m \(maximum over time 6 N m\)</);
   assert.match(caption(1), /M up to 6 N m</);
 });
 
@@ -166,7 +166,7 @@ test("a picture for paper has what the canvas shows, and names cannot break out 
   drawing.draw(pen, 1, page.viewOf(drawing.bounds, 600, 400), { exaggeration: 5, colour: "moment", diagram: "moment", forces: true, loads: true, ghost: true });
   const svg = pen.finish();
   assert.match(svg, /^<svg xmlns/);
-  assert.match(svg, /displacements \u00d7 5/);
+  assert.match(svg, /deformation scale 5/);
   assert.ok(!svg.includes("NaN") && !svg.includes("undefined"), svg);
   assert.equal(page.escapeXml("<script>&\"'"), "&lt;script&gt;&amp;&quot;&#39;");
 });
