@@ -26,11 +26,9 @@ pub(super) fn findings(summary: &Value) -> String {
         ]
     };
     let rows: Vec<Vec<Cell>> = list.iter().take(LISTED).map(row).collect();
-    let header = ["contact", "topic", "", "found", "against", "what it means"];
-    let caption =
-        "By hand calculation from the model alone, and what the results must not be taken for";
-    let mut out = "<h2>Advisor</h2>\n<div class=\"prose\">\n".to_owned();
-    out += &table_of_cells(caption, &header, &rows);
+    let header = ["contact", "topic", "", "value", "limit", "comment"];
+    let mut out = "<h2>Model and result checks</h2>\n<div class=\"prose\">\n".to_owned();
+    out += &table_of_cells("Before the run", &header, &rows);
     out += "</div>\n";
     out + &more(list.len(), rows.len()) + &in_vain(summary)
 }
@@ -46,8 +44,8 @@ pub(super) fn warnings(summary: &Value) -> String {
         vec![Cell::Text(about), badge(&text(entry, "verdict")), Cell::Text(meaning(entry))]
     };
     let rows: Vec<Vec<Cell>> = list.iter().map(row).collect();
-    let header = ["", "", "what it means"];
-    let table = table_of_cells("What the audit of the run found", &header, &rows);
+    let header = ["topic", "", "comment"];
+    let table = table_of_cells("Warnings of the finished run", &header, &rows);
     format!("<h2>Warnings</h2>\n<div class=\"prose\">\n{table}</div>\n")
 }
 
@@ -67,7 +65,7 @@ fn badge(verdict: &str) -> Cell {
 fn meaning(entry: &Value) -> String {
     match text(entry, "reason") {
         reason if reason.is_empty() => text(entry, "text"),
-        reason => format!("allowed: {reason} (found: {})", text(entry, "text")),
+        reason => format!("accepted: {reason} ({})", text(entry, "text")),
     }
 }
 
@@ -79,7 +77,7 @@ fn in_vain(summary: &Value) -> String {
     match codes.is_empty() {
         true => String::new(),
         false => format!(
-            "<p class=\"more\">Allowed by the scenario, and not found: {}</p>\n",
+            "<p class=\"more\">Allowed in the scenario but not raised: {}</p>\n",
             escape(&codes.join(", "))
         ),
     }
@@ -93,7 +91,7 @@ pub(super) fn hand_formulas(summary: &Value) -> String {
     }
     let shown = &list[..list.len().min(LISTED)];
     let mut out =
-        "<h2>Hand formulas beside the simulation</h2>\n<div class=\"tables\">\n".to_owned();
+        "<h2>Comparison with closed-form estimates</h2>\n<div class=\"tables\">\n".to_owned();
     let same = |a: &Value, b: &Value| {
         ["contact", "formula", "holds_if"].iter().all(|key| a[*key] == b[*key])
     };
@@ -130,7 +128,7 @@ fn formula(group: &[Value]) -> String {
     };
     let rows: Vec<Vec<String>> = group.iter().map(row).collect();
     let caption = format!("{}: {}", text("contact"), text("formula"));
-    let header = ["", "by hand", "simulated", "difference"];
+    let header = ["", "estimate", "simulation", "difference"];
     let assumption = |text: &str| {
         let class = if text.ends_with("(not met)") { " class=\"unmet\"" } else { "" };
         format!("<li{class}>{}</li>", escape(text))
@@ -138,7 +136,7 @@ fn formula(group: &[Value]) -> String {
     let assumptions: String =
         text("holds_if").split("; ").filter(|t| !t.is_empty()).map(assumption).collect();
     format!(
-        "<div class=\"formula\">\n{}<p class=\"note\">{}. It assumes:</p>\n<ul>{assumptions}</ul>\n</div>\n",
+        "<div class=\"formula\">\n{}<p class=\"note\">{}. Assumptions:</p>\n<ul>{assumptions}</ul>\n</div>\n",
         table(&caption, &header, &rows),
         escape(text("source")),
     )

@@ -85,8 +85,8 @@ fn decimation(data: &ReportData, figures: &[Figure]) -> String {
         name => name,
     };
     let text = format!(
-        "{} rows were recorded. Long curves are drawn through the first, last, smallest and largest \
-         value of some thousand bins each ({} rows or more a figure); every row is in {source}.",
+        "{} rows recorded. Long curves are shown as min-max envelopes ({} rows or more per figure); \
+         full data in {source}.",
         grouped(rows),
         grouped(drawn),
     );
@@ -141,8 +141,7 @@ pub(crate) fn frame(figure: &Figure) -> String {
 fn envelopes(figures: &[Figure]) -> String {
     let all: Vec<&Figure> = figures.iter().filter(|f| f.section == Section::Envelopes).collect();
     let Some(first) = all.first() else { return String::new() };
-    let mut out =
-        "<h2>Section forces along the beams: smallest and largest over time</h2>\n".to_owned();
+    let mut out = "<h2>Envelopes of the section forces along the beams</h2>\n".to_owned();
     if first.group.is_empty() {
         return out + &section(figures, Section::Envelopes, "");
     }

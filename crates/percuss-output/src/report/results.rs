@@ -8,7 +8,7 @@ use super::quantity::{number, quantity, without_round_off};
 
 /// Rows shown of a long list.
 const LISTED: usize = 200;
-/// Contacts named that never closed.
+/// Contacts named that did not close.
 const NAMED: usize = 12;
 
 /// Everything between the heading and the figures.
@@ -80,14 +80,14 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         let time = quantity(peak["time"].as_f64(), "s");
         // What never closed has none.
         if peak["value"].is_null() {
-            row("peak contact force", "none: it never closed".into());
+            row("peak contact force", "none (not closed)".into());
         } else {
             row("peak contact force", format!("{force} at {time}"));
         }
         let intervals = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
         let impulse = intervals.iter().filter_map(|i| i["impulse"].as_f64()).sum();
         row("times closed", intervals.len().to_string());
-        row("impulse handed over", quantity(Some(impulse), "N*s"));
+        row("impulse", quantity(Some(impulse), "N*s"));
     }
     if let Some(count) = contact["impact_count"].as_u64() {
         row("impacts", count.to_string());
@@ -101,11 +101,14 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         }
     }
     if let Some(count) = contact["fallback_count"].as_u64().filter(|n| *n > 0) {
-        row("impacts under Moreau's law instead of Newton's", count.to_string());
+        row("impacts with Moreau's instead of Newton's law", count.to_string());
     }
     if contact["impact_count"].is_u64() && contact["effective_mass"].is_number() {
-        row("effective mass of what is struck", quantity(contact["effective_mass"].as_f64(), "kg"));
-        row("its limit on a fine mesh", quantity(contact["effective_mass_limit"].as_f64(), "kg"));
+        row(
+            "effective mass of the contact target",
+            quantity(contact["effective_mass"].as_f64(), "kg"),
+        );
+        row("limit with mesh refinement", quantity(contact["effective_mass_limit"].as_f64(), "kg"));
     }
     let title = match projectile {
         Some(projectile) => {
@@ -163,20 +166,20 @@ fn departure(projectile: &Value, sizes: &Sizes) -> Vec<Vec<String>> {
     let given = |key: &str, size: f64| projectile[key].as_f64().map(|v| without_round_off(v, size));
     let row = |label: &str, value: String| vec![label.to_owned(), value];
     let spin = projectile["spin_final"].as_f64().filter(|spin| *spin != 0.0);
-    let spin = spin.map(|spin| row("spin at the end", quantity(Some(spin), "rad/s")));
+    let spin = spin.map(|spin| row("final angular velocity", quantity(Some(spin), "rad/s")));
     let note = match projectile["still_touches"].is_array() {
-        true => ", still in contact: not the velocity after it",
+        true => ", still in contact: not a rebound velocity",
         false => "",
     };
     let mut rows = vec![
-        row("velocity at the end", format!("({}, {}) m/s{note}", component(0), component(1))),
+        row("final velocity", format!("({}, {}) m/s{note}", component(0), component(1))),
         row(
-            "momentum given away, along the initial motion",
+            "momentum transferred, in the initial direction of motion",
             quantity(given("momentum_transferred", sizes.momentum), "kg*m/s"),
         ),
-        row("energy given away", quantity(given("energy_given", sizes.energy), "J")),
+        row("energy transferred", quantity(given("energy_given", sizes.energy), "J")),
         row(
-            "energy received by what it struck",
+            "energy received by the structure",
             quantity(given("energy_received_by_others", sizes.energy), "J"),
         ),
     ];
@@ -194,14 +197,14 @@ fn mass_warning(contact: &Value) -> String {
         return String::new();
     }
     let text = format!(
-        "On this mesh the effective mass of what is struck is {} kg, its continuum limit {} kg: the \
-         impulse of a rigid impact is a property of this mesh (see the documentation on restitution \
-         and meshes).",
+        "Effective mass of the contact target: {} kg on this mesh, {} kg with mesh refinement. The \
+         impulse of a rigid impact depends on the mesh (see the documentation on restitution and \
+         meshes).",
         number(mass),
         number(limit)
     );
     format!(
-        "<p class=\"warning\" role=\"note\"><strong>Mind the mesh.</strong> {}</p>\n",
+        "<p class=\"warning\" role=\"note\"><strong>Mesh-dependent result.</strong> {}</p>\n",
         escape(&text)
     )
 }
@@ -215,7 +218,8 @@ fn points(summary: &Value) -> String {
         ["component_1", "component_2"].map(|c| p["displacement_max"][c]["value"].as_f64())
     });
     let moved = peaks.flatten().map(f64::abs).fold(0.0, f64::max);
-    let header = ["point", "largest displacement 1", "at", "largest displacement 2", "at"];
+    let header =
+        ["point", "largest displacement x", "at time", "largest displacement y", "at time"];
     listing("Recorded points", &header, &list, list.len(), |_, entry| {
         let mut row = vec![entry[0].as_str().unwrap_or_default().to_owned()];
         for component in ["component_1", "component_2"] {
@@ -224,7 +228,11 @@ fn points(summary: &Value) -> String {
             row.push(quantity(value, "m"));
             let time = quantity(peak["time"].as_f64(), "s");
             let doubtful = peak["resolved"].as_bool() == Some(false);
-            row.push(if doubtful { format!("{time}, of step ends: not resolved") } else { time });
+            row.push(if doubtful {
+                format!("{time}, largest at ends of steps: not resolved")
+            } else {
+                time
+            });
         }
         row
     })
