@@ -39,7 +39,12 @@ fn joints(summary: &Value) -> String {
 }
 
 /// A table of the first rows, and how many more there are.
-fn first_rows(title: &str, header: &[&str], rows: &[Vec<String>], more: usize) -> String {
+pub(super) fn first_rows(
+    title: &str,
+    header: &[&str],
+    rows: &[Vec<String>],
+    more: usize,
+) -> String {
     let mut out = table(title, header, rows);
     if more > 0 {
         out.push_str(&format!("<p class=\"more\">and {more} more rows in summary.json</p>\n"));
@@ -188,7 +193,7 @@ fn scale_of(of: &Value, key: &str) -> f64 {
 }
 
 /// An arc length without a prefix, so that places compare.
-fn metres(s: &Value) -> String {
+pub(super) fn metres(s: &Value) -> String {
     s.as_f64().map_or("\u{2013}".to_owned(), |s| format!("{}\u{a0}m", number(s)))
 }
 

@@ -2,18 +2,33 @@
 
 use serde_json::{Map, Value};
 
-use super::extremes;
 use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
+use super::{extremes, figures, yields};
 
 /// Rows shown of a long list.
 const LISTED: usize = 200;
 /// Contacts named that did not close.
 const NAMED: usize = 12;
 
-/// Everything between the heading and the figures.
+/// Rows of all tables up to which they are unfolded.
+const UNFOLDED: usize = 60;
+
+/// The tables under their heading: energy, contacts, what has yielded, recorded points, extremes.
 pub(super) fn render(summary: &Value) -> String {
-    let mut out = String::new();
+    let tables = tables(summary);
+    if tables.is_empty() {
+        return String::new();
+    }
+    let open = if tables.matches("<tr").count() <= UNFOLDED { " open" } else { "" };
+    format!(
+        "<details{open}>\n<summary><h2>Key results</h2></summary>\n\
+         <div class=\"tables\">\n{tables}</div>\n</details>\n"
+    )
+}
+
+fn tables(summary: &Value) -> String {
+    let mut out = energy(summary);
     let empty = Map::new();
     let contacts = summary["contact"].as_object().unwrap_or(&empty);
     let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
@@ -33,9 +48,49 @@ pub(super) fn render(summary: &Value) -> String {
     for (name, projectile) in projectiles.iter().filter(|(name, _)| !contacts.contains_key(*name)) {
         out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile, &sizes)));
     }
+    out.push_str(&yields::render(summary));
     out.push_str(&points(summary));
     out.push_str(&extremes::render(summary));
     out
+}
+
+/// Terms of the energy balance below this share of its scale are round-off.
+const NO_ENERGY: f64 = 1e-13;
+
+/// The energy at the start and the end, and what it was spent on.
+fn energy(summary: &Value) -> String {
+    let energy = &summary["energy"];
+    let Some(scale) = energy["scale"].as_f64() else { return String::new() };
+    let value = |key: &str| energy[key].as_f64().filter(|v| v.abs() > NO_ENERGY * scale);
+    let in_contacts = value("loss_contacts").unwrap_or(0.0);
+    let damping = value("loss_damping").map(|all| all - in_contacts);
+    let damping = damping.filter(|v| v.abs() > NO_ENERGY * scale);
+    let always = |key: &str| Some(value(key).unwrap_or(0.0));
+    // Results of earlier versions do not separate the two losses.
+    let damping_label = if energy["loss_contacts"].is_number() {
+        "dissipated by damping"
+    } else {
+        figures::damping(summary)
+    };
+    let terms = [
+        ("initial energy", always("initial")),
+        ("work of loads", value("work_loads")),
+        ("work of supports", value("work_supports")),
+        ("lost in impacts", value("loss_impacts")),
+        (damping_label, damping),
+        ("dissipated in contacts", value("loss_contacts")),
+        ("dissipated by plastic flow", value("plastic")),
+        ("stored in hardening", value("hardening")),
+        ("lost in failed parts", value("failure")),
+        ("final energy", always("final")),
+    ];
+    let row = |(label, value): (&str, Option<f64>)| {
+        Some(vec![label.to_owned(), quantity(Some(value?), "J")])
+    };
+    let mut rows: Vec<Vec<String>> = terms.into_iter().filter_map(row).collect();
+    let error = energy["residual_max"].as_f64().map(|v| without_round_off(v, 1.0));
+    rows.push(vec!["balance error, relative".to_owned(), quantity(error, "1")]);
+    table("Energy", &[], &rows)
 }
 
 /// `caption` and so many rows of `list`, the rest counted.
@@ -103,6 +158,9 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
     if let Some(count) = contact["fallback_count"].as_u64().filter(|n| *n > 0) {
         row("impacts with Moreau's instead of Newton's law", count.to_string());
     }
+    for (label, value) in aftermath(contact) {
+        row(label, value);
+    }
     if contact["impact_count"].is_u64() && contact["effective_mass"].is_number() {
         row(
             "effective mass of the contact target",
@@ -121,6 +179,30 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         }
     };
     table(&title, &[], &rows)
+}
+
+/// Permanent indentation; equivalent static forces, or why there are none.
+fn aftermath(contact: &Value) -> Vec<(&'static str, String)> {
+    let force = &contact["equivalent_force"];
+    let elastic = match force["as_if_elastic"].as_bool() {
+        Some(true) => ", structure taken as linear elastic",
+        _ => "",
+    };
+    let told = |label, key: &str| {
+        let value = quantity(Some(force[key].as_f64()?), "N");
+        Some((label, format!("{value}{elastic}")))
+    };
+    let note = contact["equivalent_force_note"].as_str();
+    let depth = contact["permanent_penetration"].as_f64().filter(|depth| *depth > 0.0);
+    [
+        depth.map(|depth| ("permanent indentation", quantity(Some(depth), "m"))),
+        told("equivalent static force, same largest moment", "moment"),
+        told("equivalent static force, same largest deflection", "deflection"),
+        note.map(|why| ("equivalent static force", format!("none: {why}"))),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// Sizes of the run beside which what projectiles end with is round-off.

@@ -384,7 +384,7 @@ fn the_log_names_times_places_and_where_the_energy_went() -> Outcome {
 fn findings_and_hand_formulas_stand_in_the_report() -> Outcome {
     let page = page(&rigid()?)?;
     for text in [
-        "<h2>Model and result checks</h2>",
+        "<h2 id=\"checks\">Model and result checks</h2>",
         "<span class=\"verdict mark\">warning</span>",
         "hammer: two masses and two springs</caption>",
         "<td>256.57\u{a0}kN</td><td>337.78\u{a0}kN</td><td>+31.7\u{a0}%</td>",
