@@ -75,7 +75,7 @@ pub fn render(runs: &[Named]) -> Result<String, Error> {
             names[0]
         )),
         "scene" if scenes.is_empty() => format!("<p class=\"story\">{}</p>\n", escape(&lead)),
-        "scene" => scene::section(&lead),
+        "scene" => scene::section(&lead, None),
         "scene_scripts" => scene::SCRIPTS.join("\n"),
         "results" => results(runs),
         "figures" => figures.iter().map(frame).collect(),

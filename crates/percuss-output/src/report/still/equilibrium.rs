@@ -44,7 +44,7 @@ pub(crate) fn render(info: &EquilibriumInfo<'_>) -> String {
         title: if info.title.is_empty() { "Static equilibrium" } else { info.title },
         status: "Static equilibrium under the loads at time zero; moving projectiles are ignored.".to_owned(),
         alarming: false,
-        scene: scene::section(&escape(&story(found, info.linear, moved))),
+        scene: scene::section(&escape(&story(found, info.linear, moved)), None),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "static", "panels": panels }),
         tables: tables(found),

@@ -83,7 +83,7 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
         title: if info.title.is_empty() { "Equilibrium path" } else { info.title },
         status,
         alarming: !path.reached,
-        scene: format!("<div class=\"beside\">\n{}{CHART}</div>\n", scene::section(&escape(&story(path)))),
+        scene: format!("<div class=\"beside\">\n{}{CHART}</div>\n", scene::section(&escape(&story(path)), None)),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "path", "panels": panels, "chart": chart(path, along) }),
         tables: format!(
