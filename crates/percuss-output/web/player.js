@@ -109,7 +109,8 @@ class Player {
     section.classList.toggle("beside-text", beside);
     if (beside) section.style.setProperty("--stage", `${Math.round(needed)}px`);
     const wanted = Math.round(Math.max(260, heightFor(this.bounds, canvas.clientWidth)));
-    const below = Math.round(innerHeight - (canvas.getBoundingClientRect().top + scrollY) - 12);
+    const controls = this.allInView ? canvas.parentElement.clientHeight - canvas.clientHeight : 0;
+    const below = Math.round(innerHeight - (canvas.getBoundingClientRect().top + scrollY) - controls - 12);
     canvas.style.height = `min(var(--scene-most), ${wanted}px, ${Math.max(LOW, below)}px)`;
   }
 

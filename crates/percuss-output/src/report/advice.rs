@@ -142,7 +142,7 @@ fn formula(group: &[Value]) -> String {
     };
     let rows: Vec<Vec<String>> = group.iter().map(row).collect();
     let caption = format!("{}: {}", text("contact"), text("formula"));
-    let header = ["", "estimate", "simulation", "difference"];
+    let header = ["quantity", "estimate", "simulation", "difference"];
     let assumption = |text: &str| {
         let class = if text.ends_with("(not met)") { " class=\"unmet\"" } else { "" };
         format!("<li{class}>{}</li>", escape(text))

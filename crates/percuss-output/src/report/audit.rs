@@ -45,7 +45,7 @@ pub(super) fn render(summary: &Value, scenario: &str) -> String {
     rows.extend(accumulated_steps(summary));
     rows.extend(shared_blows(summary));
     let rows: Vec<Vec<String>> = rows.into_iter().map(Vec::from).collect();
-    table("Maximum over the run", &["", "value", "comment"], &rows)
+    table("Maximum over the run", &["quantity", "value", "comment"], &rows)
 }
 
 fn verdict(value: Option<f64>, what: &str, scheme: &str, midpoint_force: bool) -> String {

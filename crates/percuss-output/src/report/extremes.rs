@@ -10,11 +10,14 @@ const LISTED: usize = 400;
 /// Impulses below this share of the largest are round-off.
 const ROUND_OFF: f64 = 1e-12;
 
-/// All tables.
-pub(super) fn render(summary: &Value) -> String {
-    let (supports, impulses) = (reactions(summary), impulses(summary));
-    let parted = format!("{}{}", joints(summary), partings(summary));
-    format!("{parted}{supports}{impulses}{}", section_forces(summary))
+/// Joints with a strength, fractures, and impulses of supports.
+pub(super) fn failures_and_impulses(summary: &Value) -> String {
+    [joints(summary), partings(summary), impulses(summary)].concat()
+}
+
+/// Smallest and largest reactions and section forces.
+pub(super) fn ranges(summary: &Value) -> String {
+    reactions(summary) + &section_forces(summary)
 }
 
 /// What joints of a given strength carried, and when they parted.
@@ -154,14 +157,12 @@ fn listing(
     let empty = Map::new();
     let mut rows = Vec::new();
     for (name, entry) in of.as_object().unwrap_or(&empty) {
-        let mut first = true;
         for (label, key, unit) in quantities {
             let range = &entry[key];
             if !range["min"]["value"].is_number() && !range["max"]["value"].is_number() {
                 continue;
             }
-            let shown = if std::mem::take(&mut first) { name.clone() } else { String::new() };
-            let mut row = vec![shown, (*label).to_owned()];
+            let mut row = vec![name.clone(), (*label).to_owned()];
             let scale = scale_of(of, key);
             for end in ["min", "max"] {
                 let value = range[end]["value"].as_f64().map(|v| without_round_off(v, scale));

@@ -48,7 +48,7 @@ pub(super) fn render(summary: &Value) -> String {
         rows.extend(rows_of(k + 1, entry, &columns));
     }
     let header: Vec<&str> =
-        std::iter::once("").chain(columns.iter().map(|c| c.header.as_str())).collect();
+        std::iter::once("no.").chain(columns.iter().map(|c| c.header.as_str())).collect();
     let mut out = format!("<h2>Impact log</h2>\n{}{}", legend(shown), sorting(shown.len()));
     out += "<div class=\"log\">\n";
     out += &table_of_rows(&caption(&partners), &header, &rows);

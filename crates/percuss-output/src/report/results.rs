@@ -14,17 +14,18 @@ const NAMED: usize = 12;
 /// Rows of all tables up to which they are unfolded.
 const UNFOLDED: usize = 60;
 
-/// The tables under their heading: energy, contacts, what has yielded, recorded points, extremes.
+/// The tables: energy, contacts, what has yielded, recorded points, failures; folded behind them reactions and section forces.
 pub(super) fn render(summary: &Value) -> String {
     let tables = tables(summary);
-    if tables.is_empty() {
-        return String::new();
-    }
+    let folded = |open: &str, title: &str, tables: &str| match tables.is_empty() {
+        true => String::new(),
+        false => format!(
+            "<details{open}>\n<summary>{title}</summary>\n<div class=\"tables\">\n{tables}</div>\n</details>\n"
+        ),
+    };
     let open = if tables.matches("<tr").count() <= UNFOLDED { " open" } else { "" };
-    format!(
-        "<details{open}>\n<summary><h2>Key results</h2></summary>\n\
-         <div class=\"tables\">\n{tables}</div>\n</details>\n"
-    )
+    folded(open, "<h2>Key results</h2>", &tables)
+        + &folded("", "Largest reactions and section forces", &extremes::ranges(summary))
 }
 
 fn tables(summary: &Value) -> String {
@@ -50,7 +51,7 @@ fn tables(summary: &Value) -> String {
     }
     out.push_str(&yields::render(summary));
     out.push_str(&points(summary));
-    out.push_str(&extremes::render(summary));
+    out.push_str(&extremes::failures_and_impulses(summary));
     out
 }
 

@@ -185,7 +185,7 @@ fn results(runs: &[Named]) -> String {
             }
         }
     }
-    let mut header = vec!["".to_owned()];
+    let mut header = vec!["result".to_owned()];
     for (k, run) in runs.iter().enumerate() {
         header.push(run.name.clone());
         header.extend((k > 0).then(|| "difference".to_owned()));

@@ -247,7 +247,7 @@ pub(super) fn audit(table: &Table) -> Vec<Block> {
         Some([name].into_iter().chain(values).collect())
     };
     let rows: Vec<Vec<String>> = columns.filter_map(row).collect();
-    let header = texts(&["", "median", "largest"]);
+    let header = texts(&["quantity", "median", "largest"]);
     let caption = "Relative balance errors of energy and momentum, and cost of the runs";
     vec![
         Block::Heading("Balance errors and cost".into()),

@@ -156,7 +156,13 @@ pub(super) fn tables(found: &Equilibrium) -> String {
         ),
         (
             "Elastic-plastic springs and hinges",
-            &["", "extension or rotation", "plastic part", "force or moment", "state"][..],
+            &[
+                "spring or hinge",
+                "extension or rotation",
+                "plastic part",
+                "force or moment",
+                "state",
+            ][..],
             found.yielding.iter().map(yielding_row).collect(),
         ),
         (
@@ -164,7 +170,7 @@ pub(super) fn tables(found: &Equilibrium) -> String {
             &["load factor", "failure"][..],
             found.failures.iter().map(|f| vec![number(f.factor), f.to_string()]).collect(),
         ),
-        ("Section forces", &["", "smallest", "at s", "largest", "at s"][..], sections),
+        ("Section forces", &["quantity", "smallest", "at s", "largest", "at s"][..], sections),
     ];
     let filled = all.into_iter().filter(|(.., rows)| !rows.is_empty());
     filled.map(|(caption, header, rows)| table(caption, header, &rows)).collect()

@@ -166,7 +166,7 @@ fn first_yields(path: &Path) -> String {
     }
     let row = |y: &PathYield| vec![y.name.clone(), number(y.factor)];
     let rows: Vec<Vec<String>> = path.yields.iter().map(row).collect();
-    table("First yields", &["", "load factor"], &rows)
+    table("First yields", &["spring or hinge", "load factor"], &rows)
 }
 
 /// A row each limit point or bifurcation.
