@@ -169,7 +169,7 @@ def test_a_data_set_knows_dimensions_and_units(elastic):
 def test_frames_are_on_disk_and_in_the_report(elastic, tmp_path):
     percuss.run(elastic, out=tmp_path / "run", report=True)
     assert (tmp_path / "run" / "fields" / "frames.parquet").is_file()
-    assert "What happened" in (tmp_path / "run" / "report.html").read_text()
+    assert "Summary and animation" in (tmp_path / "run" / "report.html").read_text()
 
 
 def test_beams_that_can_yield_have_no_colour_of_stress():

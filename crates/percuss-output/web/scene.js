@@ -68,6 +68,17 @@ class Motion {
     return low;
   }
 
+  // Largest displacement of a station in a frame [m].
+  largestAt(index) {
+    let most = 0;
+    const n = 4 * this.nodes;
+    for (let k = 0; k < this.stations && this.count; k++) {
+      const node = index * n + 4 * k;
+      most = Math.max(most, Math.hypot(this.frames.displacement[node], this.frames.displacement[node + 1]));
+    }
+    return most;
+  }
+
   // The configuration at time t: displacements between frames are straight lines, forces those of the nearer frame.
   at(t) {
     if (!this.count) return { time: 0, u: new Float32Array(4 * this.nodes), forces: 0, index: 0 };

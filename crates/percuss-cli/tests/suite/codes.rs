@@ -101,7 +101,7 @@ fn warnings_of_the_audit_are_denied_and_allowed_like_findings() {
     assert_eq!(found, [true, false]);
     let page = std::fs::read_to_string(desk.path("out/report.html")).unwrap();
     assert!(
-        page.contains("allowed: the midpoint rule is what I look at (found: energy balance error")
+        page.contains("accepted: the midpoint rule is what I look at (found: energy balance error")
     );
     // Before a run nothing is known of its audit.
     let check = desk.percuss(&["check", "allowed.toml"]);

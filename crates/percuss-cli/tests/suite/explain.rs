@@ -221,8 +221,8 @@ fn allowed_findings_are_told_with_their_reason_and_not_denied() {
         summary["allow"].as_array().unwrap().iter().map(|a| a["found"] == true).collect();
     assert_eq!(found, [true, false, false]);
     let page = std::fs::read_to_string(desk.path("out/report.html")).unwrap();
-    assert!(page.contains("allowed: a short &lt;beam&gt; (found: "));
-    assert!(page.contains("Allowed by the scenario, and not found: W012, W013"));
+    assert!(page.contains("accepted: a short &lt;beam&gt; ("));
+    assert!(page.contains("Allowed in the scenario but not raised: W012, W013"));
     // The results keep what was allowed, so that they can be run again.
     desk.percuss(&["check", "out/scenario.toml"]).ends_with(0).tells("a short <beam>");
     desk.percuss(&["check", "elastic.toml", "--deny", "W007"]).ends_with(2);

@@ -124,7 +124,7 @@ fn the_advisor_speaks_before_the_run_and_in_the_report() {
         advice.as_array().expect("a list").iter().filter_map(|a| a["topic"].as_str()).collect();
     assert!(topics.contains(&"first contact") && topics.contains(&"minimum span"), "{topics:?}");
     let page = std::fs::read_to_string(desk.path("runs/elastic/report.html")).expect("a page");
-    assert!(page.contains("<h2>Advisor</h2>") && page.contains("<h2>Impact log</h2>"));
+    assert!(page.contains(">Model and result checks</h2>") && page.contains("<h2>Impact log</h2>"));
     let check = desk.percuss(&["check", "elastic.toml", "--set", "time.step=0.02 s"]);
     check.ends_with(0).tells("mass, contact duration: ");
     let quiet = desk.percuss(&[&coarse[..], &["--quiet", "--no-report"]].concat());

@@ -33,6 +33,8 @@ mod story;
 mod structure;
 mod template;
 mod thin;
+mod warnings;
+mod yields;
 
 pub use data::ReportData;
 pub use notebook::scene_page;

@@ -20,10 +20,11 @@ use crate::fields::Fields;
 
 const TEMPLATE: &str = include_str!("../../../web/still.html");
 /// What draws the pages besides the scripts of the scene, in the order in which they use each other.
-const SCRIPTS: [&str; 7] = [
+const SCRIPTS: [&str; 8] = [
     include_str!("../../../web/columns.js"),
     include_str!("../../../web/figures.js"),
     include_str!("../../../web/exports.js"),
+    include_str!("../../../web/tables.js"),
     include_str!("../../../web/shapes.js"),
     include_str!("../../../web/chart.js"),
     include_str!("../../../web/panels.js"),
@@ -65,7 +66,7 @@ impl Page<'_> {
             "index" => html::json(&payload.index),
             "data" => payload.data.clone(),
             "script" => {
-                [&[PENS][..], &SCRIPTS[..3], &scene::SCRIPTS, &SCRIPTS[3..]].concat().join("\n")
+                [&[PENS][..], &SCRIPTS[..4], &scene::SCRIPTS, &SCRIPTS[4..]].concat().join("\n")
             }
             other => page_parts(other),
         })
