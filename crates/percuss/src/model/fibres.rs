@@ -163,8 +163,8 @@ impl<'a> ProfileLayout<'a> {
         Self { section, profiles }
     }
 
-    /// Fibres at a fraction of the beam's length: the profiles of the stations before and behind, both scaled to the area and the radius of
-    /// gyration there and weighed by the distances to them; then those at both surfaces, which do not bear.
+    /// Fibres at a fraction of the beam's length: the profiles of the adjacent stations, both scaled to the area and the radius of gyration there
+    /// and weighted by the distances to them; then those at both surfaces, without area.
     fn at(&self, fraction: f64) -> Vec<Fibre> {
         let here = self.section.at(fraction);
         let mut out = Vec::new();

@@ -1,4 +1,4 @@
-//! Contacts as pairs of something round and what it touches.
+//! Contacts as pairs of a round body and its target.
 
 use super::builder::ModelBuilder;
 use super::definition::*;
@@ -89,7 +89,7 @@ fn body_centre(model: &Model, body: usize) -> Centre {
     Centre { position: model.nodes[node].position, node, carrier }
 }
 
-/// A shape that does not bend: its body, and what of it can be touched.
+/// A rigid shape: its body, and its surface.
 #[derive(Clone, Copy)]
 enum Rigid {
     Round {
@@ -102,7 +102,7 @@ enum Rigid {
         body: usize,
         /// A point of it, shape (2) \[m\].
         point: [f64; 2],
-        /// Unit normal, away from what lies behind it, shape (2) \[-\].
+        /// Unit normal, away from the half-plane behind it, shape (2) \[-\].
         normal: [f64; 2],
     },
     Segment {
@@ -154,7 +154,7 @@ impl Pairs<'_> {
         }
     }
 
-    /// What of a disc or an obstacle can be touched.
+    /// Surface of a disc or an obstacle.
     fn shapes(&self, partner: ContactPartner) -> Vec<Rigid> {
         match partner {
             ContactPartner::Beam(_) => Vec::new(),
@@ -245,7 +245,7 @@ impl Pairs<'_> {
         });
     }
 
-    /// A beam and a disc or obstacle; `beam_partner` tells which of the two the beam is.
+    /// A beam and a disc or obstacle; `beam_partner` is the number of the beam among the two.
     fn beam_and_rigid(
         &mut self,
         beam: usize,
@@ -364,7 +364,7 @@ impl Pairs<'_> {
     }
 }
 
-/// Ends of the segments that stand around a point of a beam, with a free way to its surface, on the given sides \[m\].
+/// Ends of the segments around a point of a beam, with a free path to its surface, on the given sides \[m\].
 pub(super) fn clearance_segments(
     model: &Model,
     point: &MaterialPoint,

@@ -50,7 +50,7 @@ pub enum TimeFunction {
         /// A natural cubic spline through the values instead of straight lines.
         smooth: bool,
     },
-    /// Any function; must depend on nothing but the time.
+    /// Any function; must depend only on time.
     Function(Function),
 }
 
@@ -77,7 +77,7 @@ impl TimeFunction {
     }
 }
 
-/// A [`TimeFunction`] ready for evaluation: it knows its kinks.
+/// A [`TimeFunction`] prepared for evaluation, with its kinks.
 #[derive(Clone, Debug)]
 pub struct PreparedFunction {
     function: TimeFunction,
@@ -92,7 +92,7 @@ impl PreparedFunction {
         matches!(self.function, TimeFunction::Constant)
     }
 
-    /// Periods in a second of what swings for ever; zero of anything else \[Hz\].
+    /// Frequency of a periodic function; zero for all others \[Hz\].
     pub fn frequency(&self) -> f64 {
         match self.function {
             TimeFunction::Harmonic { frequency, .. } => frequency.abs(),
@@ -173,7 +173,7 @@ impl PreparedFunction {
                 |spline| spline.slope(t),
             ),
             Function(f) if t < 0.5 * width => {
-                // Nothing is asked for before time zero: a parabola through the values after it.
+                // No value before time zero is needed: a parabola through the values after it.
                 let [a, b, c] = [0.0, 0.5, 1.0].map(|x| f.0(t + x * width));
                 (4.0 * b - 3.0 * a - c) / width
             }
@@ -230,8 +230,8 @@ impl PreparedFunction {
         times
     }
 
-    /// Times at which the derivative jumps, as far as steps of size `step` resolve it: samples of a table that lie closer
-    /// together stand for something smooth.
+    /// Times at which the derivative jumps, as far as steps of size `step` resolve it: samples of a table at smaller distances represent a smooth
+    /// function.
     pub fn rate_jumps(&self, step: f64) -> Vec<f64> {
         use TimeFunction::*;
         let Table { times, smooth, .. } = &self.function else {
@@ -364,7 +364,7 @@ mod tests {
                 let difference = (function.value(t + 1e-6) - function.value(t - 1e-6)) / 2e-6;
                 assert!((function.rate(t, 1e-5) - difference).abs() < 1e-5, "{f:?} {t}");
             }
-            // What begins at zero moves from there on.
+            // A function that begins at zero starts the motion from there.
             assert!((function.rate(0.0, 1e-5) - function.rate(1e-9, 1e-5)).abs() < 1e-4, "{f:?}");
         }
     }

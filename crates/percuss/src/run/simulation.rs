@@ -1,4 +1,4 @@
-//! A transient run: what it consists of, how it is set up, the loop over its steps.
+//! A transient run: its parts, its setup, the loop over its steps.
 
 use super::observing::monitor::Monitor;
 use super::observing::status::RunStatus;
@@ -52,11 +52,11 @@ pub struct Simulation<'m> {
     pub(super) state: State,
     /// Energies and momenta of the state.
     pub(super) measures: Measures,
-    /// What solves parts of steps.
+    /// Solver of parts of steps.
     pub(super) solver: Solver,
-    /// The size of steps, where an accuracy is asked for in place of one.
+    /// The size of steps, for a requested accuracy in place of a step.
     pub(super) step_size: Option<StepSizeControl>,
-    /// What the summary tells.
+    /// Data of the summary.
     pub(super) monitor: Monitor,
     pub(super) rows: Rows,
     pub(super) frames: Frames,
@@ -65,7 +65,7 @@ pub struct Simulation<'m> {
 }
 
 impl<'m> Simulation<'m> {
-    /// The model at rest, its projectiles on their way.
+    /// The model at rest, with moving projectiles.
     ///
     /// # Errors
     /// Every fault of the settings.
@@ -81,10 +81,10 @@ impl<'m> Simulation<'m> {
         Self::about(model, settings)
     }
 
-    /// The same of structures that may have beams without mass, which nothing moves in time.
+    /// The same for structures that may have beams without mass, which do not move in time.
     pub(super) fn about(model: &'m Model, settings: &Settings) -> Result<Self, Vec<Fault>> {
         let Initial { state, reactions, pressed } = initial_state(model, settings)?;
-        // What presses on something in equilibrium may well be inside it.
+        // Bodies in compliant contact in equilibrium may overlap.
         let may_press = |c: &ContactData| {
             settings.start == Start::Static
                 && model.pairs[c.pairs.clone()].iter().all(|p| takes_part(model, p))
@@ -135,7 +135,7 @@ impl<'m> Simulation<'m> {
         }
     }
 
-    /// The solver, and what it sees.
+    /// The solver, and its view of the run.
     pub(super) fn solver(&mut self) -> (&mut Solver, Standing<'_>) {
         let Self { model, settings, state, solver, .. } = self;
         (solver, Standing { model, settings, state })
