@@ -153,8 +153,8 @@ impl StepState<'_> {
         }
     }
 
-    /// Sums over all elements `response` at their Gauss points, and `membrane` at the sampling points of slender ones; those of fibres,
-    /// which know the invariant scheme and rest alone, are at rest here.
+    /// Sums over all elements `response` at their Gauss points, and `membrane` at the sampling points of slender ones; fibre elements, which
+    /// support only the invariant scheme and rest, are at rest here.
     #[inline(always)]
     fn sum_points<const TANGENT: bool>(
         &self,
@@ -188,7 +188,7 @@ impl StepState<'_> {
         }
     }
 
-    /// Sums over a span what `forces_of` gives of its elements, and inertia.
+    /// Sums the results of `forces_of` over a span's elements, and inertia.
     #[inline(always)]
     fn sum_span<const TANGENT: bool>(
         &self,
@@ -259,7 +259,7 @@ impl StepState<'_> {
         sums
     }
 
-    /// Acceleration of a node in the equation of motion, less gravity, with what mass-proportional damping adds.
+    /// Acceleration of a node in the equation of motion, less gravity, with the term of mass-proportional damping.
     #[inline(always)]
     fn inertia(&self, span: &Span, node: usize) -> [f64; 4] {
         let (d, v) = (&self.increment[node], &self.state.velocity[node]);

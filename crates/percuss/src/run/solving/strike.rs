@@ -64,7 +64,7 @@ impl Solving<'_> {
         outcome.map(|fallback_law| Trial { h, active, fallback_law, kind })
     }
 
-    /// Whether the impulses of the step solved last, and those before that did so much work, give energy.
+    /// Whether the impulses of the last solved step, and previous ones with the given work, create energy.
     pub(super) fn impulses_give(&self, h: f64, before: f64) -> bool {
         let rate = |row: &Row| row.on(&self.state.velocity);
         let rates = |found: &RigidContact| {
