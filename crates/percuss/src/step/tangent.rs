@@ -1,5 +1,4 @@
-//! The tangent of a step: the band of the beams with the components held at nodes, what ties it together, and the low-rank
-//! part of modal damping.
+//! The tangent of a step: the band of the beams with the fixed components at nodes, the couplings beyond it, and the low-rank part of modal damping.
 
 mod low_rank;
 
@@ -27,7 +26,7 @@ pub struct Tangent {
     contacts: Vec<(usize, usize, Block)>,
     /// Bodies that touch one element only, eliminated first.
     condensed_bodies: CondensedBodies,
-    /// Number of couplings that are always there; those of contacts that no condensed body took follow.
+    /// Number of permanent couplings; those of contacts without a condensed body follow.
     permanent: usize,
     /// Number of the first coupling of each connector, shape (connectors) \[index of a coupling\].
     of_connector: Vec<usize>,
@@ -47,7 +46,7 @@ pub enum Singular {
     Constraints,
 }
 
-/// Nodes of a point that its shape functions or their slopes know.
+/// Nodes with a share in a point or its slope.
 fn nodes_of(point: &MaterialPoint, gradient: bool) -> Vec<usize> {
     let n = if gradient { &point.slope } else { &point.shape };
     let known = |k: usize| n[k] != 0.0 || n[k + 1] != 0.0;
@@ -65,7 +64,7 @@ fn pairs(a: (&MaterialPoint, bool), b: (&MaterialPoint, bool)) -> Vec<(usize, us
 }
 
 impl Tangent {
-    /// Room for the tangent of `model`.
+    /// Memory for the tangent of `model`.
     pub fn new(model: &Model) -> Self {
         let mut couplings = Vec::new();
         let (mut of_connector, mut of_constraint) = (Vec::new(), Vec::new());
@@ -104,13 +103,13 @@ impl Tangent {
         }
     }
 
-    /// Nodes that contacts tie together in the pattern at hand, which outlasts the contacts: the order of elimination follows from
-    /// it, and the last bits of a solution from that.
+    /// Nodes connected by contacts in the current pattern, which outlasts the contacts: the order of elimination follows from it, and the last bits
+    /// of a solution from that.
     pub fn ties(&self) -> Vec<(usize, usize)> {
         self.matrix.couplings[self.permanent..].iter().map(|c| (c.0, c.1)).collect()
     }
 
-    /// Takes over a pattern as [`Tangent::ties`] tells of it.
+    /// Adopts a pattern as given by [`Tangent::ties`].
     pub fn tie(&mut self, model: &Model, ties: &[(usize, usize)]) {
         let permanent = self.matrix.couplings[..self.permanent].iter().map(|c| (c.0, c.1));
         let places: Vec<(usize, usize)> = permanent.chain(ties.iter().copied()).collect();
@@ -122,7 +121,7 @@ impl Tangent {
         &mut self.matrix.chain
     }
 
-    /// Clears what is not the band.
+    /// Clears all parts except the band.
     pub fn clear_ties(&mut self) {
         self.contacts.clear();
         for coupling in &mut self.matrix.couplings {
@@ -212,7 +211,7 @@ impl Tangent {
         }
     }
 
-    /// Leaves the couplings of contacts to condensed bodies and, those that no condensed body took, to the condensed matrix.
+    /// Passes the couplings of contacts to condensed bodies and, those without a condensed body, to the condensed matrix.
     fn place_contacts(&mut self, model: &Model) -> Result<(), Singular> {
         self.condensed_bodies.clear();
         if self.contacts.is_empty() {
@@ -319,9 +318,8 @@ impl Tangent {
 
     /// Solves `A x + C^T dl = x_given`, `C x = -c` in place and adds dl to `multiplier`.
     ///
-    /// c is the change of each constraint over the step plus a share `feedback` of what it was at the start, or zero without
-    /// feedback. The share is that of the step in the given step size: round-off of positions, taken back within a very
-    /// short step, would be a velocity.
+    /// c is the change of each constraint over the step plus a share `feedback` of its value at the start, or zero without feedback. The share is
+    /// that of the step in the given step size: round-off of positions, compensated within a very short step, would be a velocity.
     pub fn solve(
         &mut self,
         model: &Model,

@@ -1,4 +1,4 @@
-//! What the summary tells of points, section forces and supports.
+//! Results of points, section forces and supports in the summary.
 
 use serde::{Deserialize, Serialize};
 
@@ -47,7 +47,7 @@ impl SectionRange {
         if self.min.value.abs() > self.max.value.abs() { self.min } else { self.max }
     }
 
-    /// Takes in a value.
+    /// Enters a value.
     #[doc(hidden)]
     pub fn take(&mut self, value: f64, s: f64, time: f64) {
         if value > self.max.value || self.max.value.is_nan() {
@@ -109,7 +109,7 @@ pub struct Range {
 }
 
 impl Range {
-    /// Takes in a value.
+    /// Enters a value.
     #[doc(hidden)]
     pub fn take(&mut self, value: f64, time: f64) {
         if value > self.max.value || self.max.value.is_nan() {
@@ -140,7 +140,7 @@ pub struct SupportSummary {
 /// A time in which a stop pressed, resolved to the steps.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StopTouch {
-    /// Start of the first step in which it gave a force \[s\].
+    /// Start of the first step with a force \[s\].
     pub start: f64,
     /// End of the last such step \[s\]; none while it presses.
     pub end: Option<f64>,

@@ -1,4 +1,4 @@
-//! What became of joints of a given strength.
+//! Results of joints of a given strength.
 
 use serde::{Deserialize, Serialize};
 
@@ -15,7 +15,7 @@ pub struct JointParting {
     pub moment: f64,
 }
 
-/// What became of a joint of a given strength.
+/// Result of a joint of a given strength.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointSummary {
     /// Its name.
@@ -24,6 +24,6 @@ pub struct JointSummary {
     pub force_max: Peak,
     /// Largest moment likewise; zero of a hinge \[N m\].
     pub moment_max: Peak,
-    /// When it parted, and under what, if it did.
+    /// Time and load of its failure, if it failed.
     pub parted: Option<JointParting>,
 }

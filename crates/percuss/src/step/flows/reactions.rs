@@ -9,7 +9,7 @@ pub(super) fn supports_so_far(state: &State) -> [f64; 3] {
     [x, y, state.ledger.angular_impulse_supports]
 }
 
-/// Reactions that the part at hand has entered in the ledger, as those of an instant.
+/// Reactions that the current part has entered in the ledger, as those of an instant.
 pub(super) fn instant(state: &State, h: f64, before: [f64; 3], since: f64) -> Instant {
     let mut reactions = vec![[0.0; 3]; state.reactions.len()];
     for (support, before) in state.reacting.list() {

@@ -1,4 +1,4 @@
-//! Fibres on their way to the end of a step, element beside element.
+//! Fibres over a step, elements in lanes.
 
 use pulp::{Simd, WithSimd};
 
