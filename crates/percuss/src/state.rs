@@ -87,7 +87,7 @@ pub struct Followed {
     pub origin: f64,
     /// Its rate, as of the fixed components: at a kink the previous one until the jump has been made \[1/s\].
     pub rate: f64,
-    /// Whether it holds parts of the structure, whose mass resists a jump of the rate.
+    /// Whether it supports parts of the structure, whose mass resists a jump of the rate.
     pub held: bool,
 }
 

@@ -46,7 +46,7 @@ impl Course {
         let moved: Vec<[f64; 4]> =
             pairs.map(|(a, b)| [a[0] - b[0], a[1] - b[1], 0.0, 0.0]).collect();
         let rate = largest(&moved) / (share - self.share);
-        let rate = if rate.is_finite() { rate } else { 0.0 }; // something failed where something had failed before
+        let rate = if rate.is_finite() { rate } else { 0.0 }; // a further failure at a place of a previous failure
         let [first, most] = self.rates;
         self.rates = [if first.is_nan() { rate } else { first }, most.max(rate)];
         self.share = share;

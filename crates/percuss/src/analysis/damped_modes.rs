@@ -124,7 +124,7 @@ struct SlowSupports<'a> {
     gradients: Vec<(usize, Vec<[f64; 4]>)>,
     /// The matrix of their products, factored.
     gram: DenseLu,
-    /// Number of components held at nodes.
+    /// Number of fixed components at nodes.
     held: usize,
 }
 
@@ -189,7 +189,7 @@ impl<'a> SlowSupports<'a> {
         for (reaction, (number, gradient)) in reactions.iter().zip(&self.gradients) {
             out[*number] = reaction / mode.eigenvalue;
             if *number < self.held {
-                // Of `M phi` only the part that is not held damps.
+                // Only the free part of `M phi` contributes to damping.
                 out[*number] -= inner(gradient, image);
             }
         }

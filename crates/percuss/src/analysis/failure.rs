@@ -26,7 +26,7 @@ pub struct StaticFailure {
     pub s: f64,
 }
 
-/// How something failed.
+/// Kind of a failure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FailureKind {
@@ -106,7 +106,7 @@ pub(super) fn first_failure(
         if there <= ON_STRENGTH || high - low <= ON_THE_WAY * whole {
             break;
         }
-        // Regula falsi, weighed where one end stays (Illinois); halved now and then, for uses may jump.
+        // Regula falsi, with weights for an unchanged end (Illinois); with occasional bisection, for uses may jump.
         let share = if look % 6 == 5 { 0.5 } else { -below / (above - below) };
         let middle = low + share.clamp(1e-3, 1.0 - 1e-9) * (high - low);
         let here = excess_at(middle)?;

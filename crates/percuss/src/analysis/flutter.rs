@@ -136,7 +136,7 @@ fn narrowed(search: &mut StaticSearch, stable: Option<At>, unstable: At) -> Foll
     let (Some(mut low), mut high) = (stable, unstable) else {
         return FollowerStability::Kept { up_to: 0.0 }; // unstable under next to no load: no factor is known
     };
-    // Illinois: an end that stays counts half.
+    // Illinois: an unchanged end has half its weight.
     let (mut share_low, mut share_high) = (1.0, 1.0);
     for _ in 0..MOST {
         let width = high.factor - low.factor;
@@ -146,7 +146,7 @@ fn narrowed(search: &mut StaticSearch, stable: Option<At>, unstable: At) -> Foll
         let Some(like) = high.growing().cloned() else { break };
         let (a, b) = (share_low * low.measure(&like), share_high * high.measure(&like));
         let share = a / (a - b);
-        // Beside an end, a little inside: the bracket closes from both sides.
+        // Slightly inside an end: the bracket closes from both sides.
         let share = if share.is_finite() { share.clamp(1e-3, 1.0 - 1e-3) } else { 0.5 };
         let Some(at) = evaluate(search, &low.reached, low.factor + share * width) else { break };
         if at.growing().is_some() {

@@ -136,7 +136,7 @@ pub fn bending_at_end(law: &SectionLaw<f64>, point: &StepPoint<f64>) -> BendingE
 }
 
 impl BendingEnd {
-    /// Force of a moment, with the tangent of its lever arms alone.
+    /// Force of a moment, with the tangent of its lever arms only.
     pub fn response(&self, moment: f64) -> PointResponse<f64> {
         let [g, p] = self.at;
         Stress { moment, ..self.unit }.forces_and_tangent(&self.rate, g, p)

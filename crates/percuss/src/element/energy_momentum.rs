@@ -232,7 +232,7 @@ pub struct Step<S> {
 }
 
 impl<S: Real> Step<S> {
-    /// A way with its quotients.
+    /// A path with its quotients.
     #[inline(always)]
     pub fn new(measure: StrainMeasure, way: &PointStep<S>, quotients: &Quotients<S>) -> Self {
         let PointStep { reference, start, d_slope, d_bend } = *way;

@@ -53,7 +53,7 @@ pub struct StepPoint<S> {
 }
 
 impl<S: Real> StepPoint<S> {
-    /// Tangent x' and second derivative x'' a share of the way through the step.
+    /// Tangent x' and second derivative x'' at a share of the step.
     #[inline(always)]
     pub fn at(&self, theta: f64) -> [[S; 2]; 2] {
         let [slope, bend] = self.displaced(theta);

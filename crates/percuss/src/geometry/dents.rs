@@ -21,7 +21,7 @@ pub struct Dent {
 }
 
 impl Dent {
-    /// Half the width that a circle of the given radius gives it \[m\].
+    /// Half its width for a circle of the given radius \[m\].
     pub fn half_width(&self, radius: f64) -> f64 {
         (self.depth * (2.0 * radius + self.depth)).sqrt()
     }
@@ -85,7 +85,7 @@ impl Dents {
         self.deepest
     }
 
-    /// Whether a place lies beside the dent made last.
+    /// Whether a place is outside the last indentation.
     pub fn has_left(&self, at: &Dent, radius: f64) -> bool {
         self.last.depth_at(at, radius) == 0.0
     }
@@ -119,7 +119,7 @@ impl Dents {
         }
     }
 
-    /// Adds a dent to the others, in place of those that lie within it.
+    /// Adds an indentation to the others, in place of those inside it.
     fn keep(&mut self, new: Dent, radius: f64) {
         if new.depth <= 0.0 {
             return;
@@ -157,7 +157,7 @@ mod tests {
         assert_eq!(dents.depth_at(&at(1.0, 0.0), RADIUS), 2e-3);
         assert_eq!(dents.depth_at(&at(1.0 + 1.0001 * half, 0.0), RADIUS), 0.0);
         assert_eq!(dents.depth_at(&Dent { side: -1.0, ..at(1.0, 0.0) }, RADIUS), 0.0);
-        // Beside the bottom, both rims at half a distance from each other: the circle that rests on one of them.
+        // Away from the bottom, both rims at half a distance from each other: the circle rests on one of them.
         for x in [0.1, 0.5, 0.9] {
             let deep = dents.depth_at(&at(1.0 - x * half, 0.0), RADIUS);
             let rim = RADIUS.hypot((1.0 - x) * half) - RADIUS;

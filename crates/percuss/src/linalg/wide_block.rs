@@ -99,7 +99,7 @@ pub fn negatives(matrix: &[Wide], n: usize, m: &mut Vec<Wide>) -> Option<usize> 
     Some(negative)
 }
 
-/// Scales rows and columns alike: displacements, slopes and multipliers differ by many orders.
+/// Scales rows and columns equally: displacements, slopes and multipliers differ by many orders.
 fn equilibrate(m: &mut [Wide], n: usize) {
     for _ in 0..2 {
         for i in 0..n {

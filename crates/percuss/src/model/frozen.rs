@@ -32,7 +32,7 @@ pub struct Model {
     /// Spans of all beams, in the order of their nodes, shape (spans).
     #[doc(hidden)]
     pub spans: Vec<Span>,
-    /// Components held at nodes, in the order of the nodes, shape (nodes held).
+    /// Fixed components of nodes, in the order of the nodes, shape (nodes held).
     #[doc(hidden)]
     pub prescribed: Vec<PrescribedDofs>,
     /// Constraints that a node's own components cannot express: joints, supports between nodes or for a time, shape (constraints).
@@ -126,7 +126,7 @@ impl Span {
         &self.tables[if self.tables.len() == 1 { 0 } else { k }]
     }
 
-    /// Section of the element of number `k` in the span a share `xi` of the way.
+    /// Section of the element of number `k` in the span at a share `xi` of its length.
     pub fn section_at(&self, k: usize, xi: f64) -> SectionValues {
         let (from, to) = (self.stations[k], self.stations[k + 1]);
         let s = if xi == 1.0 { to } else { from + xi * (to - from) };
@@ -138,7 +138,7 @@ impl Span {
         !self.section.at(self.stations[0]).half_depth.is_nan()
     }
 
-    /// Whether anything in it is damped by its material.
+    /// Whether any part has material damping.
     pub fn is_damped(&self) -> bool {
         self.retardation > 0.0 || self.mass_damping > 0.0
     }
@@ -322,7 +322,7 @@ impl Model {
         self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
     }
 
-    /// Whether supports can give impulses: by rigid contacts, or where prescribed velocities jump.
+    /// Whether supports can have impulses: by rigid contacts, or by jumps of prescribed velocities.
     pub(crate) fn has_impulses(&self) -> bool {
         self.has_rigid_contact() || self.structural_drives().any(|drive| !drive.is_empty())
     }
@@ -349,7 +349,7 @@ impl Model {
         self.beam_node_count() + body
     }
 
-    /// Nodes of something that moves: beams first, then bodies.
+    /// Nodes of a mover: beams first, then bodies.
     pub(crate) fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
         match self.beams.get(mover) {
             Some(beam) => beam.nodes.clone(),

@@ -44,10 +44,10 @@ impl SpanPlan {
 /// Breaks closer than this share of the length are one.
 const SAME_PLACE: f64 = 1e-9;
 
-/// A place is at a node if it is nearer to it than this share of the element: a point is located there as well.
+/// A place is at a node if it is closer to it than this share of the element: a point is located there as well.
 const AT_NODE: f64 = 1e-9;
-/// Places nearer to each other, or to the end of a part, than this share of an element share a node: a shorter element would cost more
-/// digits than it gains.
+/// Places closer to each other, or to the end of a part, than this share of an element share a node: a shorter element would lose more digits than
+/// it gains.
 const SLIVER: f64 = 1e-3;
 /// An element that is longer than requested by no more than this share is not divided.
 const SLACK: f64 = 1e-6;
@@ -232,7 +232,7 @@ impl Grade {
         self.primitive(b) - self.primitive(a)
     }
 
-    /// Station at which the count from `a` reaches `count`, a `share` of the way if even.
+    /// Station at which the count from `a` reaches `count`, at a `share` of the length if uniform.
     fn station(&self, a: f64, b: f64, count: f64, share: f64) -> f64 {
         if self.slope == 0.0 {
             return a + share * (b - a);

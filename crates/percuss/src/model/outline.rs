@@ -1,6 +1,6 @@
 //! The outline of a beam: its touching circles, and its surface.
 //!
-//! Faces lie half a depth from the axis and end where the beam ends, with a straight edge across or a half circle from face to face.
+//! Faces are half a depth from the axis and end at the end of the beam, with a straight edge across or a half circle from face to face.
 
 use super::Fault;
 use super::builder::ModelBuilder;
@@ -28,7 +28,7 @@ pub(super) struct BeamOutline<'a> {
     beam: usize,
     /// Where its axis starts and ends, shape (2).
     ends: [AxisEnd; 2],
-    /// Largest radius of a circle towards an end, as a share of the way to it.
+    /// Largest radius of a circle towards an end, as a share of the distance to it.
     inside: f64,
 }
 
@@ -124,7 +124,7 @@ impl<'a> BeamOutline<'a> {
         out
     }
 
-    /// The circles at a section: two beside the axis, or one about it.
+    /// The circles at a section: two off the axis, or one about it.
     fn add(&self, s: f64, [across, radius]: [f64; 2], at_end: bool, out: &mut Vec<Source>) {
         let on_axis = beam_centre(&point_at(self.model, self.beam, s));
         let sides: &[f64] = if across > 0.0 { &[1.0, -1.0] } else { &[0.0] };

@@ -159,7 +159,7 @@ impl Model {
     fn scale_of(&self, pair: &Pair) -> f64 {
         match pair.target.beam() {
             Some(beam) => self.beams[beam].length.max(pair.reach),
-            None if pair.target.is_guided() => f64::INFINITY, // its standoff is checked by itself
+            None if pair.target.is_guided() => f64::INFINITY, // its standoff is checked separately
             None => pair.reach.max(1e-3),
         }
     }
@@ -280,7 +280,8 @@ fn overlap(contact: &ContactData, touch: &Touch, partner: usize) -> Fault {
 mod tests {
     use super::*;
 
-    /// Against every piece of one with every piece of the other; lines of few and of many leaves, that cross, touch boxes only, or lie apart.
+    /// Compared with every piece of one against every piece of the other; lines of few and of many leaves, that cross, touch only with their boxes,
+    /// or are apart.
     #[test]
     fn boxes_hide_no_crossing() {
         let wave = |count: usize, shift: f64| -> Vec<[f64; 2]> {

@@ -9,10 +9,10 @@ use super::outline::{BeamOutline, beam_centre};
 use crate::geometry::pair::{Carrier, Centre, Pair, Target};
 use crate::math::vec2::{add, norm, rot90, scale};
 
-/// A beam touches itself no nearer along its axis than this, in elements and in half depths.
+/// Least distance along its axis at which a beam touches itself, in elements and in half depths.
 const OWN_NEIGHBOURHOOD: [f64; 2] = [2.0, 8.0];
 
-/// Adds the contacts with their pairs; the errors are a fault for each contact that starts with one thing inside the other.
+/// Adds the contacts with their pairs; the errors are a fault for each contact with initial interpenetration.
 pub(super) fn place(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
     for (i, projectile) in builder.projectiles.iter().enumerate() {
         guided(i, projectile, model);

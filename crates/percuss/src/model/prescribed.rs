@@ -13,8 +13,7 @@ const SAME: f64 = 1e-9;
 /// Supports with prescribed values, and the contradictions found.
 #[derive(Default)]
 pub(super) struct Prescribed {
-    /// Supports that hold the directions of each node, in the order of the directions, shape (directions held at the node)
-    /// \[index of a support\].
+    /// Supports that fix the directions of each node, in the order of the directions, shape (directions held at the node) \[index of a support\].
     pub at_nodes: BTreeMap<usize, Vec<usize>>,
     /// Contradictions: place, and the supports in conflict.
     found: BTreeMap<String, BTreeSet<usize>>,
@@ -57,7 +56,7 @@ fn support_of(model: &Model, motion: usize) -> Option<usize> {
     model.supports.iter().position(|s| s.motion == Some(motion))
 }
 
-/// Whether a sum of motions is anything but zero at some time.
+/// Whether a sum of motions differs from zero at some time.
 fn differs(builder: &ModelBuilder, model: &Model, sum: &Drive) -> bool {
     let size = |motion: usize| {
         let given = support_of(model, motion).and_then(|s| builder.supports[s].motion.as_ref());

@@ -123,7 +123,7 @@ pub struct SceneObstacle {
 /// Outline of an obstacle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ObstacleOutline {
-    /// Everything behind a straight line.
+    /// The half-plane behind a straight line.
     HalfPlane {
         /// A point of the line, shape (2) \[m\].
         point: [f64; 2],
@@ -151,42 +151,42 @@ pub enum ObstacleOutline {
 pub struct SceneSupport {
     /// Name.
     pub name: String,
-    /// The point held.
+    /// The supported point.
     pub at: OnBeam,
     /// Kind of symbol.
     pub symbol: SupportSymbol,
     /// Whether its fixed components move as prescribed.
     pub moves: bool,
-    /// Holds until this time \[s\]; infinity if for ever.
+    /// Active until this time \[s\]; infinity if permanent.
     pub until: f64,
 }
 
 /// Symbol of a support.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SupportSymbol {
-    /// Displacements and rotation held.
+    /// Displacements and rotation fixed.
     Clamp,
-    /// Displacements held.
+    /// Displacements fixed.
     Pin,
-    /// One displacement held; free along the direction.
+    /// One displacement fixed; free along the direction.
     Roller {
         /// Unit vector of free motion, shape (2) \[-\].
         direction: [f64; 2],
     },
-    /// Rotation held, displacements not.
+    /// Rotation fixed, displacements free.
     Guide,
     /// Springs.
     Elastic {
         /// Unit vector of the stiffer one, shape (2) \[-\].
         direction: [f64; 2],
     },
-    /// A stop after a free way.
+    /// A stop after a gap.
     Stop {
         /// Unit vector of the motion stopped, shape (2) \[-\].
         direction: [f64; 2],
-        /// Free way \[m\].
+        /// Gap \[m\].
         gap: f64,
-        /// Whether motion the other way is stopped as well.
+        /// Whether motion in the opposite direction is stopped as well.
         two_sided: bool,
     },
 }

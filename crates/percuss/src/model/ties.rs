@@ -4,20 +4,19 @@ use super::point::MaterialPoint;
 use crate::element::fibre::StressLaw;
 use crate::linalg::block::{Block, IDENTITY};
 
-/// Components of a node's displacement that are held, or moved as prescribed.
+/// Components of a node's displacement that are fixed, or moved as prescribed.
 #[derive(Clone, Debug)]
 pub struct PrescribedDofs<S = f64> {
     pub node: usize,
-    /// The support that holds them, the first one where several do; `None` for the guide of a projectile
-    /// and for obstacles, whose reactions are those of their contacts.
+    /// Their support, the first one of several; `None` for the guide of a projectile and for obstacles, whose reactions are those of their contacts.
     pub support: Option<usize>,
-    /// Held directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4, 4) \[-\].
+    /// Fixed directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4, 4) \[-\].
     pub normals: Vec<[S; 4]>,
     /// Motion along each of them, shape (directions held, motions that take part) \[index of a motion, m\].
     pub drives: Vec<Drive>,
     /// Projection on the free directions: `P = I - N N^T` with the fixed directions as columns of N, shape (4, 4) \[-\].
     pub free: Block<S>,
-    /// Which components are held, where the directions are those of components, or all are, shape (4).
+    /// Fixed components, if the directions are those of components, or all are, shape (4).
     pub components: Option<[bool; 4]>,
 }
 
@@ -28,7 +27,7 @@ impl PrescribedDofs {
         Self { node, support, normals, drives, free: IDENTITY, components: Some([false; 4]) }
     }
 
-    /// Holds one more direction, of unit length and across those held already.
+    /// Fixes one more direction, of unit length and across the fixed ones.
     pub fn hold(&mut self, normal: [f64; 4], drive: Drive) {
         for r in 0..4 {
             for c in 0..4 {
@@ -75,7 +74,7 @@ pub struct SupportData {
     pub name: String,
     /// Its point; an obstacle has none.
     pub point: Option<MaterialPoint>,
-    /// Holds until this time \[s\].
+    /// Active until this time \[s\].
     pub until: f64,
     /// Its time function among [`Model::motions`](super::frozen::Model::motions).
     pub motion: Option<usize>,
@@ -122,7 +121,7 @@ pub struct Constraint<S = f64> {
     pub joint: Option<usize>,
     /// Prescribed value, shape (motions that take part) \[index of a motion, m or rad\].
     pub drive: Drive,
-    /// Holds until this time \[s\].
+    /// Active until this time \[s\].
     pub until: f64,
 }
 

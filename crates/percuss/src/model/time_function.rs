@@ -19,7 +19,7 @@ pub enum TimeFunction {
         /// When it rises.
         at: f64,
     },
-    /// Rises linearly to one, then stays.
+    /// Linear rise to one, then constant.
     Ramp {
         /// Time of the rise \[s\].
         duration: f64,
@@ -41,7 +41,7 @@ pub enum TimeFunction {
         /// Phase \[rad\].
         phase: f64,
     },
-    /// Values at given times, the first and the last held outside.
+    /// Values at given times, constant outside.
     Table {
         /// Times, increasing, shape (points) \[s\].
         times: Vec<f64>,
@@ -142,8 +142,8 @@ impl PreparedFunction {
         self.rate_on(t, t, width)
     }
 
-    /// Derivative at time `t` of the smooth piece that holds the time `inside`: at a kink from the left or from the right,
-    /// as `inside` lies \[1/s\].
+    /// Derivative at time `t` of the smooth piece that contains the time `inside`: at a kink from the left or from the right, according to `inside`
+    /// \[1/s\].
     pub fn rate_on(&self, t: f64, inside: f64, width: f64) -> f64 {
         use TimeFunction::*;
         let pi = std::f64::consts::PI;
@@ -181,8 +181,8 @@ impl PreparedFunction {
         }
     }
 
-    /// Second derivative at time `t` of the smooth piece that holds the time `inside`; of a function given as code over
-    /// `width` about it \[1/s^2\].
+    /// Second derivative at time `t` of the smooth piece that contains the time `inside`; for a function given as code over `width` about it
+    /// \[1/s^2\].
     pub fn second_rate_on(&self, t: f64, inside: f64, width: f64) -> f64 {
         use TimeFunction::*;
         let pi = std::f64::consts::PI;
@@ -211,8 +211,8 @@ impl PreparedFunction {
         }
     }
 
-    /// Times from zero on at which two functions that are not the same differ: kinks, places between and behind them, parts of a
-    /// period, and every order of magnitude.
+    /// Times from zero on at which two different functions differ: kinks, points between and after them, parts of a period, and every order of
+    /// magnitude.
     pub fn probes(&self) -> Vec<f64> {
         let mut times: Vec<f64> =
             (-24..=24).map(|k| 1.2345 * 10_f64.powf(0.25 * f64::from(k))).collect();

@@ -60,7 +60,7 @@ pub struct Simulation<'m> {
     pub(super) monitor: Monitor,
     pub(super) rows: Rows,
     pub(super) frames: Frames,
-    /// Contacts that press in the equilibrium the run started from, with their forces, shape (such contacts) \[N\]; empty otherwise.
+    /// Active contacts in the equilibrium at the start of the run, with their forces, shape (such contacts) \[N\]; empty otherwise.
     pub(super) pressed: Vec<(Row, f64)>,
 }
 

@@ -16,8 +16,8 @@ use crate::step::effective_mass;
 use crate::step::forcing::Forcing;
 use crate::step::{commit, fibres, lead};
 
-/// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
-/// of a rigid motion between neighbouring nodes. Steps have the size `step`.
+/// Sets initial velocities of the beams \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those of a rigid motion
+/// between neighbouring nodes. Steps have the size `step`.
 pub fn set_velocities(
     model: &Model,
     step: f64,

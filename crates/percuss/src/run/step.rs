@@ -153,7 +153,7 @@ impl Simulation<'_> {
         next.ok()
     }
 
-    /// Counts the step; its end is on the grid of steps, or behind an impact that went beyond.
+    /// Counts the step; its end is on the grid of steps, or after an impact that exceeded it.
     fn close_step(&mut self, decider: &Decider) -> Result<(), Error> {
         self.solver.counts.accumulated_steps += usize::from(decider.accumulates());
         self.state.step += 1;

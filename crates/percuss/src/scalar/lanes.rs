@@ -31,7 +31,7 @@ pub fn in_lanes<W: WithSimd>(what: W) -> W::Output {
     what.with_simd(pulp::Scalar::new())
 }
 
-/// As many numbers side by side as a vector register of the processor family `P` holds.
+/// As many lanes as a vector register of the processor family `P` has.
 ///
 /// Each lane has the same operations for any registers, products fused with sums where a kernel requires it: its bits depend neither on its
 /// neighbours nor on the width of the registers.

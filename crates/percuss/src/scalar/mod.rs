@@ -126,7 +126,7 @@ pub trait Number: Real + Debug {
     }
     /// Value in a lane.
     fn lane(self, lane: usize) -> f64;
-    /// Puts the number of another lane into one of its own.
+    /// Copies the number of another lane into one of its own.
     fn set_lane(&mut self, lane: usize, from: Self, from_lane: usize);
     /// `self < other`.
     fn less(self, other: Self) -> Self::Mask;
@@ -191,7 +191,7 @@ pub trait Number: Real + Debug {
     }
 }
 
-/// Something to do, inlined where it is done.
+/// A task, inlined at its call.
 pub trait Task {
     /// Its result.
     type Output;

@@ -215,7 +215,7 @@ impl StepState<'_> {
             let old = ElementValues::new(&u[a], &u[a + 1]);
             let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
             let sums = if self.state.has_parted(a) {
-                ElementSums::zero(0.0) // inertia alone
+                ElementSums::zero(0.0) // inertia only
             } else {
                 let at = ElementAt { span, table, k, node: a, element, old, step, lag };
                 forces_of(&at, &mut forces.sweep)
@@ -234,7 +234,7 @@ impl StepState<'_> {
         }
     }
 
-    /// The invariant scheme, of which the sweep gets the angular rates at the end.
+    /// The invariant scheme, whose angular rates at the end the sweep computes.
     fn invariant<const TANGENT: bool>(
         &self,
         at: &ElementAt,

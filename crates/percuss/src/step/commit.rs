@@ -51,7 +51,7 @@ pub fn commit(
     (parted, losses.yielded)
 }
 
-/// Gives obstacles the velocities of their motions, whatever the rule makes of their increments; steps have the size `step`.
+/// Sets the velocities of obstacles to those of their motions, for any integration rule; steps have the size `step`.
 pub fn steer_obstacles(model: &Model, state: &mut State, step: f64) {
     let (time, width) = (state.time, WIDTH * step);
     for dofs in model.prescribed.iter().rev() {

@@ -31,9 +31,9 @@ pub enum Phase {
         /// Along the tangent.
         tangential: f64,
     },
-    /// It stays closed while it presses; friction acts against the sliding velocity at the end of the step, or against its mean.
+    /// It remains closed under contact force; friction acts against the sliding velocity at the end of the step, or against its mean.
     Resting { mean: bool },
-    /// After a step that held it by impulses of this size: both together are those of a plastic impact.
+    /// After a step in which impulses of this size held it: the total impulses are those of a plastic impact.
     PlasticPostStep {
         /// Along normal and tangent, shape (2) \[N s\].
         carried: [f64; 2],
@@ -71,7 +71,7 @@ impl Phase {
 }
 
 impl ActiveContact {
-    /// Pair `i`, which stays closed while it presses.
+    /// Pair `i`, which remains closed under contact force.
     pub fn resting(pair: usize) -> Self {
         Self { pair, phase: Phase::Resting { mean: false } }
     }
@@ -82,9 +82,9 @@ impl ActiveContact {
 pub enum ImpulseLaw {
     /// Newton's law along the normal, Coulomb's along the tangent, for the velocity after restitution.
     Newton,
-    /// Moreau's: impulses of the plastic impact, times 1 + e. In an instant it never gives energy.
+    /// Moreau's: impulses of the plastic impact, times 1 + e. In an instant it never creates energy.
     Moreau,
-    /// Newton's along the normal, Coulomb's on the mean sliding velocity: never gives energy, whatever else acts in the step.
+    /// Newton's along the normal, Coulomb's on the mean sliding velocity: never creates energy, for any other actions in the step.
     Mean,
 }
 

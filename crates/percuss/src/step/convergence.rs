@@ -7,12 +7,12 @@ const CONTRACTION: f64 = 0.02;
 /// Unbalanced work of an accepted step, relative to the energy scale: far below 1e-10 even if every step of a long run
 /// errs to the same side.
 pub const WORK_TOLERANCE: f64 = 1e-16;
-/// Unbalanced work that may pass for round-off, relative to the energy scale. It is a sum of magnitudes: on 60 000 elements
-/// of 0.05 mm, moved by 0.1 m, round-off alone is of the order of 1e-4, though its signed sum is not.
+/// Limit of the unbalanced work that may be round-off, relative to the energy scale. It is a sum of magnitudes: on 60 000 elements of 0.05 mm,
+/// moved by 0.1 m, round-off is of the order of 1e-4, though its signed sum is not.
 const MOST_ROUND_OFF: f64 = 1e-2;
-/// Corrections below this share of the step are near its end.
+/// Corrections below this share of the step are close to convergence.
 const NEAR: f64 = 1e-2;
-/// An iteration whose corrections shrink by this factor gets there in the end.
+/// An iteration whose corrections decrease by this factor converges eventually.
 const CLOSES_IN: f64 = 0.9;
 /// Corrections this small against the step that no longer shrink are round-off.
 const STALLED: f64 = 1e-10;
@@ -77,8 +77,8 @@ impl<S: Number> ConvergenceMonitor<S> {
         self.unbalanced.at_most(self.before * CONTRACTION) | self.rate.at_most(enough)
     }
 
-    /// Whether the iteration comes nearer, if slowly: corrections small against the step shrink by at least a tenth in each of
-    /// the last two, on average.
+    /// Whether the iteration converges slowly: corrections that are small relative to the step decrease by at least a tenth in each of the last
+    /// two, on average.
     #[inline(always)]
     pub fn closes_in(&self) -> S::Mask {
         let both = self.rate * self.rate_before;

@@ -1,4 +1,4 @@
-//! Effective mass of a struck point, on the mesh and in the limit of an ever finer one.
+//! Effective mass of a struck point, on the mesh and in the limit of mesh refinement.
 
 use serde::{Deserialize, Serialize};
 
@@ -24,7 +24,7 @@ const HELD: f64 = 1e-12;
 pub struct EffectiveMass {
     /// On the current mesh, `1 / (n M^-1 n^T)` \[kg\]; infinite for a fixed point.
     pub on_mesh: f64,
-    /// In the limit of an ever finer mesh, `2 sqrt(rhoA rhoI)` across a beam's interior \[kg\].
+    /// In the limit of mesh refinement, `2 sqrt(rhoA rhoI)` across a beam's interior \[kg\].
     pub limit: f64,
 }
 
@@ -123,7 +123,7 @@ pub fn mass_matrix(model: &Model, u: &[[f64; 4]]) -> Result<Tangent, Singular> {
     Ok(tangent)
 }
 
-/// Effective mass `1 / (n M^-1 n^T)` of a point in a direction \[kg\]; infinite if the point is held.
+/// Effective mass `1 / (n M^-1 n^T)` of a point in a direction \[kg\]; infinite if the point is fixed.
 fn on_mesh(model: &Model, mass: &mut Tangent, point: &MaterialPoint, direction: [f64; 2]) -> f64 {
     let mut x = vec![[0.0; 4]; model.node_count()];
     point.spread(direction, &mut x);
@@ -133,7 +133,7 @@ fn on_mesh(model: &Model, mass: &mut Tangent, point: &MaterialPoint, direction: 
     if mobility <= HELD * free { f64::INFINITY } else { 1.0 / mobility }
 }
 
-/// Directions that lie along a beam by this much have a part along it, in which a fine mesh has no mass.
+/// Directions closer to the axis than this have an axial part, for which a fine mesh has no mass.
 const ALONG: f64 = 1e-9;
 /// The same of a normal in a configuration that the run has bent.
 const LEANS: f64 = 1e-3;

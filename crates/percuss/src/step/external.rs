@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::model::frozen::{LoadAction, MaterialPoint};
 use crate::state::State;
 
-/// Tangent g at a point, `theta` of the way through the step.
+/// Tangent g at a point, at the share `theta` of the step.
 pub fn tangent_at(
     p: &MaterialPoint,
     state: &State,

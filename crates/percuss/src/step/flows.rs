@@ -62,7 +62,7 @@ pub fn enter(
     state.ledger.put_on(so_far);
 }
 
-/// Reactions at the start of a step, of which `work` holds the residual; those kept by multipliers are the step's.
+/// Reactions at the start of a step, whose residual is in `work`; those of multipliers are the step's.
 pub fn reactions_at_start(
     model: &Model,
     state: &State,

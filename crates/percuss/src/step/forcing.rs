@@ -49,9 +49,9 @@ impl Forcing {
 
     /// Sets the actions over the part `[start, start + h]` of a step of size `step`, with motions followed to the values and rates `reached`.
     ///
-    /// Loads act with their mean over a time h about the instant at which forces balance, `theta` of the way: in the middle of the step
-    /// it is the step itself. About any instant the impulse of all steps is that of the load, also of one that begins between two
-    /// of them, and the order of a scheme of second order is kept.
+    /// Loads act with their mean over a time h about the instant at which forces balance, at the share `theta`: in the middle of the step it is the
+    /// step itself. For any instant the impulse of all steps is that of the load, also of one that begins between two of them, and the order of a
+    /// scheme of second order is preserved.
     pub fn set(
         &mut self,
         model: &Model,
@@ -71,7 +71,7 @@ impl Forcing {
         }
     }
 
-    /// Sets the motions alone; with `after`, a jump of a rate at the end of the part has been made there.
+    /// Sets the motions only; with `after`, a jump of a rate at the end of the part has been made there.
     pub fn set_motions(
         &mut self,
         model: &Model,

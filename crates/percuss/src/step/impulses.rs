@@ -108,7 +108,7 @@ impl StepProblem<'_> {
         }
     }
 
-    /// Least rate at the end of the step of a contact that stays closed.
+    /// Least rate at the end of the step of a contact that remains closed.
     ///
     /// The gap of a guided projectile is linear: the rate vanishes, or, if the contact opens at the start of the step, its mean, so that the
     /// impulse does not create energy. For other contacts the mean rate closes the remaining gap: the gap neither drifts nor creates energy, for

@@ -4,7 +4,7 @@
 //! and solves them with the connections of beams ([`constraint`], [`connectors`]), [`newton`] iterates ([`contacts`] couples projectiles,
 //! [`convergence`] decides when to stop), [`commit`] is the only writer of [`State`](crate::state::State).
 
-// Without a word to all that `internals` alone reaches.
+// Items that only `internals` re-exports have no documentation.
 #[allow(missing_docs)]
 pub mod assemble;
 #[allow(missing_docs)]

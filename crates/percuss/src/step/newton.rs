@@ -40,7 +40,7 @@ pub struct StepProblem<'a> {
     pub size: f64,
     /// Scale of positions \[m\].
     pub positions: f64,
-    /// Pairs near enough to touch, shape (such pairs) \[index of a pair\].
+    /// Pairs that are close enough to touch, shape (such pairs) \[index of a pair\].
     pub near: &'a [usize],
     /// Pairs whose evaluation differs from the state, in their order, shape (such pairs) \[index of a pair\].
     pub sights: &'a [(usize, PairState)],
@@ -88,7 +88,7 @@ pub enum Failure {
     Singular(Singular),
     /// The impact problem stalled.
     Impact,
-    /// Two things passed through each other unseen.
+    /// Bodies passed through each other without detection.
     Passed,
     /// The parts of a step would not end.
     Endless,
@@ -115,8 +115,8 @@ struct Correction {
     work: f64,
 }
 
-/// Most corrections before a step counts as failed, and where they still shrink steadily: at contacts whose closest point slides fast or
-/// leaps, and in collapsing beams, the iteration comes nearer by a constant factor only.
+/// Largest number of corrections before a step counts as failed, and that for steadily decreasing ones: at contacts whose closest point slides fast
+/// or jumps, and in collapsing beams, the iteration converges only linearly.
 pub const MOST_ITERATIONS: usize = 24;
 const MOST_STEADY: usize = 250;
 /// Corrections from this one on are compared with the one before.
@@ -135,7 +135,7 @@ impl StepProblem<'_> {
     /// Solves for the increment, which is in `work` afterwards with its residual.
     ///
     /// # Errors
-    /// Why there is none; `work` then holds rubbish, the state is untouched.
+    /// The reason why there is none; the content of `work` is then invalid, the state is unchanged.
     pub fn solve(&self, work: &mut Workspace, effort: &mut Effort) -> Result<(), Failure> {
         let found = self.iterate(work, effort);
         self.measure_arcs(work);
@@ -312,7 +312,7 @@ fn share_taken(work: &mut Workspace) -> f64 {
     if swings { 0.5 } else { 1.0 }
 }
 
-/// Sets held components to their prescribed increments.
+/// Sets fixed components to their prescribed increments.
 pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
     for dofs in &model.prescribed {
         let x = &mut increment[dofs.node];

@@ -57,7 +57,7 @@ fn nodes_of(point: &MaterialPoint, gradient: bool) -> Vec<usize> {
         .collect()
 }
 
-/// Pairs of nodes tied by two points, both ways.
+/// Pairs of nodes connected by two points, in both orders.
 fn pairs(a: (&MaterialPoint, bool), b: (&MaterialPoint, bool)) -> Vec<(usize, usize)> {
     let (a, b) = (nodes_of(a.0, a.1), nodes_of(b.0, b.1));
     a.iter().flat_map(|i| b.iter().flat_map(move |j| [(*i, *j), (*j, *i)])).collect()
@@ -264,8 +264,8 @@ impl Tangent {
         self.matrix = wider;
     }
 
-    /// Factors the assembled tangent with its held components; border columns are the constraint gradients where their forces
-    /// act, rows those at the end of the step.
+    /// Factors the assembled tangent with its fixed components; border columns are the constraint gradients at the forces, rows those at the end of
+    /// the step.
     ///
     /// # Errors
     /// Where it is singular.

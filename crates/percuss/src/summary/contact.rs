@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::state::PairState;
 use crate::step::effective_mass::EffectiveMass;
 
-/// Where two things touch.
+/// Place of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ContactPlace {
     /// Arc length along the first partner, if it is a beam; else NaN \[m\].
@@ -33,7 +33,7 @@ pub struct EnergySplit {
     pub given: [f64; 2],
     /// Energy lost in the contact \[J\].
     pub lost: f64,
-    /// Energy that the contact's own spring holds more than at the start; zero once it is open again \[J\].
+    /// Increase of the energy in the contact's own spring since the start; zero once it is open again \[J\].
     pub stored: f64,
     /// Energy taken from the contact by the force of a scheme without exact energies (negative: supplied); round-off of the others \[J\].
     pub scheme: f64,
@@ -85,7 +85,7 @@ pub struct ContactInterval {
 pub enum NoRestitution {
     /// It is still closed at the end of the run.
     Closed,
-    /// Persistent contact, to which rigid things come by being at rest against each other.
+    /// Persistent contact of rigid bodies at rest relative to each other.
     Persistent,
     /// There was no approach.
     NoApproach,
@@ -226,7 +226,7 @@ pub enum ContactRecord {
         fallback_count: usize,
         /// Impulse of all impacts and of persistent contact \[N s\].
         impulse_total: f64,
-        /// Impulse of persistent contact alone \[N s\].
+        /// Impulse of persistent contact only \[N s\].
         impulse_resting: f64,
         /// Intervals in which the contact stayed closed (persistent contact), shape (intervals); impulse included.
         intervals: Vec<ContactInterval>,
@@ -254,7 +254,7 @@ impl ContactRecord {
     }
 }
 
-/// A contact: that of a guided projectile with the point it strikes, or one between two things that can touch.
+/// A contact: that of a guided projectile with its struck point, or one between two partners.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactSummary {
     /// The projectile's or the contact's name.
@@ -278,7 +278,7 @@ pub struct ContactSummary {
     pub record: ContactRecord,
 }
 
-/// How deep one thing was pressed into another under a compliant law.
+/// Penetration under a compliant law.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PressedIn {
     /// Penetration at the end of a step, less the permanent indentation of a law with crushing \[m\].
@@ -290,7 +290,7 @@ pub struct PressedIn {
 }
 
 impl PressedIn {
-    /// Share of the way to the middle from which on it is deep: the half depth, where two beams of one depth touch.
+    /// Share of the distance to the middle from which on it is large: the half depth, for two beams of equal depth.
     const DEEP: f64 = 0.5;
 
     /// For a pair in this state at a time; `None` if it is open, or its target has no centre or axis.
@@ -305,7 +305,7 @@ impl PressedIn {
         (pressed.penetration > 0.0 && through > 0.0).then_some(pressed)
     }
 
-    /// Share of the way to the middle.
+    /// Share of the distance to the middle.
     pub fn share(&self) -> f64 {
         self.penetration / self.through
     }
@@ -324,7 +324,7 @@ pub struct EquivalentForce {
     pub moment: f64,
     /// Force with the same deflection of the struck point along the line of flight \[N\]; `None` if that is not recorded.
     pub deflection: Option<f64>,
-    /// Whether something yielded in the run: then it is the force on the same structure as if that stayed elastic.
+    /// Whether the structure yielded in the run: then it is the force on the same structure, assumed elastic.
     pub as_if_elastic: bool,
 }
 

@@ -76,9 +76,8 @@ pub struct Envelope {
 
 /// Section forces of a beam: extremes over its length and over time.
 ///
-/// True resultants, along and across the deformed tangent, from the balance of each element with the forces on its ends, its loads and
-/// its inertia: they agree with reactions, and jump only where something acts. Those of a step are its mean; steps with impacts
-/// are left out.
+/// True resultants, along and across the deformed tangent, from the balance of each element with the forces on its ends, its loads and its inertia:
+/// they agree with reactions, and jump only at points of action. Those of a step are its mean; steps with impacts are omitted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SectionForceSummary {
     /// The beam's name.
@@ -133,7 +132,7 @@ pub struct SupportSummary {
     /// Sums of its impulses, beyond those of forces, in impacts and where prescribed velocities jump: components, and moment about its
     /// point, shape (3) \[N s, N m s\].
     pub impulse: [f64; 3],
-    /// When it pressed, in the order of time, shape (touches); of a stop alone.
+    /// Intervals of contact, in the order of time, shape (touches); of a stop only.
     pub touches: Option<Vec<StopTouch>>,
 }
 

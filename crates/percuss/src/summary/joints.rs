@@ -7,7 +7,7 @@ use super::peak::Peak;
 /// A joint that parted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointParting {
-    /// End of the step after which it holds no longer; the start of a run from an equilibrium in which it is torn \[s\].
+    /// End of the step of its failure; the start of a run from an equilibrium in which it is torn \[s\].
     pub time: f64,
     /// Size of the force that it carried over that step, the mean; NaN at the start \[N\].
     pub force: f64,

@@ -16,7 +16,7 @@ pub struct PlasticHinge {
     pub length: f64,
     /// Length of the element at its middle \[m\]: a hinge no longer than that has a mesh-dependent length, and so are its strains.
     pub element_length: f64,
-    /// Angle by which the beam stays bent, positive where it turns the tangent counter-clockwise along the beam \[rad\].
+    /// Permanent rotation, positive counter-clockwise along the beam \[rad\].
     pub rotation: f64,
     /// Energy dissipated in it \[J\].
     pub dissipated: f64,

@@ -21,7 +21,7 @@ pub use point::{PathPoint, PathRecorder};
 use tracer::{Mark, Tracer};
 use yielding::Yielded;
 
-/// Corrections at which the arc stays as it is.
+/// Number of corrections at which the arc does not change.
 const WANTED_ITERATIONS: f64 = 5.0;
 /// Most by which an arc is longer than that before.
 const EASIEST: f64 = 1.5;

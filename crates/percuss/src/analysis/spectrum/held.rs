@@ -1,9 +1,9 @@
-//! Contacts that press in an equilibrium: in small motions about it they stay closed.
+//! Active contacts of an equilibrium, which are kept closed in small motions about it.
 
 use crate::geometry::row::Row;
 use crate::geometry::turning::Turning;
 
-/// A contact that stays closed.
+/// A contact that is kept closed.
 #[derive(Clone, Debug)]
 pub struct Held {
     /// Gradient of its gap on the nodes that move.

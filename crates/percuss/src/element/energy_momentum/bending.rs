@@ -25,7 +25,7 @@ pub struct BendingStep<S> {
 }
 
 impl<S: Real> BendingStep<S> {
-    /// Force of a moment, with the tangent of its lever arms alone.
+    /// Force of a moment, with the tangent of its lever arms only.
     #[inline(always)]
     pub fn response(&self, moment: S) -> PointResponse<S> {
         let (x, y) = (self.turned[0].times(moment), self.turned[1].times(moment));

@@ -180,8 +180,8 @@ impl LuFactors {
 /// Of a row that is not eliminated yet.
 const NOWHERE: usize = usize::MAX;
 
-/// The rows in which column `k` of the factors has entries, if it has some in the rows `from` before: every one behind those whose
-/// elimination changes it.
+/// The rows in which column `k` of the factors has entries, given those in the previous rows `from`: every row after those whose elimination
+/// changes it.
 fn reached(
     from: &[usize],
     (lower, places): (&ColumnPattern, &[usize]),

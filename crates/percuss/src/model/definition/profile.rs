@@ -1,4 +1,4 @@
-//! How the area of a section lies about its centre line, and fibres laid out over it.
+//! Distribution of the area of a section about its centre line, and fibres for it.
 //!
 //! Fibres are at the points of Gauss rules over the upper and the lower half: with two points or more in each, area, second moment of area and
 //! plastic moment are exact, since `1`, `y^2` and `|y|` are polynomials of low degree over a half.
@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::MaterialId;
 
-/// How the area of a section lies about its centre line.
+/// Distribution of the area of a section about its centre line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Profile {
     /// Not known: such a section cannot yield.

@@ -81,7 +81,7 @@ struct Free {
     until: f64,
 }
 
-/// The persistent contact of two things.
+/// The persistent contact of two partners.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 struct Resting {
     /// Number of its interval in the contact's record, if it is open.

@@ -67,7 +67,7 @@ fn stiffness_after(law: &SmoothLaw, energy: f64) -> f64 {
         let middle = 0.5 * (low + deep);
         if takes(middle) < energy { low = middle } else { deep = middle }
     }
-    // Of all the way there: a table may be level in the end.
+    // Over the whole range: a table may be constant at its end.
     2.0 * takes(deep) / (deep * deep)
 }
 

@@ -142,8 +142,7 @@ impl Monitor {
         }
     }
 
-    /// Section forces of the last step without impact: impulses are no forces, and a step in which something strikes has none
-    /// but impulses over its length.
+    /// Section forces of the last step without impact: impulses are no forces, and a step with an impact has only impulses over its length.
     pub fn lines(&self) -> &Lines {
         &self.lines
     }

@@ -34,11 +34,11 @@ const BOUNCES: f64 = 2.5e-3;
 const SOON: f64 = 40.0;
 /// Part of the step that the estimate admits that is taken.
 const SAFETY: f64 = 0.9;
-/// Bounds of the size of a step beside that of the step before, and of one that is repeated beside the one refused.
+/// Bounds of the size of a step relative to the previous one, and of a repeated one relative to the rejected one.
 const SHRINKS: f64 = 0.2;
 const GROWS: f64 = 2.0;
 const REPEATED: f64 = 0.7;
-/// Smallest and largest steps beside the first.
+/// Smallest and largest steps relative to the first.
 const SMALLEST: f64 = 1e-2;
 const LARGEST: f64 = 1e3;
 /// A part shorter than this share of the previous one contains no information on the motion.
@@ -60,7 +60,7 @@ struct Means {
 pub struct StepSizeControl {
     /// Error of a step that is admitted.
     admitted: f64,
-    /// Error of a force that is admitted beside the largest one.
+    /// Accepted error of a force relative to the largest one.
     force: f64,
     /// Largest step after an impact, during which another one may follow \[s\].
     soon: f64,
@@ -72,7 +72,7 @@ pub struct StepSizeControl {
     admits: f64,
     /// The last two parts, the latest first, shape (2).
     past: [Means; 2],
-    /// How many of them belong to the motion: none behind an impact.
+    /// Number of these that belong to the motion: zero after an impact.
     known: usize,
     /// Velocities at the start of free bodies, shape (nodes watched, 2) \[m/s\].
     start: Vec<[f64; 2]>,
@@ -178,7 +178,7 @@ impl StepSizeControl {
         left <= 1.1 * self.next
     }
 
-    /// Size of the parts behind a jump of velocities, where little is known of the motion yet \[s\].
+    /// Size of the parts after a jump of velocities, where the motion is still unknown \[s\].
     pub fn afresh(&self) -> Option<f64> {
         (self.known == 0).then_some(self.first)
     }
@@ -223,7 +223,7 @@ impl StepSizeControl {
         self.known = 0;
     }
 
-    /// Error over a part solved last, beside deflection and energy.
+    /// Error over the last solved part, relative to deflection and energy.
     fn error(&self, part: &SolvedPart<'_>) -> f64 {
         let (mut error, mut deflection) = (0.0_f64, self.deflection);
         let h = part.h;
@@ -261,7 +261,7 @@ impl StepSizeControl {
         error
     }
 
-    /// Displacement from the motion at the start behind an increment.
+    /// Displacement relative to the initial motion after an increment.
     fn moved_by(&self, k: usize, d: &[f64; 4], h: f64) -> [f64; 2] {
         [0, 1].map(|i| self.moved[k][i] + d[i] - h * self.start[k][i])
     }

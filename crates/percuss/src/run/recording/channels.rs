@@ -222,7 +222,7 @@ pub struct SinceLast<'a> {
     pub search: &'a Search,
     /// Mean reactions, shape (supports, 3) \[N, N m\].
     pub reactions: &'a [[f64; 3]],
-    /// Their impulses beside, shape (supports, 3) \[N s, N m s\].
+    /// Their additional impulses, shape (supports, 3) \[N s, N m s\].
     pub reaction_impulses: &'a [[f64; 3]],
     /// Section forces of the last step without impact.
     pub lines: &'a Lines,

@@ -38,7 +38,7 @@ const MOST_COUNTED: usize = 1 << 48;
 pub enum ResumeError {
     /// Faults of the settings, shape (faults).
     Faults(Vec<Fault>),
-    /// The checkpoint belongs to another model or another scheme, or its step lies beyond the end.
+    /// The checkpoint belongs to another model or another scheme, or its step is after the end.
     Foreign,
 }
 

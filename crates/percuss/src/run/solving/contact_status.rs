@@ -88,7 +88,7 @@ impl Solving<'_> {
         self.nothing().stick_velocity(self.state.pairs[i].approach_max)
     }
 
-    /// Contacts that stay closed.
+    /// Contacts that remain closed.
     pub(super) fn resting(&self) -> Vec<ActiveContact> {
         let closed = self.rigid().into_iter().filter(|i| self.state.pairs[*i].closed);
         closed.map(ActiveContact::resting).collect()

@@ -59,7 +59,7 @@ pub struct RigidPair {
     pub gap: f64,
     /// Its rate \[m/s\].
     pub rate: f64,
-    /// Whether it stays closed while it presses.
+    /// Whether it remains closed under contact force.
     pub closed: bool,
     /// Fastest approach so far \[m/s\].
     pub approach_max: f64,
@@ -78,7 +78,7 @@ pub struct Moment {
     pub jumps: bool,
     /// The contact that was located here.
     pub located: Option<usize>,
-    /// Rigid contacts near enough to matter, shape (such contacts).
+    /// Rigid contacts that are close enough to matter, shape (such contacts).
     pub contacts: Vec<RigidPair>,
     /// Negligible gaps and rates there.
     pub nothing: Negligible,
@@ -89,7 +89,7 @@ pub struct Moment {
 pub struct Negligible {
     /// Velocities up to this one are none \[m/s\].
     pub rate: f64,
-    /// Gaps up to this one are none between things that do not approach \[m\].
+    /// Gaps up to this one are zero between bodies that do not approach \[m\].
     pub gap: f64,
     /// Gaps that differ by no more than this one are equal \[m\].
     pub gap_difference: f64,
@@ -183,7 +183,7 @@ impl Decider {
         }
     }
 
-    /// The same behind as many impacts as are followed one by one.
+    /// The same after the Zeno limit.
     pub fn exhausted(self) -> Self {
         Self { events_left: 0, ..self }
     }
@@ -193,7 +193,7 @@ impl Decider {
         (self.target, self.size, self.events_left) = (target, target, MOST_EVENTS);
     }
 
-    /// Whether something is left of the step, `offset` of it done.
+    /// Whether a part of the step remains, `offset` of it completed.
     pub fn remains(&self, offset: f64) -> bool {
         offset < self.target * (1.0 - SAME_INSTANT)
     }
@@ -282,7 +282,7 @@ impl Decider {
         }
     }
 
-    /// Contacts are held over the part that would close in it.
+    /// Contacts are held over the part in which they would close.
     fn hold_closing(&mut self, at: &Moment) {
         let closes = |c: &&RigidPair| !c.closed && c.gap + self.part.size * c.rate < 0.0;
         let held = at.contacts.iter().filter(closes);
@@ -352,12 +352,12 @@ impl Decider {
         }
     }
 
-    /// Ends the step, the run's `steps`-th, at `time`, `offset` of it done: both as the next one begins. Its end is on the grid of steps, or
-    /// behind an impact that went beyond.
+    /// Ends the step, the run's `steps`-th, at `time`, `offset` of it completed: both for the start of the next one. Its end is on the grid of
+    /// steps, or after an impact that exceeded it.
     pub fn close(&self, steps: usize, time: f64, offset: f64) -> (f64, f64) {
         let offset = offset - self.target;
         let offset = if offset.abs() <= SAME_INSTANT * self.step { 0.0 } else { offset };
-        // Never back, not even by the last bit, behind an impact at the end of the step.
+        // Never backwards, not even by the last bit, after an impact at the end of the step.
         let grid = (steps as f64 * self.step).min(self.end) + offset;
         (if offset > 0.0 { grid.max(time) } else { grid }, offset)
     }

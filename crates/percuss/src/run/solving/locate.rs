@@ -61,7 +61,7 @@ enum SolvedUpTo {
     /// The whole part.
     #[default]
     Whole,
-    /// Up to where a gap seems to have dipped below zero and out again, or, if `passed`, where something may have passed through.
+    /// Up to the point at which a gap seems to have been negative for a time, or, if `passed`, a body may have passed through.
     Dip { passed: bool },
     /// The whole part, without contact.
     Clear,

@@ -24,7 +24,7 @@ impl Acceptance<'_> {
         now.zip(before).enumerate().filter(|(_, (now, was))| now != was).map(|(i, _)| i).collect()
     }
 
-    /// Opens the pairs that a parting has moved apart.
+    /// Opens the pairs that a fracture has separated.
     pub(super) fn open_parted(&mut self, moved: &[usize]) {
         for &i in moved {
             self.state.pairs[i].closed = false;

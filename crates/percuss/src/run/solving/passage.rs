@@ -37,7 +37,7 @@ impl Solving<'_> {
         first
     }
 
-    /// Follows pair `i` along the straight path of the step, never further than it is apart.
+    /// Follows pair `i` along the straight path of the step, never further than its gap.
     fn passage(&self, i: usize) -> Option<(f64, Memory)> {
         let pair = &self.model.pairs[i];
         let seen = self.seen(i);

@@ -65,7 +65,7 @@ impl Solving<'_> {
         members
     }
 
-    /// The impact of the contacts that approach fastest, in which no other acts; none if they are held on both sides.
+    /// The impact of the contacts with the fastest approach, without any other contact; `None` if they are fixed on both sides.
     fn strike_alone(
         &mut self,
         fastest: &[usize],

@@ -1,4 +1,4 @@
-//! Solving a part of a step: with the pairs that could touch, and again where it brought others near.
+//! Solution of a part of a step: with the pairs that could touch, and again if it brings others close.
 
 use super::decider::{Decider, Resolution};
 use super::locate::{Seen, Verdict};

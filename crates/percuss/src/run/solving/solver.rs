@@ -54,7 +54,7 @@ pub struct Standing<'a> {
 /// Data for the solution of parts of steps.
 #[derive(Clone, Debug)]
 pub struct Solver {
-    /// Which pairs are near.
+    /// Pairs that are close.
     pub search: Search,
     /// Modal damping.
     pub damping: ModalDamping,
@@ -253,7 +253,7 @@ impl Solving<'_> {
         h < IMPULSIVE * self.settings.step
     }
 
-    /// Whether a contact that was not at rest gives an impulse.
+    /// Whether a contact that was not at rest has an impulse.
     fn gives_impulses(&self, trial: &Trial) -> bool {
         let persistent = trial.persistent();
         let rests = |i: usize, contact: &ActiveContact| match contact.phase {

@@ -11,7 +11,7 @@ use crate::step::integration::Integration;
 use crate::step::newton::seen;
 use crate::step::workspace::Workspace;
 
-/// A sequence of impacts under way.
+/// Progress of a sequence of impacts.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     /// Length of an impact interval \[s\].
@@ -170,7 +170,7 @@ pub struct Solved {
     pub rule: Integration,
     /// Whether it is as short as an impact, so that quotients over it are impulsive.
     pub impulsive: bool,
-    /// Whether velocities jump in it: whether it is as short, or something strikes.
+    /// Whether velocities jump in it: whether it is as short as an impact interval, or has an impact.
     pub jumps: bool,
     /// Contacts of a simultaneous impact of touching bodies, shape (2) \[index of a contact\].
     pub shared: Option<[usize; 2]>,

@@ -1,4 +1,4 @@
-//! Reactions of an instant, and means over a step that lie between two of them.
+//! Reactions of an instant, and means over a step between two of them.
 
 use crate::state::{Instant, State};
 use crate::step::integration::Integration;
@@ -21,8 +21,8 @@ pub(super) fn instant(state: &State, h: f64, before: [f64; 3], since: f64) -> In
     Instant { since, reactions, total }
 }
 
-/// Schemes that advance accelerations balance forces at an instant late in the step: mean reactions over it lie on the line through
-/// those of this instant and of the one before.
+/// Schemes that advance accelerations balance forces at an instant late in the step: mean reactions over it are on the line through those of this
+/// instant and of the previous one.
 pub(super) fn average_reactions(state: &mut State, rule: &Integration, before: [f64; 3]) {
     let (h, theta) = (rule.h, rule.theta());
     let now = instant(state, h, before, (1.0 - theta) * h);

@@ -28,7 +28,7 @@ pub struct StepView<'a> {
 pub struct Tie {
     /// Its number among all that the model has.
     pub number: usize,
-    /// A node of the body that it holds.
+    /// A supported node of the body.
     pub node: usize,
     /// Its effect on a translation of one and on a rotation about the origin, shape (3) \[-, -, m\].
     pub row: [f64; 3],
@@ -163,12 +163,12 @@ pub(super) fn acts(view: &StepView, i: usize) -> bool {
     stiff && view.forcing.connected[i] && !c.has_failed(&view.state.memories)
 }
 
-/// Motions of a body as a whole that its ties give and leave free, in (a, w L), with a translation a, a rotation w and a length L.
+/// Motions of a body as a whole that its ties prescribe and leave free, in (a, w L), with a translation a, a rotation w and a length L.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Freedom {
-    /// Motion that the ties give, shape (3) \[m\].
+    /// Motion prescribed by the ties, shape (3) \[m\].
     pub given: [f64; 3],
-    /// Orthonormal directions that they hold, shape (3, 3) \[-\]; the first `held` of them.
+    /// Orthonormal fixed directions, shape (3, 3) \[-\]; the first `held` of them.
     directions: [[f64; 3]; 3],
     /// How many they hold.
     pub held: usize,

@@ -35,7 +35,7 @@ pub struct ModalFlow {
 /// A body in the middle of a step.
 #[derive(Clone, Debug)]
 struct BodyMiddle {
-    /// A point near it, about which it turns, shape (2) \[m\].
+    /// A point near it, the centre of its rotation, shape (2) \[m\].
     centre: [f64; 2],
     length: f64,
     freedom: Freedom,

@@ -50,7 +50,7 @@ impl StepProblem<'_> {
     /// Work of the unbalanced forces over the step, all taken with the same sign \[J\].
     pub(super) fn unbalanced_work(&self, work: &mut Workspace) -> f64 {
         let Workspace { residual, correction, increment, .. } = work;
-        // The correction is free now: it holds the residual without the reactions of the supports.
+        // The correction is free now: it stores the residual without the reactions of the supports.
         correction.copy_from_slice(residual);
         project(self.model, correction);
         let mut sum = 0.0;

@@ -109,5 +109,5 @@ impl<P: Simd> FibresInLanes<P> {
     }
 }
 
-/// More than any vector register holds.
+/// More than the lanes of any vector register.
 const MOST_LANES: usize = 8;

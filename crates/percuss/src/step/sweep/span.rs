@@ -1,4 +1,4 @@
-//! Residual and tangent of a span, element beside element.
+//! Residual and tangent of a span, elements in lanes.
 
 use pulp::{Simd, WithSimd};
 
@@ -139,7 +139,7 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
         }
     }
 
-    /// Sums the forces up at the nodes: of the element before a node, then of the one behind it.
+    /// Sums the forces up at the nodes: of the element before a node, then of the one after it.
     #[inline(always)]
     fn sum<P: Simd>(&mut self, like: Lanes<P>) {
         let span = &self.model.spans[self.span];

@@ -1,4 +1,4 @@
-//! The start of a step, element beside element: its Gauss points, energies and momenta.
+//! The start of a step, elements in lanes: its Gauss points, energies and momenta.
 
 use pulp::{Simd, WithSimd};
 
