@@ -14,6 +14,7 @@ pub enum Onset {
 }
 
 /// A contact, or the yielding of a beam, that a small change of the parameters adds or removes.
+///
 /// There the results have a kink: derivatives are valid only on the side of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grazing {

@@ -9,8 +9,10 @@ use percuss::internals::scalar::{Lanes, in_lanes};
 use percuss::internals::settings::Settings;
 use percuss::{Model, RunSummary};
 
-/// Simulates the runs that ensembles support, with the results that they provide; `None` for the others. The summary of a run does not depend on
-/// the other runs, to the last bit. Runs in which an iteration fails are `None`; the solver of single runs repeats them with step cuts.
+/// Simulates the runs that ensembles support, with the results that they provide; `None` for the others.
+///
+/// The summary of a run does not depend on the other runs, to the last bit. Runs in which an iteration fails are `None`; the solver of single runs
+/// repeats them with step cuts.
 pub fn simulate_ensemble(runs: &[(&Model, &Settings)], detail: Detail) -> Vec<Option<RunSummary>> {
     let mut done: Vec<Option<RunSummary>> = runs.iter().map(|_| None).collect();
     let known = |(i, (model, settings)): (usize, &(&Model, &Settings))| {

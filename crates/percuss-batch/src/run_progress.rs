@@ -1,5 +1,7 @@
-//! Progress of a run by parts of steps, as in a single run: its time, and its rigid contacts. The [`Decider`] sets the parts. For the solver every
-//! part is a step of some size with some contacts that press; each run decides separately whether a part is accepted and which part follows.
+//! Progress of a run by parts of steps, as in a single run: its time, and its rigid contacts.
+//!
+//! The [`Decider`] sets the parts. For the solver every part is a step of some size with some contacts that press; each run decides separately
+//! whether a part is accepted and which part follows.
 
 use percuss::Model;
 use percuss::internals::run::decider::{
