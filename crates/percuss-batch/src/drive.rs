@@ -106,10 +106,10 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             sections.begin(number, run.model);
         }
         let mut lane = Lane::new(self.next, run, self.guide);
-        let nothing = lane.nothing(&self.ledger, number);
+        let negligible = lane.negligible(&self.ledger, number);
         let gap = self.gap_and_rate(number);
-        lane.progress.close_at_rest(gap.into_iter(), nothing);
-        lane.progress.begin(gap.into_iter(), nothing);
+        lane.progress.close_at_rest(gap.into_iter(), negligible);
+        lane.progress.begin(gap.into_iter(), negligible);
         self.lanes[number] = Some(lane);
         self.next += 1;
     }
@@ -234,15 +234,15 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             now = Some(Seen { end, ..seen.lane(number) });
             impulse = Some(seen.impulse.lane(number));
         }
-        let nothing = lane.nothing(&self.ledger, number);
-        lane.progress.accept(now.as_slice(), impulse.as_slice(), nothing);
+        let negligible = lane.negligible(&self.ledger, number);
+        lane.progress.accept(now.as_slice(), impulse.as_slice(), negligible);
         if let Some([gap, _]) = gap {
             lane.rigid.see(gap, lane.progress.time);
         }
         if lane.progress.has_accumulated() {
             return false;
         }
-        lane.progress.begin(gap.into_iter(), nothing);
+        lane.progress.begin(gap.into_iter(), negligible);
         true
     }
 
