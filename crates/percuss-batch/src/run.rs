@@ -35,7 +35,7 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)], detail: Detail) -> Vec<Op
             })
             .collect();
         let mut keep = |index: usize, summary| done[index] = summary;
-        in_lanes(SideBySide { runs: &group, detail, keep: &mut keep });
+        in_lanes(LaneTask { runs: &group, detail, keep: &mut keep });
     }
     done
 }
@@ -66,14 +66,14 @@ pub fn runs_alone(model: &Model, settings: &Settings, detail: Detail) -> Option<
 }
 
 /// Runs in lanes, compiled for each of the register widths that processors have.
-struct SideBySide<'a, 'r> {
+struct LaneTask<'a, 'r> {
     /// The runs, shape (runs).
     runs: &'a [LaneRun<'r>],
     detail: Detail,
     keep: &'a mut dyn FnMut(usize, Option<RunSummary>),
 }
 
-impl pulp::WithSimd for SideBySide<'_, '_> {
+impl pulp::WithSimd for LaneTask<'_, '_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<P: pulp::Simd>(self, family: P) {
