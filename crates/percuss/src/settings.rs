@@ -1,4 +1,4 @@
-//! How a transient analysis is carried out.
+//! Settings of a transient analysis.
 
 #[doc(hidden)]
 pub use crate::model::SAME_INSTANT;
@@ -29,7 +29,7 @@ pub enum Scheme {
     },
 }
 
-/// How impacts of rigid projectiles are resolved in time.
+/// Resolution of impacts of rigid projectiles in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ImpactResolution {
     /// The instant of contact is located and the impulse acts in a very short step of its own.
@@ -49,7 +49,7 @@ impl ImpactResolution {
 /// Law of impacts on several touching bodies, in [`ImpactResolution::Event`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MultipleImpacts {
-    /// All contacts obey the impact law at once: one problem for all impulses.
+    /// All contacts obey the impact law together: one problem for all impulses.
     #[default]
     Simultaneous,
     /// One after another, the fastest approach first: a sequence of impacts from body to body. Equally fast ones are simultaneous.
@@ -247,7 +247,7 @@ impl Scheme {
     }
 }
 
-/// How an equilibrium path is followed by arc length.
+/// Settings of an equilibrium path by arc length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathSettings {
     /// Load factor of the first point; the arc that leads there is the longest at limit points. Elsewhere the length of arcs is adapted to the
@@ -255,7 +255,7 @@ pub struct PathSettings {
     pub first: f64,
     /// Most points.
     pub points: usize,
-    /// Where the path ends, besides.
+    /// Further condition that ends the path.
     pub end: PathEnd,
 }
 

@@ -37,11 +37,11 @@ pub struct PairState {
     pub(crate) memory: Memory,
     /// Whether a rigid contact is closed (persistent contact).
     pub closed: bool,
-    /// Largest approach velocity it ever struck with \[m/s\]; the scale of the stick velocity.
+    /// Largest approach velocity of its impacts so far \[m/s\]; the scale of the stick velocity.
     pub approach_max: f64,
     /// Deepest penetration of a law that crushes so far, where it is now \[m\]; zero of all others.
     pub deepest: f64,
-    /// Where along the face of the target it is nearest \[m\]; NaN where that is no other place whatever moves.
+    /// Position of the closest point along the face of the target \[m\]; NaN if it is independent of the motion.
     pub(crate) place: f64,
 }
 
@@ -78,7 +78,7 @@ impl Reacting {
     }
 }
 
-/// How far the time function of a prescribed motion was followed.
+/// Value and rate of the time function of a prescribed motion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Followed {
     /// Its value.
@@ -129,7 +129,7 @@ pub struct State {
     pub(crate) parted: Vec<bool>,
     /// State variables of springs and hinges that yield, extensions \[m\] or rotations \[rad\] in place of strains, shape (connectors that yield).
     pub memories: Vec<FibreState>,
-    /// How far prescribed motions were followed, shape (motions).
+    /// Values of prescribed motions, shape (motions).
     pub(crate) followed: Vec<Followed>,
     /// Coordinates of springs and dampers, angles unwound, shape (connectors) \[m, rad\].
     pub coordinates: Vec<f64>,
@@ -139,7 +139,7 @@ pub struct State {
     pub reactions: Vec<[f64; 3]>,
     /// Reactions at the last instant of balance of a scheme that advances accelerations.
     pub(crate) instant: Option<Instant>,
-    /// Which of them the part of a step accepted last has changed.
+    /// Indices of those that the last accepted part of a step has changed.
     pub(crate) reacting: Reacting,
     /// Multipliers of the constraints, shape (constraints) \[N, N m\].
     pub multiplier: Vec<f64>,
@@ -224,7 +224,7 @@ impl State {
         Configuration { parted: &self.parted, ..Configuration::of(&self.displacement) }
     }
 
-    /// The one after a step by an increment, in which no element of a beam is longer than its arc.
+    /// The configuration after a step by an increment, in which no element of a beam is longer than its arc.
     pub(crate) fn configuration_after<'a>(
         &'a self,
         increment: &'a [[f64; 4]],

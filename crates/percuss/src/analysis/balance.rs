@@ -23,7 +23,7 @@ pub struct StaticBalance {
     pub springs: [f64; 2],
     /// Their sum, which is round-off, shape (2) \[N\].
     pub unbalanced: [f64; 2],
-    /// All of them added with the same sign \[N\].
+    /// Sum of their magnitudes \[N\].
     gross: f64,
 }
 

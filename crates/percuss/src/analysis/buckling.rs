@@ -104,9 +104,9 @@ impl BucklingOutcome {
 
 /// Linear buckling factors of the loads that act at time zero: the `count` lowest positive ones, in ascending order.
 ///
-/// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the geometric stiffness of the stresses of the linear
-/// response to the loads; contacts are left out. The factors below any value are as many as the negative eigenvalues of
-/// `K + value K_g`, so that none is passed over, whatever negative factors there are.
+/// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the geometric stiffness of the stresses of the linear response to the
+/// loads; contacts are omitted. The number of factors below any value is that of the negative eigenvalues of `K + value K_g`, so that none is
+/// missed, for any negative factors.
 pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
     result(&model.structure(), Vec::new(), count)
 }

@@ -112,7 +112,7 @@ pub(crate) fn undampable(full: &Model, state: &State) -> Option<Fault> {
     })
 }
 
-/// How the coordinates of modes follow supports that move slowly.
+/// Response of the modes' coordinates to slow motions of supports.
 ///
 /// A support moves by one, and the structure follows at rest: K r = -C^T l, C r = 1. With `K phi + C^T m = omega^2 M phi` then
 /// `r . M phi = m / omega^2`: the mode's reaction at the support.
@@ -195,7 +195,7 @@ impl<'a> SlowSupports<'a> {
         }
     }
 
-    /// Those of springs to a ground that moves.
+    /// Those of springs to a moving ground.
     fn springs(&self, mode: &Mode, out: &mut [f64]) {
         let first = out.len() - self.full.connectors.len();
         for (out, c) in out[first..].iter_mut().zip(&self.full.connectors) {

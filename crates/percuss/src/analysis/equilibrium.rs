@@ -45,7 +45,7 @@ pub struct Equilibrium {
     /// Largest growth rate of displacements with the loads, relative to that in the first load step: about one for an elastic structure, and large
     /// for one that passes a plastic mechanism; NaN at the end of a path \[-\].
     pub softening: f64,
-    /// Whether the structure returns to it: no motion about it grows.
+    /// Whether it is stable: no motion about it grows.
     pub stable: bool,
     /// Beams that only contacts support and that can slide along all of them, by name: statics has no friction, shape (such beams).
     pub sliding: Vec<String>,

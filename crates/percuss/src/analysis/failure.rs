@@ -20,7 +20,7 @@ pub struct StaticFailure {
     pub factor: f64,
     /// Kind and name: `beam.girder`, `spring.brace`, `joint.knee`.
     pub name: String,
-    /// How it failed.
+    /// Kind of failure.
     pub kind: FailureKind,
     /// Arc length of the section of a beam; NaN for other parts \[m\].
     pub s: f64,
@@ -32,7 +32,7 @@ pub struct StaticFailure {
 pub enum FailureKind {
     /// Fibres of a section reached their failure strain.
     Fibres,
-    /// No fibre of a section of a beam was left: the beam parted.
+    /// All fibres of a section of a beam have failed: the beam fractured.
     Parted,
     /// A spring or a hinge reached its failure extension or rotation.
     Extension,

@@ -43,9 +43,9 @@ pub enum ModeKind {
     Vibration,
     /// Motion without strain and without restoring forces: of a rigid body, or of a mechanism.
     RigidBody,
-    /// It grows without oscillating: the equilibrium is unstable (divergence).
+    /// Unstable without oscillation (divergence).
     Unstable,
-    /// It oscillates and grows, fed by forces that follow the beams: the equilibrium is unstable.
+    /// Unstable with oscillation (flutter), by follower forces.
     Flutter,
 }
 

@@ -23,7 +23,7 @@ const STRETCH: f64 = 4.5;
 /// Bounds of elements' lengths are updated when they have grown by this share of the beam's longest element.
 const LOOSE: f64 = 0.01;
 
-/// How far a point of a beam moves, at most, if its nodes move by `nodal`; `long` is its longest element \[m\].
+/// Upper bound of the motion of a beam's points for the motion `nodal` of its nodes; `long` is its longest element \[m\].
 pub fn farthest(nodal: &[[f64; 4]], long: f64) -> f64 {
     // Components in separate arrays, by their index: the computation uses vector registers at little cost.
     let mut most = [0.0_f64; 4];
@@ -37,7 +37,7 @@ pub fn farthest(nodal: &[[f64; 4]], long: f64) -> f64 {
     norm([most[0], most[1]]) + 8.0 / 27.0 * long * norm([most[2], most[3]])
 }
 
-/// How far a point of a beam or of its outline moves, at most.
+/// Upper bound of the motion of a beam's points and of its outline.
 pub fn farthest_of(beam: &BeamData, nodal: &[[f64; 4]]) -> f64 {
     let axis = &beam.axis;
     farthest(&nodal[beam.nodes.clone()], axis.longest) + swing(axis, nodal)

@@ -110,7 +110,7 @@ pub struct BendingEnd {
     pub gradient: Form<f64>,
     unit: Stress<f64>,
     rate: StressRate<f64>,
-    /// Where it is: tangent and second derivative x'', shape (2, 2) \[-, 1/m\].
+    /// Its configuration: tangent and second derivative x'', shape (2, 2) \[-, 1/m\].
     at: [[f64; 2]; 2],
 }
 

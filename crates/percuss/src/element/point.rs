@@ -264,7 +264,7 @@ pub fn b_of<S: Real>(g: [S; 2], p: [S; 2]) -> S {
     cross(g, p)
 }
 
-/// Which strains the strain energy `EA eps^2 / 2 + EI kappa^2 / 2` is written in.
+/// Strain measure of the strain energy `EA eps^2 / 2 + EI kappa^2 / 2`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StrainMeasure {
     /// The paper's: `eps = (|x'|^2 - 1) / 2`, `kappa = n'.x' - N'.X'` (Green-type).

@@ -167,7 +167,7 @@ pub struct Axis<'a> {
     pub elements: &'a AxisElements,
     /// Omitted elements, for a beam against itself: the first of them, and the first after them, shape (2) \[index of an element of the beam\].
     pub skip: [usize; 2],
-    /// Where it starts and ends, shape (2).
+    /// Its start and end, shape (2).
     pub ends: &'a [AxisEnd; 2],
     /// Length that none of the elements exceeds \[m\].
     pub arc: f64,

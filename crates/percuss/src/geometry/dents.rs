@@ -12,11 +12,11 @@ const SAME: f64 = 1.0 / 16.0;
 /// A dent, where it is deepest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Dent {
-    /// Where along the face \[m\].
+    /// Position along the face \[m\].
     pub place: f64,
-    /// Which face: 1 or -1, zero beyond an end.
+    /// Face: 1 or -1, zero beyond an end.
     pub side: f64,
-    /// How deep \[m\].
+    /// Depth \[m\].
     pub depth: f64,
 }
 
@@ -26,7 +26,7 @@ impl Dent {
         (self.depth * (2.0 * radius + self.depth)).sqrt()
     }
 
-    /// How deep the same circle fits into it where another one is \[m\].
+    /// Depth to which the same circle fits into it at another position \[m\].
     fn depth_at(&self, other: &Self, radius: f64) -> f64 {
         let away = (other.place - self.place).abs();
         if self.side != other.side || self.depth <= 0.0 {
@@ -43,9 +43,9 @@ impl Dent {
 /// An indentation carried along by a loaded contact: elsewhere it would have to be produced again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CarriedCrush {
-    /// How far along the face, from where it was made \[m\].
+    /// Distance along the face from the place of the indentation \[m\].
     pub distance: f64,
-    /// How much of the permanent penetration is of that place and not of the one where it presses \[m\].
+    /// Part of the permanent indentation that belongs to that place and not to the current one \[m\].
     pub depth: f64,
 }
 
@@ -61,9 +61,9 @@ impl CarriedCrush {
 /// The dents of a pair, and how its deepest one was carried.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Dents {
-    /// The one made last.
+    /// The last one.
     last: Dent,
-    /// Where it was begun \[m\].
+    /// Position of its start \[m\].
     begun: f64,
     /// The others, in their order along the face, shape (others).
     others: Vec<Dent>,

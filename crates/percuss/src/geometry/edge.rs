@@ -43,7 +43,7 @@ struct EndFrame {
 }
 
 impl EndFrame {
-    /// Of an end of an axis, whose nearest point is `closest`.
+    /// At an end of an axis, whose closest point is `closest`.
     fn of(axis: &Axis, end: &AxisEnd, closest: &ClosestPoint, at: &Configuration) -> Self {
         if end.point.element == closest.point.element {
             return Self::new(end, &closest.placed);

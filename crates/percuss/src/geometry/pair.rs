@@ -1,7 +1,7 @@
 //! A pair of contact partners: a round one, the source, and a target of some shape.
 //!
-//! Every contact is made of such pairs: a disc against a beam, a point of a beam against a half-plane, the end of a wall against a
-//! beam. The source has a centre and a radius; the target is where the gap is measured to.
+//! Every contact consists of such pairs: a disc against a beam, a point of a beam against a half-plane, the end of a wall against a beam. The
+//! source has a centre and a radius; the gap is the distance to the target.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ pub struct Centre {
     pub position: [f64; 2],
     /// Node, or node `a` of the element.
     pub node: usize,
-    /// How it follows.
+    /// Motion of the point.
     pub carrier: Carrier,
 }
 
@@ -255,7 +255,7 @@ pub enum Target {
         beam: usize,
         /// Omitted elements: the first of them, and the first after them, shape (2) \[index of an element of the beam\].
         skip: [usize; 2],
-        /// Where the axis starts and ends, shape (2).
+        /// Start and end of the axis, shape (2).
         ends: [AxisEnd; 2],
     },
 }
@@ -271,7 +271,7 @@ pub struct Pair {
     pub target: Target,
     /// Radii of both, but for the half depth of an axis \[m\].
     pub reach: f64,
-    /// Of it, the target's own radius \[m\].
+    /// Radius of the target, a part of it \[m\].
     pub target_radius: f64,
     /// Whether ends of an axis that are points, or rounded from face to face, are left to other pairs.
     pub skips_ends: bool,
@@ -279,7 +279,7 @@ pub struct Pair {
     pub obstacle: Option<usize>,
     /// Movers, source and target: beams first, then bodies, shape (2) \[index of a mover\].
     pub movers: [usize; 2],
-    /// Which of the contact's two partners the source is.
+    /// Number of the source among the contact's two partners.
     pub source_partner: usize,
     /// Arc length of the source along its beam; NaN for a body \[m\].
     pub s: f64,
@@ -292,7 +292,7 @@ pub struct Pair {
 pub struct Memory {
     /// Sign of the face it is on; zero where it may still go to either, beyond an end.
     pub side: f64,
-    /// Where on the axis it was nearest.
+    /// Last closest point on the axis.
     pub near: AxisPoint,
 }
 

@@ -233,7 +233,7 @@ impl Placed {
                 low = xi
             }
             let mut next = xi - slope / if convex { full } else { safe };
-            // Where the distance hardly changes, next to a centre of curvature, Newton's iteration crawls.
+            // If the distance hardly changes, near a centre of curvature, Newton's iteration is slow.
             let crawls = iteration >= PATIENCE;
             if crawls {
                 next = 0.5 * (low + high);

@@ -36,14 +36,14 @@ pub struct Touch {
     pub memory: Memory,
     /// Arc length of the closest point along its beam; NaN elsewhere \[m\].
     pub s: f64,
-    /// How the normal turns.
+    /// Rotation of the normal.
     pub bend: Bend,
 }
 
-/// How the normal turns as source and target move.
+/// Rotation of the normal with the motion of source and target.
 #[derive(Clone, Copy, Debug)]
 pub enum Bend {
-    /// Not at all.
+    /// No rotation.
     Flat,
     /// About the closest point, at this signed distance.
     Round { distance: f64 },
@@ -247,7 +247,7 @@ impl Pair {
         };
         let (distance, half_depth) = (sign * distance, element.half_depth(point.xi));
         let slides = point.xi > 0.0 && point.xi < 1.0;
-        // Where the elements left out begin is no end.
+        // The start of omitted elements is no end.
         let border = side == 0.0 && axis.is_border(point);
         let gap = distance - self.reach - half_depth;
         if gap < 0.0

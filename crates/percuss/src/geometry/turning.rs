@@ -1,4 +1,4 @@
-//! How the gradient of a gap turns with its nodes.
+//! Rotation of the gradient of a gap with its nodes.
 
 use super::configuration::Configuration;
 use super::pair::Pair;

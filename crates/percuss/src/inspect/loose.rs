@@ -36,7 +36,7 @@ impl LooseEnds {
 struct BeamEnd {
     beam: usize,
     s: f64,
-    /// Where it is, shape (2) \[m\].
+    /// Position, shape (2) \[m\].
     position: [f64; 2],
 }
 
@@ -82,7 +82,7 @@ fn ends(model: &Model) -> Vec<BeamEnd> {
     (0..model.beam_count()).flat_map(of).collect()
 }
 
-/// Makes groups of the ends that the points of joints, supports between nodes, springs and hinges tie at one place.
+/// Groups the ends that the points of joints, supports between nodes, springs and hinges connect at one place.
 fn tie(model: &Model, ends: &[BeamEnd], near: f64, groups: &mut Groups) {
     // Places on beams by their cell of arc length, each with a member of its group.
     let mut along: HashMap<(usize, i64), Vec<(f64, usize)>> = HashMap::new();
@@ -132,7 +132,7 @@ impl Groups {
         Self { leader: (0..count).collect() }
     }
 
-    /// One more member, of a group of its own.
+    /// Adds a member, in a group of its own.
     fn add(&mut self) -> usize {
         self.leader.push(self.leader.len());
         self.leader.len() - 1
@@ -198,7 +198,7 @@ impl Corners {
     }
 }
 
-/// Makes one list of those of one group.
+/// Merges the lists of members of one group.
 fn merge(lists: &mut Vec<Vec<usize>>, groups: &mut Groups) {
     if lists.len() < 2 {
         return;

@@ -123,7 +123,7 @@ impl<'m> ConnectorView<'m> {
 /// A point mass.
 #[derive(Clone, Copy, Debug)]
 pub struct PointMassView<'m> {
-    /// Where it sits.
+    /// Position.
     pub point: PointView<'m>,
     /// Mass \[kg\].
     pub mass: f64,

@@ -79,7 +79,7 @@ pub fn negatives(matrix: &[Wide], n: usize, m: &mut Vec<Wide>) -> Option<usize> 
             }
             k += 1;
         } else {
-            // Of a pair without a diagonal to speak of, one is negative.
+            // In a pair with a negligible diagonal, one is negative.
             exchange(m, n, k, beside.2);
             exchange(m, n, k + 1, beside.1);
             negative += 1;

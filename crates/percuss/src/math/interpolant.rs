@@ -16,7 +16,7 @@ pub struct Interpolant<S> {
 }
 
 impl<S: Number> Interpolant<S> {
-    /// The one of a lane.
+    /// The interpolant of a lane.
     pub fn lane(&self, i: usize) -> Cubic {
         let both = |x: [S; 2]| [x[0].lane(i), x[1].lane(i)];
         Cubic { h: self.h.lane(i), start: both(self.start), end: both(self.end) }

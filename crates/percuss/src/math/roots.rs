@@ -32,7 +32,7 @@ pub struct Bracket {
     lo: (f64, f64),
     hi: (f64, f64),
     next: f64,
-    /// On which side the last point was.
+    /// Side of the last point.
     last_side: i32,
     /// Points tried.
     trial: usize,

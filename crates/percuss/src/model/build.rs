@@ -1,4 +1,4 @@
-//! Turns definitions into a frozen [`Model`]; the one place that validates.
+//! Conversion of definitions to a frozen [`Model`], with all validation.
 
 use std::collections::HashSet;
 use std::sync::Arc;

@@ -9,7 +9,7 @@ use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 pub enum Piece {
     /// From a point along a unit tangent.
     Straight {
-        /// Where it starts, shape (2) \[m\].
+        /// Start, shape (2) \[m\].
         start: [f64; 2],
         /// Unit tangent, shape (2) \[-\].
         tangent: [f64; 2],

@@ -290,7 +290,7 @@ mod tests {
         assert_eq!(found[0], [0.0, 0.2, 0.4]);
         assert!(found[1].contains(&0.9) && found[1].first() == Some(&0.4));
         assert!(lengths(&found[1]).iter().all(|l| *l <= 0.25 + 1e-6), "{found:?}");
-        // Where the second begins on the line.
+        // Start of the second on the line.
         let plans = meshed(&[(0.4, true)]);
         assert_eq!(plans[1].node(&line, 0).0, [0.4, 0.0]);
     }

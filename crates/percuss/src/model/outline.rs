@@ -26,7 +26,7 @@ const SAME: f64 = 1e-9;
 pub(super) struct BeamOutline<'a> {
     model: &'a Model,
     beam: usize,
-    /// Where its axis starts and ends, shape (2).
+    /// Start and end of its axis, shape (2).
     ends: [AxisEnd; 2],
     /// Largest radius of a circle towards an end, as a share of the distance to it.
     inside: f64,

@@ -131,7 +131,7 @@ impl Pairs<'_> {
             [ContactPartner::Beam(a), ContactPartner::Beam(b)] => {
                 let (a, b) = (a.0 as usize, b.0 as usize);
                 self.points_on_axis(a, b, points, 0, false);
-                // Where both end in points or are round, ends of `b` are touched already, as sources or through the ends of `a`.
+                // If both end in points or are round, ends of `b` are in pairs already, as sources or through the ends of `a`.
                 self.points_on_axis(b, a, points, 1, true);
             }
             [ContactPartner::Beam(beam), other] => {
@@ -284,7 +284,7 @@ impl Pairs<'_> {
                         for end in ends {
                             let source = self.offset_centre(body, *end);
                             let pair = self.on_axis(source, *radius, body, axis.clone(), beam);
-                            // Where the beam ends in a point, that is a source already.
+                            // If the beam ends in a point, it is a source already.
                             let source_partner = 1 - beam_partner;
                             self.found.push(Pair { skips_ends: true, source_partner, ..pair });
                         }
@@ -358,7 +358,7 @@ impl Pairs<'_> {
                 axis.partition_point(|e| e.s < pair.s + apart),
             ];
             pair.target.leave_out(skip);
-            // Of two ends that touch, one is the source.
+            // Of two touching ends, one is the source.
             pair.skips_ends = pair.s > 0.5 * self.model.beams[beam].length;
         }
     }

@@ -196,7 +196,7 @@ pub enum SupportSymbol {
 pub struct SceneJoint {
     /// Name.
     pub name: String,
-    /// Where it is.
+    /// Position.
     pub at: OnBeam,
     /// Whether the beams turn against each other there.
     pub turns: bool,
@@ -227,7 +227,7 @@ pub struct SceneSpring {
 pub struct SceneMass {
     /// Name.
     pub name: String,
-    /// Where it is.
+    /// Position.
     pub at: OnBeam,
     /// Mass \[kg\].
     pub mass: f64,
@@ -254,7 +254,7 @@ pub enum SceneLoadKind {
     },
     /// A force and a moment at a point.
     Point {
-        /// Where.
+        /// Position.
         at: OnBeam,
         /// Force, shape (2) \[N\]; along (tangent, normal) if it follows.
         force: [f64; 2],

@@ -35,7 +35,7 @@ impl<S> SpanFibres<S> {
         &self.at[if self.at.len() == 1 { 0 } else { k }]
     }
 
-    /// Where the fibres of that element are in the state.
+    /// Position of the fibres of that element in the state.
     pub fn range(&self, k: usize) -> Range<usize> {
         let first = self.first + k * self.count;
         first..first + self.count
@@ -53,7 +53,7 @@ impl<S: Copy> SpanFibres<S> {
         SpanFibres { laws, at, count: self.count, first: self.first }
     }
 
-    /// All about them that is no number.
+    /// All their properties that are not numbers.
     pub fn shape(&self) -> FibreShape {
         let laws = self.laws.iter().map(|law| law.shape()).collect();
         let of = |points: &[Vec<Fibre<S>>; GAUSS]| {

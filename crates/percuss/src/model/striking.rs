@@ -100,7 +100,7 @@ pub struct Behind {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObstacleData {
     pub body: usize,
-    /// Where its reactions are kept.
+    /// Index of its reactions.
     pub support: usize,
     /// The point its moment is about, in the reference configuration, shape (2) \[m\].
     pub position: [f64; 2],

@@ -111,7 +111,7 @@ impl JointData {
     }
 }
 
-/// A scalar constraint on material points, kept by a multiplier.
+/// A scalar constraint on material points, with a multiplier.
 #[derive(Clone, Debug)]
 pub struct Constraint<S = f64> {
     pub kind: ConstraintKind<S>,
@@ -144,7 +144,7 @@ pub enum ConstraintKind<S = f64> {
         /// The direction, of unit length, shape (2) \[-\].
         direction: [S; 2],
     },
-    /// `g_a x R g_b = 0` with R the rotation from the reference tangent of b to that of a: the angle is kept.
+    /// `g_a x R g_b = 0` with R the rotation from the reference tangent of b to that of a: the angle is constant.
     Angle {
         /// The points a and b, shape (2).
         points: Box<[MaterialPoint<S>; 2]>,
@@ -227,7 +227,7 @@ pub struct Connector {
     pub until: f64,
 }
 
-/// How a spring or an elastic hinge yields.
+/// Yield law of a spring or an elastic hinge.
 #[derive(Clone, Debug)]
 pub struct YieldingLaw {
     /// Kind and name, `spring.brace` or `joint.knee`.

@@ -16,7 +16,7 @@ pub enum TimeFunction {
     Constant,
     /// Zero before, one from this time on \[s\].
     Step {
-        /// When it rises.
+        /// Time of the rise.
         at: f64,
     },
     /// Linear rise to one, then constant.
@@ -29,7 +29,7 @@ pub enum TimeFunction {
         /// Its length \[s\].
         duration: f64,
     },
-    /// Rises linearly to one at half of its length and falls to zero.
+    /// Linear rise to one at half of its length and decrease to zero.
     Triangle {
         /// Its length \[s\].
         duration: f64,
@@ -279,7 +279,7 @@ impl PreparedFunction {
             a = b;
         }
         if a == start {
-            // No kink inside: no lengths are compared, however short the interval.
+            // Without a kink inside, lengths are not compared, for an interval of any length.
             return self.smooth_mean(start, h);
         }
         sum + (end - a) / h * self.smooth_mean(a, end - a)

@@ -56,7 +56,7 @@ impl<'m> FirstTouches<'m> {
         (comes || found.on_mesh.is_finite()).then_some(found)
     }
 
-    /// How fast motions of the beams' nodes close the gap of a contact where it is likely to close first, one entry a motion; each
+    /// Rates at which motions of the beams' nodes close the gap of a contact where it is likely to close first, one entry for each motion; each
     /// motion has the shape (number of beam nodes).
     pub fn closing_rates(&self, contact: usize, motions: &[&[[f64; 4]]]) -> Option<Vec<f64>> {
         let model = self.model;

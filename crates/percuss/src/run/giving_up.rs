@@ -16,7 +16,7 @@ pub const MOST_CORRECTIONS: usize = 100_000;
 /// A stretch below this is a beam that has collapsed: its curvature has no bound as the stretch vanishes.
 const COLLAPSED: f64 = 0.2;
 
-/// Why the run ends here, after a step of the given size has failed.
+/// Reason for the end of the run after a step of the given size has failed.
 pub fn give_up(
     (model, state, search): (&Model, &State, &Search),
     failure: Failure,

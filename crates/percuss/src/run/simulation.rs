@@ -284,7 +284,7 @@ impl<'m> Simulation<'m> {
 
     /// Takes a checkpoint of the run between two steps.
     pub fn checkpoint(&self) -> Checkpoint {
-        // Every field is named, so that none is forgotten when one is added.
+        // Every field is named, so that a new field cannot be forgotten.
         let Self {
             state,
             measures,

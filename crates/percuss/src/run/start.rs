@@ -1,4 +1,4 @@
-//! Where a transient analysis starts: configuration, velocities, accelerations.
+//! Start of a transient analysis: configuration, velocities, accelerations.
 
 use std::ops::Range;
 
@@ -98,7 +98,7 @@ fn settle_velocities(model: &Model, step: f64, state: &mut State) {
     commit::spin_from_velocity(model, state);
 }
 
-/// Turns every velocity round, at the beginning of a run.
+/// Reverses every velocity, at the beginning of a run.
 pub fn reverse(state: &mut State) {
     for v in &mut state.velocity {
         *v = v.map(|c| -c);
@@ -178,7 +178,7 @@ pub fn massless(model: &Model) -> Vec<Fault> {
     model.beams.iter().filter(without).map(fault).collect()
 }
 
-/// Where a run starts.
+/// Start of a run.
 pub struct Initial {
     pub state: State,
     /// Reactions of the supports, shape (supports, 3) \[N, N m\].
@@ -234,7 +234,7 @@ pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<
     Ok(Initial { state, reactions, pressed })
 }
 
-/// Stores the strains of the configuration, for the scheme that keeps them.
+/// Stores the strains of the configuration, for the scheme with stored strains.
 fn keep_strains(model: &Model, state: &mut State) {
     let structure = model.structure();
     state.strain = stored_strains(&structure, &state.of_structure(&structure));

@@ -68,7 +68,7 @@ impl Simulation<'_> {
         solver.moment(at)
     }
 
-    /// Size of the step to come \[s\].
+    /// Size of the next step \[s\].
     fn target(&self) -> f64 {
         match &self.step_size {
             Some(step_size) => step_size.target(self.settings.end - self.state.time),
@@ -182,7 +182,7 @@ impl Simulation<'_> {
         Ok(())
     }
 
-    /// Why the run ends here, after a step of the given size has failed.
+    /// Reason for the end of the run after a step of the given size has failed.
     #[doc(hidden)]
     pub fn give_up(&self, failure: Failure, step: f64) -> Error {
         give_up((self.model, &self.state, &self.solver.search), failure, step)

@@ -54,7 +54,7 @@ pub fn forces_at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> EndFor
 
 /// Residual `M (a - gravity) + f_int` of the beams at `increment`, and their tangent if `TANGENT`.
 ///
-/// Must not allocate, but for the first time that elements are evaluated one by one.
+/// Must not allocate, except for the first evaluation of elements one by one.
 pub fn beams<const TANGENT: bool>(
     model: &Model,
     state: &State,

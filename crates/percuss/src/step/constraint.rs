@@ -18,7 +18,7 @@ pub struct ConstraintStep<'a, S = f64> {
     pub increment: &'a [[S; 4]],
     /// Prescribed motions.
     pub forcing: &'a Forcing,
-    /// Where in the step the forces of constraints are directed: at its middle, in statics at its end.
+    /// Instant of the step for the directions of constraint forces: its middle, in statics its end.
     pub share: f64,
 }
 

@@ -77,7 +77,7 @@ impl ActiveContact {
     }
 }
 
-/// How impulses follow from the velocities before and after.
+/// Relation of impulses to the velocities before and after.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImpulseLaw {
     /// Newton's law along the normal, Coulomb's along the tangent, for the velocity after restitution.
@@ -95,7 +95,7 @@ pub struct SmoothContact {
     pub pair: usize,
     /// Force over the step.
     pub force: StepForce,
-    /// Where the force acts: the form of the gap's change.
+    /// Form of the force: that of the gap's change.
     pub row: Row,
     /// Data to store at the end of the step, if it was evaluated.
     pub end: Option<Memory>,

@@ -113,7 +113,7 @@ impl Moved<'_> {
         flow.failing
     }
 
-    /// Fails the fibres of an element that have come to their failure strain, and all others if none is left at a Gauss point.
+    /// Lets the fibres of an element fail that have reached their failure strain, and all others if none is left at a Gauss point.
     fn fail(&mut self, k: usize) -> Option<PartedElement> {
         let fibres = self.fibres;
         let [_, strains] = self.strains(k);

@@ -7,7 +7,7 @@ use crate::settings::Scheme;
 pub struct Integration {
     /// Step size \[s\].
     pub h: f64,
-    /// Which forces act between the ends of the step.
+    /// Instant of the acting forces between the ends of the step.
     pub rule: Rule,
 }
 

@@ -18,7 +18,7 @@ use crate::model::frozen::{ConstraintKind, MaterialPoint};
 use crate::state::State;
 use middle::{Middle, times_mass};
 
-/// By how much prescribed velocities and accelerations at the end of a step lead those of the scheme.
+/// Lead of prescribed velocities and accelerations at the end of a step over those of the scheme.
 #[derive(Clone, Debug)]
 pub struct Lead {
     /// Nodes that can lead, shape (such nodes) \[index of a node\].
@@ -98,7 +98,7 @@ impl Lead {
         self.nodes.is_empty()
     }
 
-    /// Finds the lead in a step from `state`.
+    /// Computes the lead in a step from `state`.
     pub fn set(&mut self, model: &Model, state: &State, rule: &Integration, forcing: &Forcing) {
         for n in &self.nodes {
             (self.velocity[*n], self.acceleration[*n]) = ([0.0; 4], [0.0; 4]);
@@ -131,7 +131,7 @@ impl Lead {
         self.set_constraints(model, state, rule, forcing);
     }
 
-    /// Lead at supports that are kept by multipliers.
+    /// Lead at supports with multipliers.
     fn set_constraints(
         &mut self,
         model: &Model,

@@ -46,7 +46,7 @@ pub struct StepProblem<'a> {
     pub sights: &'a [(usize, PairState)],
     /// Rigid contacts that may carry an impulse, shape (active contacts).
     pub active: &'a [ActiveContact],
-    /// How impulses follow from velocities.
+    /// Relation of impulses to velocities.
     pub law: ImpulseLaw,
     /// Size of this step as a share of the given step size: the same share of the constraints' round-off is compensated in it.
     pub feedback: f64,
@@ -74,7 +74,7 @@ pub struct Effort {
     pub factorizations: usize,
 }
 
-/// Why a step has no solution (yet).
+/// Reason why a step has no solution (yet).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Failure {
     /// The iteration did not converge.

@@ -21,8 +21,7 @@ pub struct Tangent {
     matrix: Condensed,
     /// Whether the band links a node to the next one, shape (nodes).
     linked: Vec<bool>,
-    /// Couplings of contacts, as they come and go: (row node, column node, block), shape (couplings, 4, 4)
-    /// \[index of a node, index of a node, N/m, N, N m\].
+    /// Couplings of contacts, which vary: (row node, column node, block), shape (couplings, 4, 4) \[index of a node, index of a node, N/m, N, N m\].
     contacts: Vec<(usize, usize, Block)>,
     /// Bodies that touch one element only, eliminated first.
     condensed_bodies: CondensedBodies,
@@ -37,12 +36,12 @@ pub struct Tangent {
     low_rank: LowRank,
 }
 
-/// Why a tangent cannot be factored.
+/// Reason why a tangent cannot be factored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Singular {
     /// At a node.
     Node(usize),
-    /// Where beams are tied together.
+    /// Connections of beams.
     Constraints,
 }
 
@@ -242,7 +241,7 @@ impl Tangent {
         Ok(())
     }
 
-    /// A new order and pattern for contacts that tie nodes together; those of the last one are kept while they are few.
+    /// A new order and pattern for contacts that connect nodes; those of the last one are kept while they are few.
     fn widen(&mut self, model: &Model) {
         let old = &self.matrix.couplings;
         let keep = if old.len() - self.permanent > 4 * self.contacts.len() + 16 {

@@ -72,15 +72,15 @@ pub struct ContactInterval {
     pub steady: bool,
     /// Whether the point that touched first is the one that left last: velocities of two points make no coefficient.
     pub one_point: bool,
-    /// Where it closed first.
+    /// Place of the first closing.
     pub place: ContactPlace,
-    /// Where it opened last, or was last closed.
+    /// Place of the last opening, or last closed place.
     pub place_end: ContactPlace,
     /// Energies.
     pub energy: EnergySplit,
 }
 
-/// Why a touch has no coefficient of restitution.
+/// Reason why an interval has no coefficient of restitution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum NoRestitution {
     /// It is still closed at the end of the run.
@@ -179,7 +179,7 @@ pub struct Impact {
     pub approach_velocity: f64,
     /// Relative velocity of the same point after, positive when separating \[m/s\].
     pub separation_velocity: f64,
-    /// Where that point struck.
+    /// Place of the impact of that point.
     pub place: ContactPlace,
     /// Energies.
     pub energy: EnergySplit,
@@ -220,7 +220,7 @@ pub enum ContactRecord {
     Nonsmooth {
         /// Impacts, in order, shape (impacts); the first [`ContactRecord::IMPACTS_KEPT`] of them.
         impacts: Vec<Impact>,
-        /// Number of impacts, kept or not.
+        /// Number of impacts, stored or not.
         impact_count: usize,
         /// Impacts in which Newton's law would have given energy, so that Moreau's was used.
         fallback_count: usize,
@@ -272,7 +272,7 @@ pub struct ContactSummary {
     pub pressed_in: Option<PressedIn>,
     /// Equivalent static force of the impacts, if only weight at rest acts on the structure as well.
     pub equivalent_force: Option<EquivalentForce>,
-    /// Why there is none, of a guided projectile.
+    /// Reason why there is none, for a guided projectile.
     pub no_equivalent_force: Option<&'static str>,
     /// Record.
     pub record: ContactRecord,
@@ -320,7 +320,7 @@ impl PressedIn {
 /// the run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EquivalentForce {
-    /// The one that bends the struck beam by the same largest moment \[N\].
+    /// Force with the same largest moment in the struck beam \[N\].
     pub moment: f64,
     /// Force with the same deflection of the struck point along the line of flight \[N\]; `None` if that is not recorded.
     pub deflection: Option<f64>,

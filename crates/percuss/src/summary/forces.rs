@@ -150,6 +150,6 @@ pub struct StopTouch {
 }
 
 impl StopTouch {
-    /// Touches of a stop that are kept.
+    /// Stored contact intervals of a stop.
     pub const KEPT: usize = 10_000;
 }

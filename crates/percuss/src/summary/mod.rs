@@ -16,7 +16,7 @@ pub use step_control::*;
 
 use crate::error::Error;
 
-/// How a run ended.
+/// Termination of a run.
 #[derive(Debug, Default)]
 pub enum Termination {
     /// Not run yet.
@@ -116,7 +116,7 @@ pub struct ProjectileSummary {
 /// The result of a run.
 #[derive(Debug)]
 pub struct RunSummary {
-    /// How it ended.
+    /// Termination.
     pub termination: Termination,
     /// Time reached \[s\].
     pub time: f64,

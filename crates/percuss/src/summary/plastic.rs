@@ -22,7 +22,7 @@ pub struct PlasticHinge {
     pub dissipated: f64,
 }
 
-/// Where and when a beam first yielded.
+/// Place and time of first yield of a beam.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FirstYield {
     /// Arc length from the start of the beam \[m\], that of a Gauss point.
@@ -36,13 +36,13 @@ pub struct FirstYield {
 pub struct PlasticSummary {
     /// The beam's name.
     pub name: String,
-    /// Plastic strain of largest magnitude, signed \[-\]; with softening or perfect plasticity it grows as elements shrink.
+    /// Plastic strain of largest magnitude, signed \[-\]; with softening or perfect plasticity it increases with mesh refinement.
     pub strain_max: SectionPeak,
     /// Largest accumulated plastic strain \[-\].
     pub accumulated_max: SectionPeak,
     /// Place and time of first yield, if any.
     pub first_yield: Option<FirstYield>,
-    /// Where it has bent plastically up to the end, in the order along it, shape (hinges).
+    /// Plastic hinges at the end, in the order along it, shape (hinges).
     pub hinges: Vec<PlasticHinge>,
     /// Energy dissipated by plastic flow, by the preload of a static start and in the run \[J\].
     pub dissipated: f64,
@@ -55,7 +55,7 @@ pub struct PlasticSummary {
     pub permanent_set: Result<PermanentSet, NoPermanentSet>,
     /// Fibres that have failed.
     pub failed: usize,
-    /// Where it has parted, in the order of time, shape (places).
+    /// Fractures, in the order of time, shape (places).
     pub parted: Vec<Parting>,
 }
 

@@ -36,7 +36,7 @@ struct Departure {
     most: f64,
 }
 
-/// How the load factor went along an arc.
+/// Change of the load factor along an arc.
 pub(super) struct FactorAlongArc {
     /// Whether it turned: an odd number of times.
     pub turned: bool,
@@ -202,7 +202,7 @@ impl Tracer<'_> {
         FactorAlongArc { turned, resolved: straight && (turned || (even(then) && even(now))) }
     }
 
-    /// Whether the load factor grows along the path at the current point.
+    /// Whether the load factor increases along the path at the current point.
     fn rises(&mut self) -> Option<bool> {
         self.prepare().then(|| self.leads_up())
     }

@@ -147,7 +147,7 @@ impl Following<'_, '_> {
             return self.halve();
         };
         let along = tracer.factor_along_arc(&before);
-        // Where the load factor turns, arcs are no longer than the first.
+        // At a limit point of the load factor, arcs are no longer than the first.
         if self.arc > first && (along.turned || !along.resolved) {
             tracer.back_to(&before);
             self.arc = (0.5 * self.arc).max(first);

@@ -27,7 +27,7 @@ pub(super) struct Mark {
     pub reached: Reached,
     /// The last step along the path: increments of the nodal displacements, shape (nodes, 4) \[m, -\].
     pub way: Vec<[f64; 4]>,
-    /// Which rigid contacts pressed where it began, shape (places of contacts).
+    /// Active rigid contacts at its start, shape (places of contacts).
     pub pressed: Vec<bool>,
     /// Whether the load factor increased at the start of the last step.
     pub rising: bool,
@@ -52,7 +52,7 @@ pub(super) struct Tracer<'m> {
     pub given: bool,
     /// The last step along the path: increments of the nodal displacements, shape (nodes, 4) \[m, -\].
     pub way: Vec<[f64; 4]>,
-    /// Which rigid contacts pressed where it began, shape (places of contacts).
+    /// Active rigid contacts at its start, shape (places of contacts).
     pub pressed: Vec<bool>,
     pub rising: bool,
     /// Response to the loads.

@@ -5,9 +5,9 @@ use crate::analysis::yields::{self, PathYield};
 
 /// An arc that ends no further than this share beyond a first yield is not cut.
 const NEAR: f64 = 0.98;
-/// Nor is one cut shorter than to this share of the first.
+/// Least length of a cut arc, as a share of the first.
 const SHORT: f64 = 1e-3;
-/// How far beyond it a cut arc ends, relative.
+/// Distance of the end of a cut arc beyond it, relative.
 const BEYOND: f64 = 1e-6;
 
 /// Result of the last arc.

@@ -8,11 +8,11 @@ use crate::geometry::turning::Turning;
 pub struct Held {
     /// Gradient of its gap on the nodes that move.
     pub row: Row,
-    /// Of its law, or far above that of the beams \[N/m\].
+    /// Stiffness of its law, or far above that of the beams \[N/m\].
     pub stiffness: f64,
     /// Its force \[N\].
     pub force: f64,
-    /// How its direction turns: parts of the second derivative of the gap, shape (such parts).
+    /// Rotation of its direction: parts of the second derivative of the gap, shape (such parts).
     pub turnings: Vec<Turning>,
 }
 

@@ -28,8 +28,8 @@ pub struct FreeMotions {
 
 /// Motions from the base of a search that no stiffness opposes, to first order.
 ///
-/// Their number is the rank that a stiffness matrix lacks, whatever the stiffness: it is found with unit bending stiffness for
-/// each beam, and springs to match.
+/// Their number is the rank deficiency of a stiffness matrix, for any stiffness: it is found with unit bending stiffness for each beam, and
+/// corresponding springs.
 pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
     match is_held_beam_by_beam(layout.model, search) {
         true => FreeMotions { motions: Vec::new(), stops: Vec::new() },

@@ -20,7 +20,7 @@ pub struct BendingStep<S> {
     unit: Stress<S>,
     /// Derivatives, for a unit moment, of the coefficients along the discrete gradient's two parts, shape (2).
     turned: [Form<S>; 2],
-    /// Where the discrete gradient is evaluated: tangent x' and x'' in the middle of the step, shape (2, 2) \[-, 1/m\].
+    /// Point of evaluation of the discrete gradient: tangent x' and x'' in the middle of the step, shape (2, 2) \[-, 1/m\].
     middle: [[S; 2]; 2],
 }
 

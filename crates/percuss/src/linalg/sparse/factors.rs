@@ -19,7 +19,7 @@ pub struct SparseMatrix<'a> {
 pub struct LuFactors {
     /// Rows of the matrix in the order of their elimination, shape (order of the matrix) \[index of a row\].
     rows: Vec<usize>,
-    /// When each row is eliminated, shape (order of the matrix) \[index of a column\].
+    /// Order of elimination of each row, shape (order of the matrix) \[index of a column\].
     places: Vec<usize>,
     /// The lower factor below its diagonal of ones.
     lower: ColumnPattern,
@@ -99,7 +99,7 @@ impl LuFactors {
                 self.lower_values[below] = value / pivot;
             }
             self.pivots[k] = pivot;
-            // Not a number is not good either.
+            // NaN is not good either.
             let good = pivot.abs() > 0.0 && pivot.abs() >= GOOD * most;
             if !good || pivot.is_infinite() {
                 return false;

@@ -158,13 +158,13 @@ pub struct SmoothLaw {
     pub potential: Potential,
     /// Hunt and Crossley's factor chi \[s/m\]: the force is `f(p) (1 + chi p_dot)`, never a pull; zero for none.
     pub dissipation: f64,
-    /// How it is evaluated over a step.
+    /// Evaluation over a step.
     pub force: ContactForce,
     /// Slope of the line of unloading with crushing: the potential is then that of further loading, and unloading follows only this line \[N/m\].
     pub unloading: Option<f64>,
 }
 
-/// How a smooth contact force is evaluated over a step.
+/// Evaluation of a smooth contact force over a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ContactForce {
     /// Difference quotient of the potential along the discrete gradient of the gap: conserves energy and momenta, also while
@@ -312,7 +312,7 @@ pub fn hunt_crossley(restitution: f64, velocity: f64) -> f64 {
 }
 
 impl TouchLaw {
-    /// The law of a force that grows with the penetration, if it is one.
+    /// The law of a force that increases with the penetration, if it is one.
     pub fn smooth(&self) -> Option<&SmoothLaw> {
         match self {
             Self::Smooth(law) => Some(law),

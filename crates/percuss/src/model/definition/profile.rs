@@ -10,7 +10,7 @@ use super::MaterialId;
 /// Distribution of the area of a section about its centre line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Profile {
-    /// Not known: such a section cannot yield.
+    /// Unknown: such a section cannot yield.
     Unknown,
     /// Strips of uniform width in the upper half, mirrored in the lower one, from the centre line outwards, shape (strips).
     Strips(Vec<Strip>),
@@ -21,7 +21,7 @@ pub enum Profile {
         /// Inner radius, zero for a full circle \[m\].
         inner: f64,
     },
-    /// Fibres as given, of one material or of several, shape (fibres): such a section is made of them whatever its materials do.
+    /// Fibres as given, of one material or of several, shape (fibres): such a section is a fibre section for any materials.
     Fibres(Vec<SectionFibre>),
 }
 

@@ -92,10 +92,10 @@ impl Support {
     }
 }
 
-/// How two beams are joined.
+/// Kind of connection of two beams.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointKind {
-    /// Positions shared and the angle between the tangents kept.
+    /// Rigid joint: common position and constant angle between the tangents.
     Rigid,
     /// Positions shared.
     Hinge,

@@ -12,7 +12,7 @@ use crate::summary::{NoPermanentSet, Peak, PermanentSet, YieldingSummary};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ConnectorRecord {
     plastic: Peak,
-    /// Its own coordinate, from the one without force.
+    /// Its own coordinate, relative to the force-free one.
     extension: Peak,
     first_yield: Option<f64>,
     /// Dissipation in the static start \[J\].

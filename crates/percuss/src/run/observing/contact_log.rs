@@ -28,7 +28,7 @@ pub struct ContactLog {
     pub records: Vec<ContactRecord>,
     /// Largest violation of the conditions of impulses, relative to the largest rate.
     pub residual: f64,
-    /// When each smooth contact was pressed in deepest, shape (contacts).
+    /// Time of the largest penetration of each smooth contact, shape (contacts).
     pub pressed: Vec<Option<PressedIn>>,
     /// Number of the open interval of each smooth contact in its record, shape (contacts) \[index of an interval\].
     open: Vec<Option<usize>>,
@@ -211,7 +211,7 @@ impl ContactLog {
 }
 
 impl StepViews<'_> {
-    /// Where pair `i` is nearest, a share of the step back from its end.
+    /// Closest point of pair `i`, at a share of the step back from its end.
     fn place(&self, i: usize, back: f64) -> ContactPlace {
         let (model, state) = (self.model, self.state);
         let now = state.configuration();

@@ -22,8 +22,7 @@ pub struct Crest<S> {
     pub time: S,
     /// Acceleration in the step before.
     bend: S,
-    /// A crest within the step before that the step to come may confirm, and its time, shape (2) \[unit of the value, s\]; NaN if there is
-    /// none.
+    /// A maximum within the previous step that the next step may confirm, and its time, shape (2) \[unit of the value, s\]; NaN if there is none.
     awaiting: [S; 2],
     /// The largest crest within a step that no neighbour confirmed.
     doubtful: S,

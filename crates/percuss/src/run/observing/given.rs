@@ -20,13 +20,13 @@ pub struct RowReactions {
     carries_impulses: bool,
     /// Mean reactions over the time before the last instant settled, shape (supports, 3) \[N, N m\].
     mean: Vec<[f64; 3]>,
-    /// All that supports had given at the last instant settled, shape (supports, 3) \[N s, N m s\].
+    /// Impulses of supports up to the last settled instant, shape (supports, 3) \[N s, N m s\].
     before: Vec<[f64; 3]>,
     /// That instant \[s\].
     settled: f64,
     /// Impulse of forces and impulses since the last row, shape (2, supports, 3) \[N s, N m s\].
     since_row: [Vec<[f64; 3]>; 2],
-    /// When that was \[s\].
+    /// Time of the last row \[s\].
     row: f64,
     /// Mean reactions and impulses of the last row, shape (2, supports, 3) \[N, N m\] and \[N s, N m s\].
     told: [Vec<[f64; 3]>; 2],

@@ -22,7 +22,7 @@ impl Default for JointRecord {
 }
 
 impl JointRecord {
-    /// Of a joint that a run starts with, torn in the equilibrium it starts from or whole.
+    /// For a joint at the start of a run, torn in the initial equilibrium or intact.
     pub fn starting(torn: bool, time: f64) -> Self {
         let (force, moment) = (f64::NAN, f64::NAN);
         let parted = torn.then_some(JointParting { time, force, moment });

@@ -68,7 +68,7 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Not open yet; supports react so at the start.
+    /// Not open yet; the reactions of supports at the start.
     pub fn new(model: &Model, state: &State, reactions: &[[f64; 3]]) -> Self {
         let points = model
             .points

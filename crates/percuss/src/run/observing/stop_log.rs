@@ -1,4 +1,4 @@
-//! When stops press, resolved to the steps.
+//! Contact intervals of stops, resolved to the steps.
 
 use crate::summary::{Peak, StopTouch};
 

@@ -26,7 +26,7 @@ pub struct YieldRecord {
     first: Option<FirstYield>,
     /// Dissipation in the static start \[J\].
     preload: f64,
-    /// Where it has parted so far, in the order of time, shape (places).
+    /// Fractures so far, in the order of time, shape (places).
     parted: Vec<Parting>,
 }
 

@@ -24,7 +24,7 @@ struct Pressed {
 pub struct Frames {
     /// Contact forces in the last accepted part of a step, shape (such contacts).
     pressed: Vec<Pressed>,
-    /// All its forces by their magnitudes, or its impulses if there were any \[N\] or \[N s\].
+    /// Sum of the magnitudes of its forces, or of its impulses if there were any \[N\] or \[N s\].
     contact: f64,
     /// Whether they are impulses.
     impulsive: bool,
@@ -72,7 +72,7 @@ impl Frames {
         self.load_factors.clone_from(&solved.solution.forcing.factors);
     }
 
-    /// All contact forces by their magnitudes \[N\], or impulses \[N s\], and whether they are these.
+    /// Sum of the magnitudes of all contact forces \[N\], or impulses \[N s\], and whether they are impulses.
     pub fn contact(&self) -> (f64, bool) {
         (self.contact, self.impulsive)
     }

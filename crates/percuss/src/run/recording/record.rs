@@ -102,7 +102,7 @@ impl Recorder for NoRecorder {
     }
 }
 
-/// Keeps every row in memory.
+/// Stores every row in memory.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryRecorder {
     /// The columns, shape (channels).

@@ -10,7 +10,7 @@ use crate::run::observing::monitor::Monitor;
 use crate::run::solving::trial::Accepted;
 use crate::state::State;
 
-/// The row to come.
+/// The next row.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Rows {
     /// Rows recorded.

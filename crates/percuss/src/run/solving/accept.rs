@@ -15,7 +15,7 @@ use crate::step::newton::StepProblem;
 use crate::step::workspace::Workspace;
 use crate::step::{commit, flows};
 
-/// Where a part ended.
+/// End of a part.
 #[derive(Clone, Debug)]
 pub struct PartEnd {
     /// Energies and momenta there.
@@ -166,7 +166,7 @@ impl Acceptance<'_> {
         }
     }
 
-    /// Which rigid contacts are closed at the end, and which one was located there.
+    /// Rigid contacts that are closed at the end, and the one that was located there.
     fn update_contacts(&mut self, solved: &mut Solved) {
         self.state.located = match solved.trial.kind {
             PartKind::Free { located } => located,

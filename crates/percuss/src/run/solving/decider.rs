@@ -27,7 +27,7 @@ pub enum Resolution {
     Jump,
     /// No impact: up to the first contact, or its whole size.
     Free,
-    /// All that touch strike at once.
+    /// Simultaneous impact of all touching contacts.
     Impact,
     /// They strike one after another.
     Sequence,
@@ -198,7 +198,7 @@ impl Decider {
         offset < self.target * (1.0 - SAME_INSTANT)
     }
 
-    /// Whether impacts accumulate: more of them than are followed one by one.
+    /// Whether impacts accumulate: the step has reached the Zeno limit.
     pub fn accumulates(&self) -> bool {
         self.events_left == 0
     }
@@ -262,7 +262,7 @@ impl Decider {
         let located = at.located.and_then(|k| at.contacts.iter().find(|c| c.contact == k));
         let touches = |c: &&RigidPair| {
             let way = |intervals: f64| -intervals * interval * c.rate;
-            // The instant located is the middle of the interval to come.
+            // The located instant is the middle of the next interval.
             let close = match located {
                 Some(one) => {
                     let farthest = one.gap + at.nothing.gap_difference;

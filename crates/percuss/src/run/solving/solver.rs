@@ -45,9 +45,9 @@ impl Counts {
 pub struct Standing<'a> {
     /// The model.
     pub model: &'a Model,
-    /// How it is stepped.
+    /// Settings.
     pub settings: &'a Settings,
-    /// Where it is.
+    /// State.
     pub state: &'a State,
 }
 

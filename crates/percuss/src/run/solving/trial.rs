@@ -43,7 +43,7 @@ pub enum PartKind {
     PlasticPostStep,
     /// A step of the paper's: impulses act over all of it.
     TimeStepping {
-        /// Which of the active contacts rest, shape (active contacts).
+        /// Whether each active contact rests, shape (active contacts).
         persistent: Vec<bool>,
     },
 }
@@ -132,7 +132,7 @@ pub struct PartSolution {
     pub forcing: Forcing,
     /// Pairs that came close in it.
     pub encounters: Encounters,
-    /// How it began.
+    /// Values at its start.
     pub start: PartStart,
 }
 
@@ -201,7 +201,7 @@ pub struct Accepted<'a> {
     pub model: &'a Model,
     /// The solution.
     pub solved: &'a Solved,
-    /// Where it ended.
+    /// State at its end.
     pub after: &'a State,
     /// Energies and momenta there.
     pub measures: &'a Measures,
@@ -219,7 +219,7 @@ impl<'a> Accepted<'a> {
         &self.solved.solution.work
     }
 
-    /// How it began.
+    /// Values at its start.
     pub fn before(&self) -> &'a PartStart {
         &self.solved.solution.start
     }

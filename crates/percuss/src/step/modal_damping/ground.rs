@@ -170,7 +170,7 @@ pub(super) struct Freedom {
     pub given: [f64; 3],
     /// Orthonormal fixed directions, shape (3, 3) \[-\]; the first `held` of them.
     directions: [[f64; 3]; 3],
-    /// How many they hold.
+    /// Number of fixed directions.
     pub held: usize,
 }
 

@@ -115,7 +115,7 @@ impl MovingModes {
         parts.iter().flatten().map(|p| p * p).sum()
     }
 
-    /// Number of motions as a whole that ties leave to the bodies, and whether any body can ever move as a whole.
+    /// Number of motions as a whole that ties leave free, and whether any body can ever move as a whole.
     pub fn freedoms(damping: &ModalDamping, view: &StepView) -> (usize, bool) {
         let mut own = Self::default();
         own.bodies.follow(damping, view);

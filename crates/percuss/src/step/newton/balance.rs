@@ -83,7 +83,7 @@ impl StepProblem<'_> {
         let u = &self.state.displacement;
         let reach = largest(u, self.size);
         let step = largest(&work.increment, self.size);
-        // Of places, and of angles times the size of the structure.
+        // Tolerance of positions, and of angles times the size of the structure.
         let tolerance = ROUND_OFF * (step + self.feedback * (self.size + reach));
         let seen = self.constraint_step(&work.increment);
         self.model.constraints.iter().zip(&self.forcing.constrained).all(|(c, acts)| {

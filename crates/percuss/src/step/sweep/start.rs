@@ -130,7 +130,7 @@ impl WithSimd for Measure<'_> {
             } else {
                 own.add_strains(&table, span.measure, &sweep.starts(like, element), &u);
             }
-            // Element by element, whatever the registers hold.
+            // Element by element, for any registers.
             for lane in 0..P::F64_LANES.min(count - k) {
                 sums.add(&ElementMeasures {
                     translation: own.translation.at(lane),

@@ -90,7 +90,7 @@ impl ContactLog {
         }
     }
 
-    /// How deep the pairs of a contact are pressed in at the end of the step.
+    /// Penetration of the pairs of a contact at the end of the step.
     fn note_depth(&mut self, seen: StepViews<'_>, contact: usize, pairs: Range<usize>) {
         let (model, end) = (seen.model, seen.span.start + seen.span.h);
         for k in pairs {
