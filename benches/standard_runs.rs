@@ -1,6 +1,9 @@
 //! Standard runs, recorded in memory: `standard-runs NAME STEPS`. `scripts/instructions` counts the instructions of the runs in [`NAMES`]; other
-//! numbers of elements are accepted. `standard-runs NAME STEPS --bits` prints a hash of all bits of the rows. Without arguments it prints the names
-//! of the runs and the vector registers that a run uses on this machine: counts differ between registers.
+//! numbers of elements are accepted.
+//!
+//! `standard-runs NAME STEPS --bits` prints a hash of all bits of the rows.
+//!
+//! Without arguments it prints the names of the runs and the vector registers that a run uses on this machine: counts differ between registers.
 
 use percuss::*;
 use percuss_bench::{Addition, elastic_example, frame, rigid_example, varied};

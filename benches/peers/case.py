@@ -1,4 +1,4 @@
-"""The paper's elastic example as every program is given it, and what is asked of a run.
+"""Input and output of the paper's elastic example for every program.
 
 A case is a JSON object: elements, step and end [s], free (no supports), repeat (runs in one process), options (of the program).
 An answer holds user (seconds of user time in the solver, all repetitions together), steps (of one run), finished, and either u_max [m]

@@ -141,7 +141,7 @@ def run(case, options):
     time.adaptiveStep = False
     time.generalizedAlpha.spectralRadius = options.get("radius", 1.0)
     time.newton.useModifiedNewton = options.get("modified", True)
-    # In newtons: with the tolerance it has by default (1e-10) round-off in the axial forces keeps it from converging.
+    # In newtons: with the default tolerance (1e-10) round-off in the axial forces prevents convergence.
     time.newton.absoluteTolerance = 1e-3
     time.newton.relativeTolerance = options.get("tolerance", 1e-8)
     settings.solution.file.write = False

@@ -1,6 +1,6 @@
 """Runs the cases in turns and prints the tables of docs/performance.md: `run` starts it, `run --quick` with three rounds instead of nine.
 
-Each measurement is a process of its own; the programs take turns, and what is compared are ratios within a round, of which the
+Each measurement is a process of its own; the programs take turns, and ratios within a round are compared, of which the
 median is printed. Times are user time in the solver.
 """
 
@@ -22,7 +22,7 @@ PEAKS, ENERGY = 0.0035, 0.01
 # Steps of the searches [s], the longest first.
 STEPS = [5e-3, 4e-3, 3e-3, 2.5e-3, 2e-3, 1.5e-3, 1.25e-3, 1e-3, 7.5e-4, 5e-4, 4e-4, 3e-4, 2.5e-4, 2e-4, 1.5e-4, 1e-4, 5e-5, 2e-5, 1e-5]
 
-# What is compared at one step: the cheapest ways the others have to solve it as well.
+# Comparison at one step: the cheapest settings with which the other programs solve it as well.
 SAME_STEP = {
     "Percuss": {},
     "Exudyn": {"order": 2},
@@ -48,7 +48,7 @@ FINE = {"elements": 96, "step": 2e-5, "end": 0.15, "free": False}
 
 
 def answer(program, case):
-    """What a program says of a case; None if it crashed or took too long."""
+    """The answer of a program to a case; None if it crashed or took too long."""
     command = PROGRAMS[program] + [json.dumps(case)]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=case.get("patience", 300), cwd=HERE)
@@ -59,7 +59,7 @@ def answer(program, case):
 
 
 def repeats(program, case):
-    """How often a case is to be repeated in one process."""
+    """Number of repetitions of a case in one process."""
     first = answer(program, case)
     return max(1, min(200, round(LEAST / max(first["user"], 1e-4))))
 
@@ -75,7 +75,7 @@ def in_turns(cases, rounds):
 
 
 def ratio(times, program):
-    """How many times as long as Percuss: the median over rounds, and the range of its middle half."""
+    """Time relative to Percuss: the median over rounds, and the range of the middle half."""
     all_of_them = sorted(a / b for a, b in zip(times[program], times["Percuss"]))
     n = len(all_of_them)
     low, high = all_of_them[n // 4], all_of_them[n - 1 - n // 4]
@@ -89,7 +89,7 @@ def table(head, rows):
 
 
 def same_step(rounds):
-    """Microseconds a step on 6, 60 and 600 elements, clamped."""
+    """Microseconds per step on 6, 60 and 600 elements, clamped."""
     print("\nSteps of 1e-4 s, clamped, everything recorded: microseconds of user time a step (median)\n")
     rows = []
     for elements, end in ((6, 0.15), (60, 0.15), (600, 0.03)):
@@ -110,7 +110,7 @@ def error(found, reference):
 
 
 def holds(program, case, reference):
-    """The error of a case if it is small enough, and so it stays with a step four fifths as long: no chance hit."""
+    """The error of a case if it is small enough also with a step four fifths as long, so that it is not accidental."""
     found = answer(program, case)
     if case["free"]:
         small = found and found["finished"] and found["energy_error"] <= ENERGY
@@ -127,7 +127,7 @@ def cheapest(program, base, meshes, reference):
         for options in SETTINGS[program]:
             for step in STEPS:
                 case = base | {"elements": elements, "step": step, "options": options}
-                # A setting that would cost twice the best so far is not tried.
+                # Settings with twice the cost of the best one so far are skipped.
                 if best and base["end"] / step * 1e-6 > 2.0 * best[0]:
                     break
                 held = holds(program, case, reference)

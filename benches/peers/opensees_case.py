@@ -1,7 +1,7 @@
 """The elastic example in OpenSees: elasticBeamColumn with the corotational transformation and consistent mass (engineering strains,
 one axial strain per element, no rotary inertia).
 
-The projectile is a node of its own on the midspan node; the spring between them is elastic under compression alone, behind the standoff.
+The projectile is a node of its own on the midspan node; the spring between them is elastic under compression only, after the standoff.
 """
 
 import os
@@ -34,7 +34,7 @@ def model(case):
     for k in range(1, count + 1):
         material = (c.AREA, c.YOUNG, c.INERTIA, 1)
         ops.element("elasticBeamColumn", k, k, k + 1, *material, "-mass", c.MASS_PER_LENGTH, "-cMass")
-    # Deformations are the projectile's less the beam's; the standoff is a stretch without force.
+    # Deformations are the projectile's less the beam's; the standoff is a deformation without force.
     reach = 100.0
     strains, stresses = (-reach, 0.0, c.STANDOFF, c.STANDOFF + reach), (0.0, 0.0, 0.0, c.SPRING * reach)
     ops.uniaxialMaterial("ElasticMultiLinear", 1, "-strain", *strains, "-stress", *stresses)
@@ -84,7 +84,7 @@ def energy(count, middle, mass):
 
 
 def run_free(case, options):
-    """A run without supports, in parts between which its energy is looked at."""
+    """A run without supports, in parts, after each of which its energy is evaluated."""
     middle, mass, _ = model(case)
     analysis(options)
     part = max(round(c.SAMPLE / case["step"]), 1)

@@ -1,6 +1,7 @@
-//! Block-tridiagonal matrix of an ensemble, 4 x 4 blocks, factored without pivoting. Lanes cannot choose pivots independently. In a step of a
-//! transient the masses dominate the blocks, so pivoting is not needed; if a pivot fails nevertheless, the residual of the run shows it and the run
-//! is repeated by the solver of single runs, which pivots.
+//! Block-tridiagonal matrix of an ensemble, 4 x 4 blocks, factored without pivoting.
+//!
+//! Lanes cannot choose pivots independently. In a step of a transient the masses dominate the blocks, so pivoting is not needed; if a pivot fails
+//! nevertheless, the residual of the run shows it and the run is repeated by the solver of single runs, which pivots.
 
 use percuss::internals::linalg::block::{Block, apply, less_applied, mul, sub_mul};
 use percuss::internals::linalg::gauss_jordan;

@@ -9,6 +9,7 @@ use percuss::simulate;
 use percuss::{Fault, Model};
 
 /// Simulates every model with its settings and returns the summaries in the same order.
+///
 /// The summary of a run does not depend on the other runs, to the last bit.
 ///
 /// # Errors

@@ -88,11 +88,11 @@ impl<'a> DerivativeRun<'a> {
     /// # Errors
     /// The horizon of the derivatives, if it is earlier than the end.
     pub fn run(&mut self) -> Result<(), Horizon> {
-        let (gaps, nothing) = (self.gaps_and_rates(), self.nothing());
-        self.progress.close_at_rest(gaps.into_iter(), nothing);
+        let (gaps, negligible) = (self.gaps_and_rates(), self.negligible());
+        self.progress.close_at_rest(gaps.into_iter(), negligible);
         while !self.progress.is_over() {
-            let (gaps, nothing) = (self.gaps_and_rates(), self.nothing());
-            self.progress.begin(gaps.into_iter(), nothing);
+            let (gaps, negligible) = (self.gaps_and_rates(), self.negligible());
+            self.progress.begin(gaps.into_iter(), negligible);
             self.advance()?;
         }
         for (k, guide) in self.engine.guides.iter().enumerate() {
@@ -120,7 +120,7 @@ impl<'a> DerivativeRun<'a> {
     }
 
     /// Negligible gaps and rates of bodies in contact.
-    fn nothing(&self) -> Negligible {
+    fn negligible(&self) -> Negligible {
         let energy = self.ledger.sums.energy_scale.value;
         RunScales { energy, ..scales(self.model, self.settings) }.negligible()
     }
@@ -193,7 +193,7 @@ impl<'a> DerivativeRun<'a> {
         for (seen, gaps) in seen.iter_mut().zip(self.gaps_and_rates()) {
             seen.end = gaps;
         }
-        self.progress.accept(&seen, &impulses, self.nothing());
+        self.progress.accept(&seen, &impulses, self.negligible());
         self.offset += h;
         if self.progress.steps > steps {
             self.offset = self.offset - target;

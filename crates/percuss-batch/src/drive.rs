@@ -19,7 +19,7 @@ use percuss::internals::step::contacts::IMPULSIVE;
 use percuss::{RunSummary, Termination};
 
 /// Gap, rate and impulse of the rigid contact in all lanes.
-struct Views<S> {
+struct ContactValues<S> {
     /// Gap and its rate at the start of the part, shape (2) \[m, m/s\].
     start: [S; 2],
     /// The same at its end, shape (2) \[m, m/s\].
@@ -85,7 +85,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             self.set_parts();
             self.log.begin(&self.engine);
             self.engine.solve(&self.ledger, &mut self.search);
-            let seen = self.views();
+            let seen = self.contact_values();
             let go = self.judge(seen.as_ref());
             self.go_on(go);
             self.close_parts(seen.as_ref(), go, keep);
@@ -106,10 +106,10 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             sections.begin(number, run.model);
         }
         let mut lane = Lane::new(self.next, run, self.guide);
-        let nothing = lane.nothing(&self.ledger, number);
+        let negligible = lane.negligible(&self.ledger, number);
         let gap = self.gap_and_rate(number);
-        lane.progress.close_at_rest(gap.into_iter(), nothing);
-        lane.progress.begin(gap.into_iter(), nothing);
+        lane.progress.close_at_rest(gap.into_iter(), negligible);
+        lane.progress.begin(gap.into_iter(), negligible);
         self.lanes[number] = Some(lane);
         self.next += 1;
     }
@@ -154,10 +154,10 @@ impl<'a, S: Number> LaneDriver<'a, S> {
 
     /// Gap, rate and impulse of the rigid contact, if there is one.
     #[inline(always)]
-    fn views(&self) -> Option<Views<S>> {
+    fn contact_values(&self) -> Option<ContactValues<S>> {
         let guide = self.guide?;
         let state = &self.engine.guides[guide];
-        Some(Views {
+        Some(ContactValues {
             start: [state.gap, state.rate],
             end: self.engine.gap_next(guide),
             impulse: state.impulse,
@@ -167,7 +167,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
 
     /// Lanes whose part is accepted.
     #[inline(always)]
-    fn judge(&mut self, seen: Option<&Views<S>>) -> S::Mask {
+    fn judge(&mut self, seen: Option<&ContactValues<S>>) -> S::Mask {
         let mut go = [false; 64];
         for (number, go) in go.iter_mut().enumerate().take(S::LANES) {
             let Some(lane) = &mut self.lanes[number] else { continue };
@@ -199,7 +199,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
     #[inline(always)]
     fn close_parts(
         &mut self,
-        seen: Option<&Views<S>>,
+        seen: Option<&ContactValues<S>>,
         go: S::Mask,
         keep: &mut dyn FnMut(usize, Option<RunSummary>),
     ) {
@@ -224,7 +224,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
 
     /// Accepts the part of a lane and begins the next one; `false` where a single run would continue differently.
     #[inline(always)]
-    fn advance(&self, lane: &mut Lane, number: usize, seen: Option<&Views<S>>) -> bool {
+    fn advance(&self, lane: &mut Lane, number: usize, seen: Option<&ContactValues<S>>) -> bool {
         let gap = self.gap_and_rate(number);
         let (mut now, mut impulse) = (None, None);
         if let (Some(seen), Some(end)) = (seen, gap) {
@@ -234,21 +234,21 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             now = Some(Seen { end, ..seen.lane(number) });
             impulse = Some(seen.impulse.lane(number));
         }
-        let nothing = lane.nothing(&self.ledger, number);
-        lane.progress.accept(now.as_slice(), impulse.as_slice(), nothing);
+        let negligible = lane.negligible(&self.ledger, number);
+        lane.progress.accept(now.as_slice(), impulse.as_slice(), negligible);
         if let Some([gap, _]) = gap {
             lane.rigid.see(gap, lane.progress.time);
         }
         if lane.progress.has_accumulated() {
             return false;
         }
-        lane.progress.begin(gap.into_iter(), nothing);
+        lane.progress.begin(gap.into_iter(), negligible);
         true
     }
 
     /// Records the rigid contact of a lane in its part; `false` where Moreau's law replaces the law of the contact.
     #[inline(always)]
-    fn note(&self, lane: &mut Lane, number: usize, seen: &Views<S>) -> bool {
+    fn note(&self, lane: &mut Lane, number: usize, seen: &ContactValues<S>) -> bool {
         let (own, impulse) = (seen.lane(number), seen.impulse.lane(number));
         let work = seen.work.lane(number);
         if lane.progress.is_impact() && gives_energy(work, [(impulse, own.start[1])]) {
@@ -296,7 +296,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
     }
 }
 
-impl<S: Number> Views<S> {
+impl<S: Number> ContactValues<S> {
     /// The values of one lane.
     #[inline(always)]
     fn lane(&self, lane: usize) -> Seen {

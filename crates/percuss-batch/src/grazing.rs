@@ -1,7 +1,7 @@
 //! Contacts and first yield of beams that a small change of the parameters adds to a run or removes from it.
 
 use super::derivative_run::{DerivativeRun, Derived};
-use super::yield_log::{Noted, YieldLog};
+use super::yield_log::{PointPeak, YieldLog};
 use percuss::internals::scalar::Real;
 
 /// Event at whose onset the results have a kink.
@@ -14,6 +14,7 @@ pub enum Onset {
 }
 
 /// A contact, or the yielding of a beam, that a small change of the parameters adds or removes.
+///
 /// There the results have a kink: derivatives are valid only on the side of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grazing {
@@ -54,11 +55,12 @@ impl DerivativeRun<'_> {
         }
         for (beam, logs) in self.yields(self.model) {
             let onset = Onset::Yield(beam.name.clone());
-            let larger = |a: Noted<Derived>, b: Noted<Derived>| {
+            let larger = |a: PointPeak<Derived>, b: PointPeak<Derived>| {
                 if a.value.value < b.value.value { b } else { a }
             };
-            let most =
-                |of: fn(&YieldLog<Derived>) -> Noted<Derived>| logs.iter().map(of).reduce(larger);
+            let most = |of: fn(&YieldLog<Derived>) -> PointPeak<Derived>| {
+                logs.iter().map(of).reduce(larger)
+            };
             let (Some(flowed), Some(near)) = (most(|l| l.accumulated), most(|l| l.near)) else {
                 continue;
             };

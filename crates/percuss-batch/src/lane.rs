@@ -54,7 +54,7 @@ impl Lane {
 
     /// Negligible approach velocity and gap of the run, in the lane of the given number, as in a single run.
     #[inline(always)]
-    pub fn nothing<S: Number>(&self, ledger: &LaneLedger<S>, lane: usize) -> Negligible {
+    pub fn negligible<S: Number>(&self, ledger: &LaneLedger<S>, lane: usize) -> Negligible {
         RunScales { energy: ledger.sums.energy_scale.lane(lane), ..self.scales }.negligible()
     }
 

@@ -1,8 +1,11 @@
-//! Many runs of Percuss, and runs with their derivatives: [`simulate_batch`] and [`sensitivities`]. Ensembles: runs of one shape in SIMD lanes, one
-//! run per lane, or one run with its derivatives. The mechanics, element kernels and convergence tests are those of
-//! [`Simulation`](percuss::Simulation), for the models of most studies: beams and frames, elastic, damped or yielding, struck by guided projectiles
-//! and under dead loads ([`shape`] checks this). The code is generic over [`Number`](percuss::internals::scalar::Number): lanes for speed, dual
-//! numbers for derivatives. Lanes are independent, so a run gives the same bits alone and beside others.
+//! Many runs of Percuss, and runs with their derivatives: [`simulate_batch`] and [`sensitivities`].
+//!
+//! Ensembles: runs of one shape in SIMD lanes, one run per lane, or one run with its derivatives.
+//!
+//! The mechanics, element kernels and convergence tests are those of [`Simulation`](percuss::Simulation), for the models of most studies: beams and
+//! frames, elastic, damped or yielding, struck by guided projectiles and under dead loads ([`shape`] checks this). The code is generic over
+//! [`Number`](percuss::internals::scalar::Number): lanes for speed, dual numbers for derivatives. Lanes are independent, so a run gives the same
+//! bits alone and beside others.
 
 #![allow(rustdoc::private_intra_doc_links)] // the crate's description links its private modules
 

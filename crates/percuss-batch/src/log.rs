@@ -1,19 +1,19 @@
 //! Peaks of points and intervals of contacts for the summaries of an ensemble, resolved within the step.
 
 mod guide;
-mod kept;
 mod path;
+mod saved_records;
 
 use super::engine::Engine;
 use super::numbers::GuideLaw;
 use super::yield_log::{self, YieldLog};
 use guide::GuideLog;
-use kept::Kept;
 use percuss::internals::contact::free_gap::FreeGap;
 use percuss::internals::run::crest::Crest;
 use percuss::internals::scalar::{Mask, Number};
 use percuss::internals::step::contacts::IMPULSIVE;
 use percuss::math::interpolant::Interpolant;
+use saved_records::SavedRecords;
 
 pub use guide::{Closed, Top};
 
@@ -35,7 +35,7 @@ pub struct Log<S: Number> {
     /// Lanes whose step is accepted.
     taken: S::Mask,
     /// Records of the other lanes, which are restored.
-    kept: Kept<S>,
+    saved: SavedRecords<S>,
 }
 
 impl<S: Number> Log<S> {
@@ -63,7 +63,7 @@ impl<S: Number> Log<S> {
             point_start: vec![[[zero; 2]; 2]; points],
             gap_start: vec![[zero; 2]; guides],
             taken: zero.at_most(zero),
-            kept: Kept::default(),
+            saved: SavedRecords::default(),
         }
     }
 
@@ -93,14 +93,14 @@ impl<S: Number> Log<S> {
     #[inline(always)]
     pub fn keep(&mut self, go: S::Mask) {
         self.taken = go;
-        self.kept.keep((&mut self.points, &mut self.guides, &mut self.yields));
+        self.saved.save((&mut self.points, &mut self.guides, &mut self.yields));
     }
 
     /// Restores the saved records of all lanes except those of the mask `go`.
     #[inline(always)]
     pub fn put_back(&mut self, go: S::Mask) {
         self.taken = go | !go;
-        self.kept.put_back((&mut self.points, &mut self.guides, &mut self.yields), go);
+        self.saved.restore((&mut self.points, &mut self.guides, &mut self.yields), go);
     }
 
     /// Records the start of a step.

@@ -9,8 +9,10 @@ use percuss::internals::scalar::{Lanes, in_lanes};
 use percuss::internals::settings::Settings;
 use percuss::{Model, RunSummary};
 
-/// Simulates the runs that ensembles support, with the results that they provide; `None` for the others. The summary of a run does not depend on
-/// the other runs, to the last bit. Runs in which an iteration fails are `None`; the solver of single runs repeats them with step cuts.
+/// Simulates the runs that ensembles support, with the results that they provide; `None` for the others.
+///
+/// The summary of a run does not depend on the other runs, to the last bit. Runs in which an iteration fails are `None`; the solver of single runs
+/// repeats them with step cuts.
 pub fn simulate_ensemble(runs: &[(&Model, &Settings)], detail: Detail) -> Vec<Option<RunSummary>> {
     let mut done: Vec<Option<RunSummary>> = runs.iter().map(|_| None).collect();
     let known = |(i, (model, settings)): (usize, &(&Model, &Settings))| {
@@ -33,7 +35,7 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)], detail: Detail) -> Vec<Op
             })
             .collect();
         let mut keep = |index: usize, summary| done[index] = summary;
-        in_lanes(SideBySide { runs: &group, detail, keep: &mut keep });
+        in_lanes(LaneTask { runs: &group, detail, keep: &mut keep });
     }
     done
 }
@@ -64,14 +66,14 @@ pub fn runs_alone(model: &Model, settings: &Settings, detail: Detail) -> Option<
 }
 
 /// Runs in lanes, compiled for each of the register widths that processors have.
-struct SideBySide<'a, 'r> {
+struct LaneTask<'a, 'r> {
     /// The runs, shape (runs).
     runs: &'a [LaneRun<'r>],
     detail: Detail,
     keep: &'a mut dyn FnMut(usize, Option<RunSummary>),
 }
 
-impl pulp::WithSimd for SideBySide<'_, '_> {
+impl pulp::WithSimd for LaneTask<'_, '_> {
     type Output = ();
     #[inline(always)]
     fn with_simd<P: pulp::Simd>(self, family: P) {

@@ -1,5 +1,7 @@
-//! Progress of a run by parts of steps, as in a single run: its time, and its rigid contacts. The [`Decider`] sets the parts. For the solver every
-//! part is a step of some size with some contacts that press; each run decides separately whether a part is accepted and which part follows.
+//! Progress of a run by parts of steps, as in a single run: its time, and its rigid contacts.
+//!
+//! The [`Decider`] sets the parts. For the solver every part is a step of some size with some contacts that press; each run decides separately
+//! whether a part is accepted and which part follows.
 
 use percuss::Model;
 use percuss::internals::run::decider::{
@@ -117,7 +119,7 @@ impl RunProgress {
     }
 
     /// Begins the next part with the given gaps and their rates, shape (rigid contacts, 2) \[m, m/s\].
-    pub fn begin(&mut self, gaps: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
+    pub fn begin(&mut self, gaps: impl Iterator<Item = [f64; 2]>, negligible: Negligible) {
         let pair = |(contact, (c, [gap, rate])): (usize, (&Touching, [f64; 2]))| {
             let (closed, approach_max) = (c.closed, c.approach_max);
             RigidPair {
@@ -135,7 +137,7 @@ impl RunProgress {
             jumps: false,
             located: self.located.take(),
             contacts: self.contacts.iter().zip(gaps).enumerate().map(pair).collect(),
-            nothing,
+            nothing: negligible,
         };
         self.decider.goes_on(&moment);
         self.note_phases();
@@ -159,7 +161,7 @@ impl RunProgress {
     }
 
     /// Accepts the current part with the given contacts and impulses, shape (rigid contacts).
-    pub fn accept(&mut self, seen: &[Seen], impulses: &[f64], nothing: Negligible) {
+    pub fn accept(&mut self, seen: &[Seen], impulses: &[f64], negligible: Negligible) {
         let h = self.h();
         self.decider.spend(self.is_impact() || self.located.is_some());
         let strikes = self.contacts.iter().zip(impulses).any(|(c, i)| c.strikes() && *i > 0.0);
@@ -174,7 +176,7 @@ impl RunProgress {
             }
             contact.closed = phase.closes(*impulse);
         }
-        self.close_at_rest(seen.iter().map(|s| s.end), nothing);
+        self.close_at_rest(seen.iter().map(|s| s.end), negligible);
         self.time += h;
         self.offset += h;
         if strikes {
@@ -184,9 +186,9 @@ impl RunProgress {
     }
 
     /// Marks contacts with a negligible gap and rate as closed; gaps and their rates have the shape (rigid contacts, 2) \[m, m/s\].
-    pub fn close_at_rest(&mut self, gaps: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
+    pub fn close_at_rest(&mut self, gaps: impl Iterator<Item = [f64; 2]>, negligible: Negligible) {
         for (contact, [gap, rate]) in self.contacts.iter_mut().zip(gaps) {
-            contact.closed |= nothing.is_at_rest(gap, rate);
+            contact.closed |= negligible.is_at_rest(gap, rate);
         }
     }
 

@@ -10,7 +10,7 @@ use percuss::{FirstYield, SectionPeak};
 
 /// A largest value, its Gauss point and its time.
 #[derive(Clone, Copy, Debug)]
-pub struct Noted<S> {
+pub struct PointPeak<S> {
     pub value: S,
     /// Number of the Gauss point along the span.
     pub point: S,
@@ -22,16 +22,16 @@ pub struct Noted<S> {
 #[derive(Clone, Copy, Debug)]
 pub struct YieldLog<S> {
     /// Plastic strain of largest magnitude, signed \[-\].
-    pub strain: Noted<S>,
+    pub strain: PointPeak<S>,
     /// Largest accumulated plastic strain \[-\].
-    pub accumulated: Noted<S>,
+    pub accumulated: PointPeak<S>,
     /// Number of the Gauss point of first yield, and its time, shape (2) \[-, s\]; unset without accumulated plastic strain.
     pub first: [S; 2],
     /// Largest ratio of stress to yield stress before that; recorded only for derivatives \[-\].
-    pub near: Noted<S>,
+    pub near: PointPeak<S>,
 }
 
-impl<S: Number> Noted<S> {
+impl<S: Number> PointPeak<S> {
     fn none(like: S) -> Self {
         let zero = like.constant(0.0);
         Self { value: zero, point: zero, time: zero }
@@ -50,14 +50,14 @@ impl<S: Number> Noted<S> {
 impl<S: Number> YieldLog<S> {
     /// A record without yielding.
     pub fn none(like: S) -> Self {
-        let none = Noted::none(like);
+        let none = PointPeak::none(like);
         Self { strain: none, accumulated: none, first: [none.value; 2], near: none }
     }
 
     fn each(&mut self) -> impl Iterator<Item = &mut S> {
-        let noted = [&mut self.strain, &mut self.accumulated, &mut self.near];
-        let noted = noted.into_iter().flat_map(|n| [&mut n.value, &mut n.point, &mut n.time]);
-        noted.chain(&mut self.first)
+        let peaks = [&mut self.strain, &mut self.accumulated, &mut self.near];
+        let peaks = peaks.into_iter().flat_map(|n| [&mut n.value, &mut n.point, &mut n.time]);
+        peaks.chain(&mut self.first)
     }
 
     /// Begins a new run in a lane.
@@ -165,10 +165,10 @@ pub fn records<S: Number>(model: &Model, logs: &[YieldLog<S>], lane: usize) -> V
                 continue;
             }
             let place = |point: S| place(span, point.lane(lane) as usize);
-            let peak = |noted: &Noted<S>| SectionPeak {
-                value: noted.value.lane(lane),
-                s: place(noted.point),
-                time: noted.time.lane(lane),
+            let peak = |at: &PointPeak<S>| SectionPeak {
+                value: at.value.lane(lane),
+                s: place(at.point),
+                time: at.time.lane(lane),
             };
             let [point, time] = log.first;
             let first = FirstYield { s: place(point), time: time.lane(lane) };

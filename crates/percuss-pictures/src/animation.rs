@@ -26,9 +26,10 @@ const PALETTE_FRAMES: usize = 12;
 /// Impulses are shown for this share of the film's time.
 const FLASH: f64 = 0.02;
 
-/// Makes a film; `go_on` receives the number of completed frames and returns whether to continue. The file appears when it is complete: until then
-/// it has the name of [`unfinished()`](crate::unfinished). It replaces a file for which `may_go` is true; another file that was created there
-/// meanwhile is moved to a name beside it.
+/// Makes a film; `go_on` receives the number of completed frames and returns whether to continue.
+///
+/// The file appears when it is complete: until then it has the name of [`unfinished()`](crate::unfinished). It replaces a file for which `may_go`
+/// is true; another file that was created there meanwhile is moved to a name beside it.
 ///
 /// # Errors
 /// If ffmpeg is needed and missing, the scene cannot be drawn, or an I/O error occurs.

@@ -2,6 +2,7 @@
 //!
 //! The scene is drawn by the scripts of the page themselves, run by a JavaScript engine in this process, so that it looks the same everywhere and
 //! has one implementation. The scripts produce SVG; all further steps are in Rust: pixels, GIF, animated PNG, PDF, and raw frames for ffmpeg.
+//!
 //! Without the feature `drawing` all drawing functions return an error, and the crate compiles in seconds.
 
 #[cfg(not(feature = "drawing"))]

@@ -1,4 +1,5 @@
 //! A drawing as a PDF page of its size; letters are outlines, so that a reader needs no font.
+//!
 //! Drawings here consist of paths in plain colours, with clips and opacities: other elements of SVG do not occur.
 
 use std::collections::BTreeMap;

@@ -1,16 +1,16 @@
 "use strict";
 
-// The scene as pictures one after the other, without a page: drawn as on the page, by the same scripts.
+// The scene as a sequence of pictures without a page, drawn by the scripts of the page.
 
 let pageColours = {};
 
-// On a page this reads the style sheet.
+// On the page this function reads the style sheet.
 function colour(name) {
   return pageColours[name];
 }
 
-const LAID_OUT = 800; // wider pictures are this one enlarged, lines and letters too [pixels]
-const TITLE = 30; // height of the strip that carries it [pixels]
+const LAID_OUT = 800; // width of the layout; wider pictures are enlarged, including lines and letters [pixels]
+const TITLE = 30; // height of the strip with the title [pixels]
 
 // `look`: width [pixels], title, colour, diagram, exaggeration, as the options of a drawing.
 class Film {
@@ -31,7 +31,7 @@ class Film {
     this.view = viewOf(this.drawing.bounds, this.width, this.height);
   }
 
-  // What can be shown, and how large it is: even numbers of pixels, which films need.
+  // Intervals of time, and the size in even numbers of pixels, which films need.
   about() {
     const even = (x) => 2 * Math.max(1, Math.floor(x / 2 + 1e-6));
     return {
@@ -43,7 +43,7 @@ class Film {
     };
   }
 
-  // Time t as SVG; impulses up to `flash` ago are shown [s].
+  // Time t as SVG; impulses of the preceding time `flash` are shown [s].
   picture(t, flash) {
     const { colour, diagram, exaggeration } = this.look;
     const pen = new SvgPen(this.width, this.height);

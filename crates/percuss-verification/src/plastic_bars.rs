@@ -242,6 +242,7 @@ pub fn plastic_wave() -> Report {
 }
 
 /// Three bars in a fan (ANSYS VM11), loaded until all bars yield and unloaded; psi, in, lb.
+///
 /// Strains are a hundredth of the source's, whose solution assumes small displacements.
 pub fn fan() -> Report {
     const SMALL: f64 = 0.01;

@@ -260,8 +260,9 @@ pub fn ring_modes() -> Report {
 }
 
 /// Saint-Venant's rod, struck along its axis by a mass behind a spring: waves in closed form with a delay, integrated with small steps.
-/// The wave into the rod has the velocity f'(t), its reflection from the wall -f'(t - T). At the struck end the
-/// velocity is `f'(t) - f'(t - T)` and the force `Z (f'(t) + f'(t - T))`, `Z = E A / c`, `T = 2 L / c`.
+///
+/// The wave into the rod has the velocity f'(t), its reflection from the wall -f'(t - T). At the struck end the velocity is `f'(t) - f'(t - T)` and
+/// the force `Z (f'(t) + f'(t - T))`, `Z = E A / c`, `T = 2 L / c`.
 pub fn struck_rod() -> Report {
     let mut c = Checks::new();
     let compiled = scene(&mut c, published!("struck-rod"));

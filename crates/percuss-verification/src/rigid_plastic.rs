@@ -1,8 +1,9 @@
-//! Permanent deflection of beams after impact, compared with closed forms for rigid, perfectly plastic material. The numerical results differ from
-//! these by discretisation and elasticity. A hinge at an end is a third of an element inside: an error of first order in the element length. The
-//! effect of elasticity decreases with growing Young's modulus at constant yield stress: in proportion to 1/E for slow motion, to 1/sqrt(E) where
-//! bending waves precede a travelling hinge (both distances grow with the square root of time, that of the waves with sqrt(EI/m)). Each case
-//! therefore compares the limit of its runs.
+//! Permanent deflection of beams after impact, compared with closed forms for rigid, perfectly plastic material.
+//!
+//! The numerical results differ from these by discretisation and elasticity. A hinge at an end is a third of an element inside: an error of first
+//! order in the element length. The effect of elasticity decreases with growing Young's modulus at constant yield stress: in proportion to 1/E for
+//! slow motion, to 1/sqrt(E) where bending waves precede a travelling hinge (both distances grow with the square root of time, that of the waves
+//! with sqrt(EI/m)). Each case therefore compares the limit of its runs.
 
 use percuss::*;
 
@@ -86,6 +87,7 @@ impl std::fmt::Display for HeavyMass {
 }
 
 /// A heavy mass on a beam with axially fixed ends: first bending, then membrane action.
+///
 /// The error of eight elements at 2e12 Pa is at most 5 %, that of the limit 1.7 %: the remainder is of higher order in the element length.
 pub fn heavy_mass() -> Report {
     let mut c = Checks::new();
@@ -176,9 +178,10 @@ impl Parkes {
     }
 }
 
-/// A cantilever struck at its tip: a hinge travels to the root, then the beam rotates about it (Parkes 1955). The root dissipates .41667, .74667,
-/// .93726 of the energy for G/mL of .5, 2, 10; the compared tenth of the length at the root contains the end of the hinge's travel. Ten elements
-/// have errors up to 4 % of the deflection and 8 % of that share in the limit of stiff material.
+/// A cantilever struck at its tip: a hinge travels to the root, then the beam rotates about it (Parkes 1955).
+///
+/// The root dissipates .41667, .74667, .93726 of the energy for G/mL of .5, 2, 10; the compared tenth of the length at the root contains the end of
+/// the hinge's travel. Ten elements have errors up to 4 % of the deflection and 8 % of that share in the limit of stiff material.
 pub fn parkes() -> Report {
     let mut c = Checks::new();
     for (ratio, steps) in [(0.5, 2000), (2.0, 4000), (10.0, 4000)] {
@@ -238,6 +241,7 @@ fn struck_all_over(
 }
 
 /// An initial velocity of a whole beam of span 2L, in bending only: `m V0^2 L^2 / (3 M0)`, half of it between clamps (Symonds 1953).
+///
 /// The error of twenty elements at 8e12 Pa is 10 %, mainly by elasticity; that of the limit 0.6 % and 2.6 %.
 pub fn thrown() -> Report {
     let mut c = Checks::new();

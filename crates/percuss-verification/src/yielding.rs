@@ -5,6 +5,7 @@ use percuss::*;
 use crate::check::Checks;
 
 /// A material that yields, perfectly plastic: Young's modulus \[Pa\], density \[kg/m^3\], yield stress \[Pa\].
+///
 /// It uses engineering strains, as the closed forms of the literature.
 pub fn perfect(young: f64, density: f64, stress: f64) -> Material {
     yields(young, density, vec![Hardening { from: 0.0, stress, modulus: 0.0 }], |_| {})

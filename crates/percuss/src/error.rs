@@ -57,12 +57,12 @@ impl Error {
         Self::of(ErrorKind::MomentBeyondLaw { share, beam, most })
     }
 
-    /// Loads carry a rigid body away: no contact holds it.
+    /// Loads accelerate an unsupported rigid body.
     pub(crate) fn nothing_holds(body: String) -> Self {
         Self::of(ErrorKind::NothingHolds { body })
     }
 
-    /// One thing is inside another before any load acts.
+    /// Bodies overlap before any load acts.
     pub(crate) fn overlap(what: String) -> Self {
         Self::of(ErrorKind::Overlap { what })
     }

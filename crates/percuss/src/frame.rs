@@ -7,7 +7,7 @@ use crate::math::hermite::GAUSS;
 pub struct FrameForce {
     /// Number of the contact in the model.
     pub contact: usize,
-    /// Where the two touch, shape (2) \[m\].
+    /// Point of contact, shape (2) \[m\].
     pub position: [f64; 2],
     /// On the second of its two partners, the mean over the last step, shape (2) \[N\], or \[N s\] in an impact.
     pub force: [f64; 2],

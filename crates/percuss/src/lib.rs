@@ -8,22 +8,22 @@
 //! `a x b = a1 b2 - a2 b1`, `g = x'`, `p = x''`. A node's degrees of freedom are (u1, u2, u1', u2').
 
 mod analysis;
-#[allow(missing_docs)] // reached by `internals` alone
+#[allow(missing_docs)] // used only by `internals`
 mod contact;
 mod element;
 mod error;
 mod frame;
-#[allow(missing_docs)] // reached by `internals` alone
+#[allow(missing_docs)] // used only by `internals`
 mod geometry;
 pub mod inspect;
 mod ledger;
-#[allow(missing_docs)] // reached by `internals` alone
+#[allow(missing_docs)] // used only by `internals`
 mod linalg;
 pub mod math;
 mod measures;
 mod model;
 mod run;
-#[allow(missing_docs)] // reached by `internals` alone
+#[allow(missing_docs)] // used only by `internals`
 mod scalar;
 mod settings;
 mod state;

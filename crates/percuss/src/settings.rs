@@ -1,11 +1,11 @@
-//! How a transient analysis is carried out.
+//! Settings of a transient analysis.
 
 #[doc(hidden)]
 pub use crate::model::SAME_INSTANT;
 use crate::model::{Fault, Model};
 
-/// Periods of a load or a motion in a step at most. From half a period on a step tells its mean alone; beyond this it is a slip of a unit, and
-/// far beyond it the phase of the function is round-off.
+/// Largest number of periods of a load or a motion in a step. From half a period on a step represents only its mean; beyond this limit a unit is
+/// probably wrong, and far beyond it the phase of the function is round-off.
 const MOST_PERIODS: f64 = 1000.0;
 /// Least and largest accuracy that steps are chosen for.
 const ACCURACIES: [f64; 2] = [1e-6, 0.2];
@@ -29,7 +29,7 @@ pub enum Scheme {
     },
 }
 
-/// How impacts of rigid projectiles are resolved in time.
+/// Resolution of impacts of rigid projectiles in time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ImpactResolution {
     /// The instant of contact is located and the impulse acts in a very short step of its own.
@@ -46,13 +46,13 @@ impl ImpactResolution {
     pub const CLOSED_TOLERANCE: f64 = 1e-9;
 }
 
-/// How touching bodies that are struck at one instant share the blow, in [`ImpactResolution::Event`].
+/// Law of impacts on several touching bodies, in [`ImpactResolution::Event`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum MultipleImpacts {
-    /// All contacts obey the impact law at once: one problem for all impulses.
+    /// All contacts obey the impact law together: one problem for all impulses.
     #[default]
     Simultaneous,
-    /// One after another, the fastest approach first: the blow is passed on from body to body. Those equally fast strike together.
+    /// One after another, the fastest approach first: a sequence of impacts from body to body. Equally fast ones are simultaneous.
     Sequential,
 }
 
@@ -71,7 +71,7 @@ pub enum Start {
 pub struct Settings {
     /// Time at which the analysis ends \[s\].
     pub end: f64,
-    /// Time step \[s\]; the first one where an accuracy is asked for.
+    /// Time step \[s\]; the first one for a requested accuracy.
     pub step: f64,
     /// Accuracy of peak forces and deflections, relative, for which steps are chosen; all are of the size given if it is none.
     pub accuracy: Option<f64>,
@@ -79,9 +79,9 @@ pub struct Settings {
     pub scheme: Scheme,
     /// Resolution of impacts of rigid projectiles.
     pub impacts: ImpactResolution,
-    /// Sharing of a blow among touching bodies.
+    /// Law of impacts on several touching bodies.
     pub multiple_impacts: MultipleImpacts,
-    /// A row is recorded every so many steps (and at every impact).
+    /// Number of steps between recorded rows (impacts are always recorded).
     pub record_every: usize,
     /// Configuration at time zero.
     pub start: Start,
@@ -114,7 +114,7 @@ impl Settings {
         (steps as f64 * self.step).min(self.end)
     }
 
-    /// Size of the step that follows a number of steps \[s\]: the one given, or what is left up to the end.
+    /// Size of the step that follows a number of steps \[s\]: the given one, or the remaining time.
     #[doc(hidden)]
     pub fn size_behind(&self, steps: usize) -> f64 {
         let size = self.step.min(self.end - steps as f64 * self.step);
@@ -200,7 +200,7 @@ impl Settings {
 }
 
 impl Settings {
-    /// Loads and motions of which a step holds so many periods that it sees nothing of them.
+    /// Loads and motions with too many periods in a step to be resolved.
     fn validate_frequencies(&self, model: &Model, add: &mut dyn FnMut(&str, String, &str)) {
         let loads = model.loads.iter().map(|load| (format!("load.{}", load.name), &load.function));
         let motions = model.supports.iter().filter_map(|support| {
@@ -247,19 +247,19 @@ impl Scheme {
     }
 }
 
-/// How an equilibrium path is followed by arc length.
+/// Settings of an equilibrium path by arc length.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathSettings {
-    /// Load factor of the first point; the arc that leads there is the longest at limit points. Elsewhere arcs grow and shrink with the
-    /// corrections they take.
+    /// Load factor of the first point; the arc that leads there is the longest at limit points. Elsewhere the length of arcs is adapted to the
+    /// number of corrections.
     pub first: f64,
     /// Most points.
     pub points: usize,
-    /// Where the path ends, besides.
+    /// Further condition that ends the path.
     pub end: PathEnd,
 }
 
-/// What ends an equilibrium path.
+/// Condition that ends an equilibrium path.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PathEnd {
     /// A load factor reached for the first time.

@@ -1,4 +1,4 @@
-//! What changes while a run steps: everything a restart needs, and nothing else.
+//! All data that change during a run: the data for a restart, and no others.
 
 use serde::{Deserialize, Serialize};
 
@@ -13,7 +13,7 @@ use crate::model::Model;
 use crate::model::frozen::Coordinate;
 use crate::settings::Scheme;
 
-/// What moves of a projectile, guided or free.
+/// Kind of a projectile, guided or free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProjectileState {
     /// Position of its centre, shape (2) \[m\].
@@ -29,7 +29,7 @@ pub struct ProjectileState {
 /// A pair that can touch, as the last step left it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PairState {
-    /// Gap \[m\]; negative inside. Of a pair too far apart to be looked at, a bound from below.
+    /// Gap \[m\]; negative inside. For a pair too far apart to be evaluated, a lower bound.
     pub gap: f64,
     /// Rate of the gap \[m/s\]; negative when approaching.
     pub rate: f64,
@@ -37,22 +37,22 @@ pub struct PairState {
     pub(crate) memory: Memory,
     /// Whether a rigid contact is closed (persistent contact).
     pub closed: bool,
-    /// Largest approach velocity it ever struck with \[m/s\]; the scale of the stick velocity.
+    /// Largest approach velocity of its impacts so far \[m/s\]; the scale of the stick velocity.
     pub approach_max: f64,
     /// Deepest penetration of a law that crushes so far, where it is now \[m\]; zero of all others.
     pub deepest: f64,
-    /// Where along the face of the target it is nearest \[m\]; NaN where that is no other place whatever moves.
+    /// Position of the closest point along the face of the target \[m\]; NaN if it is independent of the motion.
     pub(crate) place: f64,
 }
 
-/// Supports that the part of a step accepted last gave an impulse: of many stops most are not touched.
+/// Supports with an impulse in the last accepted part of a step: of many stops most are not in contact.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Reacting {
-    /// Number of the part of a step at hand.
+    /// Number of the current part of a step.
     part: u64,
     /// Number of the part of a step in which each support last got an impulse, shape (supports) \[number of a part\].
     last: Vec<u64>,
-    /// These supports, and what they had before, shape (such supports, 3) \[index of a support, N s, N m s\].
+    /// These supports, and their previous values, shape (such supports, 3) \[index of a support, N s, N m s\].
     list: Vec<(usize, [f64; 3])>,
 }
 
@@ -72,22 +72,22 @@ impl Reacting {
         &self.list
     }
 
-    /// Whether the part gave a support an impulse.
+    /// Whether the part had an impulse of a support.
     pub fn contains(&self, support: usize) -> bool {
         self.last[support] == self.part
     }
 }
 
-/// How far the time function of a prescribed motion was followed.
+/// Value and rate of the time function of a prescribed motion.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Followed {
     /// Its value.
     pub value: f64,
     /// The value from which displacements count: a start at rest begins where the motion is, in a static one it has moved there.
     pub origin: f64,
-    /// Its rate, as what it holds moves: at a kink the one before it until the jump has been made \[1/s\].
+    /// Its rate, as of the fixed components: at a kink the previous one until the jump has been made \[1/s\].
     pub rate: f64,
-    /// Whether it holds parts of the structure, whose mass resists a jump of the rate.
+    /// Whether it supports parts of the structure, whose mass resists a jump of the rate.
     pub held: bool,
 }
 
@@ -123,15 +123,13 @@ pub struct State {
     /// Stored strains (membrane, bending) at the Gauss points, shape (elements, Gauss points, 2) \[-, 1/m\]; strain-rate scheme only, empty
     /// otherwise.
     pub strain: Vec<[[f64; 2]; GAUSS]>,
-    /// What fibres remember, shape (fibres).
+    /// State variables of fibres, shape (fibres).
     pub fibres: Vec<FibreState>,
-    /// Whether no element spans from a node to the next one any more, since it has parted or none ever did, shape (beam nodes); empty
-    /// while no beam has parted.
+    /// Whether no element connects a node to the next one, after fracture or between beams, shape (beam nodes); empty without fractured beams.
     pub(crate) parted: Vec<bool>,
-    /// What springs and hinges that yield remember, extensions \[m\] or rotations \[rad\] in place of strains, shape (connectors that
-    /// yield).
+    /// State variables of springs and hinges that yield, extensions \[m\] or rotations \[rad\] in place of strains, shape (connectors that yield).
     pub memories: Vec<FibreState>,
-    /// How far prescribed motions were followed, shape (motions).
+    /// Values of prescribed motions, shape (motions).
     pub(crate) followed: Vec<Followed>,
     /// Coordinates of springs and dampers, angles unwound, shape (connectors) \[m, rad\].
     pub coordinates: Vec<f64>,
@@ -141,7 +139,7 @@ pub struct State {
     pub reactions: Vec<[f64; 3]>,
     /// Reactions at the last instant of balance of a scheme that advances accelerations.
     pub(crate) instant: Option<Instant>,
-    /// Which of them the part of a step accepted last has changed.
+    /// Indices of those that the last accepted part of a step has changed.
     pub(crate) reacting: Reacting,
     /// Multipliers of the constraints, shape (constraints) \[N, N m\].
     pub multiplier: Vec<f64>,
@@ -149,16 +147,16 @@ pub struct State {
     pub(crate) joints_parted: Vec<bool>,
     /// Pairs that can touch, in the model's order, shape (pairs).
     pub pairs: Vec<PairState>,
-    /// What they have left on faces, shape (pairs); empty where no law crushes.
+    /// Indentations of faces, shape (pairs); empty without crushing.
     pub(crate) dents: Vec<Dents>,
-    /// The one whose instant of contact this is, if the state stands at one.
+    /// The contact located at this instant, if any.
     pub(crate) located: Option<usize>,
     /// The running ledger.
     pub ledger: Ledger,
 }
 
 impl State {
-    /// Whether it has the shape of another state of the same model, and points at nothing that is not there.
+    /// Whether it has the shape of another state of the same model, with valid indices.
     pub(crate) fn fits(&self, other: &Self, model: &Model) -> bool {
         let instant = |s: &Self| s.instant.as_ref().map(|i| i.reactions.len());
         let shape = |s: &Self| {
@@ -182,7 +180,7 @@ impl State {
             && model.pairs.iter().zip(&self.pairs).all(on_axis)
     }
 
-    /// The model at rest, its projectiles on their way.
+    /// The model at rest, with moving projectiles.
     #[doc(hidden)]
     pub fn at_rest(model: &Model, scheme: Scheme) -> Self {
         let (nodes, elements) = (model.node_count(), model.element_count());
@@ -221,12 +219,12 @@ impl State {
         .with_bodies(model)
     }
 
-    /// The configuration of beams and bodies, without what has parted.
+    /// The configuration of beams and bodies, without fractured elements.
     pub(crate) fn configuration(&self) -> Configuration<'_> {
         Configuration { parted: &self.parted, ..Configuration::of(&self.displacement) }
     }
 
-    /// The one after a step by an increment, in which no element of a beam is longer than its arc.
+    /// The configuration after a step by an increment, in which no element of a beam is longer than its arc.
     pub(crate) fn configuration_after<'a>(
         &'a self,
         increment: &'a [[f64; 4]],
@@ -276,7 +274,7 @@ impl State {
         self
     }
 
-    /// The state of the beams alone, as the model of their [`Model::structure`] knows it.
+    /// The state of the beams alone, for the model of their [`Model::structure`].
     pub(crate) fn of_structure(&self, structure: &Model) -> Self {
         let mut state = self.clone();
         for nodal in [&mut state.displacement, &mut state.velocity, &mut state.acceleration] {
@@ -287,7 +285,7 @@ impl State {
         state
     }
 
-    /// Coordinates of the connectors in the configuration as it stands.
+    /// Coordinates of the connectors in the current configuration.
     pub(crate) fn with_coordinates(mut self, model: &Model) -> Self {
         let value = |c: &crate::model::frozen::Connector| {
             let moved = match &c.coordinate {
@@ -314,14 +312,14 @@ impl State {
         })
     }
 
-    /// Looks at pair `i` where it stands; returns how far apart the two are, negative also where one has gone through \[m\].
+    /// Evaluates pair `i` at its position; returns its distance, negative also after passing through \[m\].
     pub(crate) fn see(&mut self, model: &Model, i: usize, reach: Reach) -> f64 {
         let start = Configuration::of(&self.displacement);
         let at = Configuration { parted: &self.parted, ..start };
         self.pairs[i].look(model, &model.pairs[i], (&at, &self.velocity), reach)
     }
 
-    /// Pair `i` where it stands, which has slept: it has not touched meanwhile, so it is on the side where it is seen.
+    /// Pair `i` at its position after sleeping: it has not touched meanwhile, so its side is the current one.
     pub(crate) fn woken(&self, model: &Model, i: usize) -> PairState {
         let mut seen = self.pairs[i];
         seen.memory.side = 0.0;
@@ -330,7 +328,7 @@ impl State {
     }
 }
 
-/// Where prescribed motions begin: what they hold is at rest before.
+/// Start of prescribed motions: fixed components are at rest before.
 fn followed(model: &Model) -> Vec<Followed> {
     let mut out: Vec<Followed> = model
         .motions
@@ -347,8 +345,7 @@ fn followed(model: &Model) -> Vec<Followed> {
 }
 
 impl PairState {
-    /// Looks at its pair in a configuration and its velocities, near to where it was seen last; returns how far apart the two are, as
-    /// [`State::see`] does \[m\].
+    /// Evaluates its pair in a configuration with its velocities, near its last closest point; returns its distance, as [`State::see`] does \[m\].
     fn look(
         &mut self,
         model: &Model,

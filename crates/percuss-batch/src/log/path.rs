@@ -36,13 +36,13 @@ impl<S: Number> Top<S> {
         if inside.any() {
             for lane in 0..S::LANES {
                 if inside.lane(lane) {
-                    self.look_inside(path, start, lane);
+                    self.search_within_step(path, start, lane);
                 }
             }
         }
     }
 
-    fn look_inside(&mut self, path: &Interpolant<S>, start: S, lane: usize) {
+    fn search_within_step(&mut self, path: &Interpolant<S>, start: S, lane: usize) {
         let own = path.lane(lane);
         for t in own.stationary() {
             if own.value(t) > self.value.lane(lane) {

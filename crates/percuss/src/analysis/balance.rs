@@ -19,11 +19,11 @@ pub struct StaticBalance {
     pub loads: [f64; 2],
     /// Reactions of supports and obstacles, shape (2) \[N\].
     pub reactions: [f64; 2],
-    /// Forces of springs that the ground holds at their other end, shape (2) \[N\].
+    /// Forces of springs to the ground, shape (2) \[N\].
     pub springs: [f64; 2],
     /// Their sum, which is round-off, shape (2) \[N\].
     pub unbalanced: [f64; 2],
-    /// All of them added with the same sign \[N\].
+    /// Sum of their magnitudes \[N\].
     gross: f64,
 }
 
@@ -92,7 +92,7 @@ impl StaticSearch<'_> {
         out
     }
 
-    /// Forces on the structure of springs whose other end the ground holds, shape (springs, 2) \[N\].
+    /// Forces on the structure of springs to the ground, shape (springs, 2) \[N\].
     fn ground_springs(&self) -> Vec<[f64; 2]> {
         let mut out = Vec::new();
         for (i, c) in self.model.connectors.iter().enumerate().filter(|(_, c)| c.support.is_none())

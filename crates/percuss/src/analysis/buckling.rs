@@ -103,15 +103,15 @@ impl BucklingOutcome {
 
 /// Linear buckling factors of the loads that act at time zero: the `count` lowest positive ones, in ascending order.
 ///
-/// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the geometric stiffness of the stresses of the linear
-/// response to the loads; contacts are left out. The factors below any value are as many as the negative eigenvalues of
-/// `K + value K_g`, so that none is passed over, whatever negative factors there are.
+/// `(K + factor K_g) shape = 0` about the reference configuration, with K_g the geometric stiffness of the stresses of the linear response to the
+/// loads; contacts are omitted. The number of factors below any value is that of the negative eigenvalues of `K + value K_g`, so that none is
+/// missed, for any negative factors.
 pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
     result(&model.structure(), Vec::new(), count)
 }
 
-/// The same where the contacts that press in an equilibrium stay closed: as supports do, rigid ones do not give way, compliant ones
-/// with the stiffness of their law, as stops do. Open ones and those of discs are left out.
+/// The same with the active contacts of an equilibrium kept closed: rigid ones do not move, like supports, compliant ones have the stiffness of
+/// their law, like stops. Open ones and those of discs are omitted.
 ///
 /// Closing of gaps under the loads is neglected, as are all other displacements.
 pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> LinearBuckling {
@@ -207,8 +207,8 @@ impl Buckling<'_> {
         if modes.is_empty() && count > 0 { Err(BucklingOutcome::Unfinished) } else { Ok(modes) }
     }
 
-    /// The lowest factors, all of them above `shift`: `(K + shift K_g)^-1 K` has the eigenvalues `factor / (factor - shift)`, of
-    /// which those of positive factors alone are above one.
+    /// The lowest factors, all of them above `shift`: `(K + shift K_g)^-1 K` has the eigenvalues `factor / (factor - shift)`, of which only those
+    /// of positive factors are above one.
     fn above(&self, shift: f64, count: usize) -> Option<Vec<BucklingMode>> {
         let factored = self.layout.factor(self.at(shift), false)?;
         let image_of = |x: &Nodal| self.layout.multiply(&self.stiffness, x);
@@ -246,7 +246,7 @@ fn normalized(factor: f64, mut shape: Vec<[f64; 4]>) -> BucklingMode {
     BucklingMode { factor, shape }
 }
 
-/// The reference configuration under the stresses of the linear response: displacements stay out of it.
+/// The reference configuration under the stresses of the linear response, without its displacements.
 fn stressed<'m>(
     model: &'m Model,
     rest: &State,
@@ -275,7 +275,7 @@ fn largest_strain(model: &Model, search: &StaticSearch) -> f64 {
     most
 }
 
-/// Nodal forces of the loads alone: springs may be stressed before they act.
+/// Nodal forces of the loads only: springs may be stressed before they act.
 fn loads(model: &Model, rest: &State) -> Vec<[f64; 4]> {
     let mut search = linearized(model, rest);
     search.work.multiplier.fill(0.0);

@@ -24,7 +24,7 @@ pub(super) struct Course {
     share: f64,
     /// Increments of the nodes there, shape (nodes, 4) \[m, -\].
     increment: Vec<[f64; 4]>,
-    /// How far nodes go at most for the share of the loads in the first step, and in any, shape (2) \[m\].
+    /// Largest displacement of nodes per share of the loads in the first step, and in any, shape (2) \[m\].
     rates: [f64; 2],
 }
 
@@ -46,7 +46,7 @@ impl Course {
         let moved: Vec<[f64; 4]> =
             pairs.map(|(a, b)| [a[0] - b[0], a[1] - b[1], 0.0, 0.0]).collect();
         let rate = largest(&moved) / (share - self.share);
-        let rate = if rate.is_finite() { rate } else { 0.0 }; // something failed where something had failed before
+        let rate = if rate.is_finite() { rate } else { 0.0 }; // a further failure at a place of a previous failure
         let [first, most] = self.rates;
         self.rates = [if first.is_nan() { rate } else { first }, most.max(rate)];
         self.share = share;
@@ -59,7 +59,7 @@ impl Course {
         }
     }
 
-    /// How many times faster with the loads than in the first step nodes went where they went fastest.
+    /// Largest growth rate of displacements with the loads, relative to that in the first step.
     pub fn softening(&self) -> f64 {
         self.rates[1] / self.rates[0]
     }

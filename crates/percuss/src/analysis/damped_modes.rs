@@ -112,7 +112,7 @@ pub(crate) fn undampable(full: &Model, state: &State) -> Option<Fault> {
     })
 }
 
-/// How the coordinates of modes follow supports that move slowly.
+/// Response of the modes' coordinates to slow motions of supports.
 ///
 /// A support moves by one, and the structure follows at rest: K r = -C^T l, C r = 1. With `K phi + C^T m = omega^2 M phi` then
 /// `r . M phi = m / omega^2`: the mode's reaction at the support.
@@ -124,7 +124,7 @@ struct SlowSupports<'a> {
     gradients: Vec<(usize, Vec<[f64; 4]>)>,
     /// The matrix of their products, factored.
     gram: DenseLu,
-    /// Number of components held at nodes.
+    /// Number of fixed components at nodes.
     held: usize,
 }
 
@@ -189,13 +189,13 @@ impl<'a> SlowSupports<'a> {
         for (reaction, (number, gradient)) in reactions.iter().zip(&self.gradients) {
             out[*number] = reaction / mode.eigenvalue;
             if *number < self.held {
-                // Of `M phi` only the part that is not held damps.
+                // Only the free part of `M phi` contributes to damping.
                 out[*number] -= inner(gradient, image);
             }
         }
     }
 
-    /// Those of springs to a ground that moves.
+    /// Those of springs to a moving ground.
     fn springs(&self, mode: &Mode, out: &mut [f64]) {
         let first = out.len() - self.full.connectors.len();
         for (out, c) in out[first..].iter_mut().zip(&self.full.connectors) {

@@ -27,7 +27,7 @@ pub struct Equilibrium {
     pub section_forces: Vec<SectionForceSummary>,
     /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
     pub element_forces: Vec<[[f64; 3]; 2]>,
-    /// Forces of everything that presses, on the second of its partners, shape (places where something presses).
+    /// Forces of all active contacts, on the second of their partners, shape (places where something presses).
     pub contact_forces: Vec<FrameForce>,
     /// Factors of the loads, in the model's order, shape (loads) \[-\].
     pub load_factors: Vec<f64>,
@@ -37,7 +37,7 @@ pub struct Equilibrium {
     pub contacts: Vec<StaticContact>,
     /// Contacts that press, with their forces, shape (pairs that press) \[N\].
     pub(crate) pressed: Vec<(Row, f64)>,
-    /// Contacts of beams that press, as they stay closed in small motions, shape (pairs that press).
+    /// Active contacts of beams, which remain closed in small motions, shape (pairs that press).
     pub(crate) held: Vec<Held>,
     /// Springs and hinges that can yield, in the model's order, shape (such springs and hinges).
     pub yielding: Vec<StaticYielding>,
@@ -47,10 +47,10 @@ pub struct Equilibrium {
     pub balance: StaticBalance,
     /// Place and share of the loads of the first yield of beams, shape (beams); empty at the end of a path.
     pub first_yields: Vec<Option<StaticFirstYield>>,
-    /// How many times faster with the loads than in the first load step nodes went where they went fastest: about one of a structure that
-    /// stays elastic, and many of one that passes a plastic mechanism; not a number at the end of a path \[-\].
+    /// Largest growth rate of displacements with the loads, relative to that in the first load step: about one for an elastic structure, and large
+    /// for one that passes a plastic mechanism; NaN at the end of a path \[-\].
     pub softening: f64,
-    /// Whether the structure returns to it: no motion about it grows.
+    /// Whether it is stable: no motion about it grows.
     pub stable: bool,
     /// Beams that only contacts support and that can slide along all of them, by name: statics has no friction, shape (such beams).
     pub sliding: Vec<String>,

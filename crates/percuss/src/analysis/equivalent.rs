@@ -1,8 +1,8 @@
 //! The equivalent static force of an impact: the force with the same peak effect on the structure, as used in design.
 //!
-//! It acts at the struck point along the line of flight, beside the weight if there is any, on the structure in its reference
-//! configuration, by linear elasticity: its largest bending moment in the struck beam, or its deflection of the struck point, is that of
-//! the run. Of a structure that yielded it is the force on the same structure as if it stayed elastic.
+//! It acts at the struck point along the line of flight, in addition to weight, on the structure in its reference configuration, by linear
+//! elasticity: its largest bending moment in the struck beam, or its deflection of the struck point, is that of the run. For a structure that
+//! yielded it is the force on the same structure, assumed elastic.
 
 use super::section_forces::{self, Acting, Lines};
 use super::spectrum::{Layout, free_motions};
@@ -56,7 +56,7 @@ pub fn equivalent_force(
     })
 }
 
-/// The one thing that strikes.
+/// The only projectile.
 fn striker(model: &Model) -> Result<&ProjectileData, &'static str> {
     match (model.projectiles.as_slice(), model.contacts.len()) {
         ([projectile], 1) => Ok(projectile),
@@ -158,7 +158,7 @@ impl SmallForces {
         dot(projectile.direction, projectile.point.value(&weight.displacement))
     }
 
-    /// Largest magnitude of the bending moment in the struck beam under a unit force alone \[N m\].
+    /// Largest magnitude of the bending moment in the struck beam under a unit force only \[N m\].
     fn unit_moment(&self) -> f64 {
         self.largest_moment([0.0, 1.0])
     }
@@ -208,7 +208,7 @@ impl SmallForces {
         forces[projectile.point.beam].moment.largest().value.abs() / small
     }
 
-    /// The force that makes a largest moment beside the weight \[N\]: moments are pieces of straight lines over the force.
+    /// The force with a given largest moment, in addition to weight \[N\]: moments are piecewise linear functions of the force.
     fn force_of(&mut self, moment: f64) -> f64 {
         let first = moment / self.unit_moment();
         if self.structure.loads.is_empty() {

@@ -20,19 +20,19 @@ pub struct StaticFailure {
     pub factor: f64,
     /// Kind and name: `beam.girder`, `spring.brace`, `joint.knee`.
     pub name: String,
-    /// How it failed.
+    /// Kind of failure.
     pub kind: FailureKind,
     /// Arc length of the section of a beam; NaN for other parts \[m\].
     pub s: f64,
 }
 
-/// How something failed.
+/// Kind of a failure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FailureKind {
     /// Fibres of a section reached their failure strain.
     Fibres,
-    /// No fibre of a section of a beam was left: the beam parted.
+    /// All fibres of a section of a beam have failed: the beam fractured.
     Parted,
     /// A spring or a hinge reached its failure extension or rotation.
     Extension,
@@ -105,7 +105,7 @@ pub(super) fn first_failure(
         if there <= ON_STRENGTH || high - low <= ON_THE_WAY * whole {
             break;
         }
-        // Regula falsi, weighed where one end stays (Illinois); halved now and then, for uses may jump.
+        // Regula falsi, with weights for an unchanged end (Illinois); with occasional bisection, for uses may jump.
         let share = if look % 6 == 5 { 0.5 } else { -below / (above - below) };
         let middle = low + share.clamp(1e-3, 1.0 - 1e-9) * (high - low);
         let here = excess_at(middle)?;

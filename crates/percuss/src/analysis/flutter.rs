@@ -1,4 +1,4 @@
-//! Where structures under forces that follow them lose their stability: the least load factor of flutter or divergence.
+//! Stability limit of structures under follower forces: the least load factor of flutter or divergence.
 
 use super::modes::{Mode, ModeKind, lowest_under};
 use super::static_search::{Reached, StaticSearch};
@@ -23,7 +23,7 @@ const ROUND_OFF: f64 = 1e-9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FollowerStability {
-    /// Two modes meet at this factor on the loads, and one of them grows beyond.
+    /// Two modes coincide at this factor on the loads, and one of them grows beyond it.
     Flutter {
         /// Factor on the loads that act at time zero.
         factor: f64,
@@ -51,7 +51,7 @@ struct At {
 }
 
 impl At {
-    /// The mode that grows.
+    /// The unstable mode.
     fn growing(&self) -> Option<&Mode> {
         let most = self.modes.iter().fold(0.0_f64, |most, m| most.max(m.eigenvalue.abs()));
         let grows = |m: &&Mode| m.imaginary > 0.0 || m.eigenvalue < -ROUND_OFF * most;
@@ -131,12 +131,12 @@ fn evaluate(search: &mut StaticSearch, from: &Reached, factor: f64) -> Option<At
     (!modes.is_empty()).then(|| At { factor, reached: search.reached(), modes })
 }
 
-/// Where stability is lost between a stable equilibrium and an unstable one.
+/// Stability limit between a stable equilibrium and an unstable one.
 fn narrowed(search: &mut StaticSearch, stable: Option<At>, unstable: At) -> FollowerStability {
     let (Some(mut low), mut high) = (stable, unstable) else {
         return FollowerStability::Kept { up_to: 0.0 }; // unstable under next to no load: no factor is known
     };
-    // Illinois: an end that stays counts half.
+    // Illinois: an unchanged end has half its weight.
     let (mut share_low, mut share_high) = (1.0, 1.0);
     for _ in 0..MOST {
         let width = high.factor - low.factor;
@@ -146,7 +146,7 @@ fn narrowed(search: &mut StaticSearch, stable: Option<At>, unstable: At) -> Foll
         let Some(like) = high.growing().cloned() else { break };
         let (a, b) = (share_low * low.measure(&like), share_high * high.measure(&like));
         let share = a / (a - b);
-        // Beside an end, a little inside: the bracket closes from both sides.
+        // Slightly inside an end: the bracket closes from both sides.
         let share = if share.is_finite() { share.clamp(1e-3, 1.0 - 1e-3) } else { 0.5 };
         let Some(at) = evaluate(search, &low.reached, low.factor + share * width) else { break };
         if at.growing().is_some() {

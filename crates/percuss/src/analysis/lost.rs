@@ -1,4 +1,4 @@
-//! Why no equilibrium follows the last one found.
+//! Reason why no equilibrium follows the last one.
 
 use super::spectrum::{Layout, free_motions};
 use super::static_search::{StaticSearch, largest};
@@ -23,7 +23,7 @@ pub(super) fn loose(search: &StaticSearch, state: &State) -> Option<String> {
     beam.filter(|_| stopped && search.contacts.is_empty()).map(|beam| beam.name.clone())
 }
 
-/// Why no equilibrium follows the last one found.
+/// Reason why no equilibrium follows the last one.
 pub(super) fn lost(search: &mut StaticSearch, share: f64) -> Error {
     let state = search.state();
     if let Some(name) = loose(search, &state) {

@@ -15,7 +15,7 @@ use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::effective_mass::mass_band;
 
-/// Times the shift is raised where modes lie below it.
+/// Number of increases of the shift if modes are below it.
 const MOST_SHIFTS: usize = 60;
 /// A motion whose strain energy is less than this share of the bending stiffness is strain-free.
 const STRAINLESS: f64 = 1e-6;
@@ -43,9 +43,9 @@ pub enum ModeKind {
     Vibration,
     /// Motion without strain and without restoring forces: of a rigid body, or of a mechanism.
     RigidBody,
-    /// It grows without oscillating: the equilibrium is unstable (divergence).
+    /// Unstable without oscillation (divergence).
     Unstable,
-    /// It oscillates and grows, fed by forces that follow the beams: the equilibrium is unstable.
+    /// Unstable with oscillation (flutter), by follower forces.
     Flutter,
 }
 
@@ -89,8 +89,8 @@ pub fn modes_about(model: &Model, state: &State, count: usize) -> Vec<Mode> {
     lowest(model, &state.of_structure(model), Vec::new(), count)
 }
 
-/// The same about a static equilibrium, in which contacts that press stay closed: rigid ones do not give way, compliant ones with
-/// the stiffness of their law. Contacts of discs are left out.
+/// The same about a static equilibrium, with active contacts kept closed: rigid ones do not move, compliant ones have the stiffness of their law.
+/// Contacts of discs are omitted.
 pub fn modes_about_equilibrium(model: &Model, found: &Equilibrium, count: usize) -> Vec<Mode> {
     let model = &model.structure();
     lowest(model, &found.state.of_structure(model), found.held.clone(), count)
@@ -119,7 +119,7 @@ pub(super) struct Linearized<'m> {
     pub(super) search: StaticSearch<'m>,
     tangent: Matrix,
     pub(super) mass: Chain,
-    /// Whether anything is stressed.
+    /// Whether the structure has stress.
     stressed: bool,
     /// Unknowns that supports and joints leave free.
     free: usize,
@@ -158,7 +158,7 @@ impl<'m> Linearized<'m> {
         modes
     }
 
-    /// Modes where forces have a potential, those that grow first; `flexible` of them beside those of rigid bodies.
+    /// Modes of forces with a potential, unstable ones first; `flexible` of them in addition to those of rigid bodies.
     pub(super) fn symmetric(&self, count: usize, flexible: bool) -> Vec<Mode> {
         let loose = free_motions(&self.layout, &self.search);
         let tangent = self.layout.symmetric(&self.tangent);
@@ -201,7 +201,7 @@ impl<'m> Linearized<'m> {
         mode(eigen)
     }
 
-    /// A shift above all that grows; none where stiffness alone holds everything.
+    /// A shift above all unstable eigenvalues; zero if the stiffness is positive.
     fn shift(&self, pencil: &Pencil, loose: &FreeMotions) -> Option<f64> {
         if loose.motions.is_empty() && pencil.below(0.0) == Some(0) {
             return Some(0.0);

@@ -12,7 +12,7 @@ pub(super) const NEUTRAL: f64 = 1e-6;
 /// Whether an equilibrium is stable.
 #[derive(Clone, Copy, Debug)]
 pub struct Stability {
-    /// Whether no motion about it grows.
+    /// Whether all motions about it are stable.
     pub stable: bool,
     /// Motions against which there is no stiffness but the opposite, if they were counted.
     pub negative: Option<usize>,

@@ -22,11 +22,11 @@ enum Stage {
     LettingGo(f64),
 }
 
-/// Where a step ended.
+/// End of a step.
 enum StepOutcome {
-    /// Where it was to.
+    /// The step was completed.
     There,
-    /// Where something fails.
+    /// A part fails.
     Failing(f64),
     /// No equilibrium was found.
     Nowhere,

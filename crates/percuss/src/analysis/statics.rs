@@ -1,4 +1,4 @@
-//! Static equilibrium under the loads that act at time zero, and the mechanisms that keep a structure from having one.
+//! Static equilibrium under the loads at time zero, and mechanisms that prevent it.
 
 use super::balance::{self, StaticBalance};
 use super::equilibrium::Equilibrium;
@@ -165,7 +165,7 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
     all.filter(|(_, beam)| moves(&loose, beam)).map(fault).collect()
 }
 
-/// Those of the motions, or their sums, that leave some components of nodes at rest.
+/// Motions, or their sums, with zero values of some components of nodes.
 fn without(
     motions: &[Vec<[f64; 4]>],
     is_still: impl Fn(usize, usize) -> bool,

@@ -120,7 +120,7 @@ fn rests_in_reference(search: &StaticSearch) -> bool {
         })
 }
 
-/// The node of a beam that stays displaced farthest.
+/// The node of a beam with the largest permanent displacement.
 fn farthest(
     model: &Model,
     beam: &BeamData,

@@ -119,7 +119,7 @@ impl SmoothLaw {
         if beyond > 0.0 {
             let curve = self.potential.quotient(deepest, p1).force;
             let [before, after] = [deepest, p1].map(|p| self.potential.force(p));
-            // Of the way beyond, the mean of F F'/k, which is stored.
+            // Over the path beyond, the mean of F F'/k, which is stored.
             let stored = 0.5 * (before + after) * (after - before) / (beyond * slope);
             force += curve * beyond / step;
             dissipated = (curve - stored) * beyond / step;
@@ -173,7 +173,7 @@ mod tests {
         ]
     }
 
-    /// Penetrations that go to and fro, also out of the contact.
+    /// Oscillating penetrations, also with separation.
     fn ways() -> impl Iterator<Item = f64> {
         (0..400_i32).map(|i| {
             let t = f64::from(i);

@@ -55,7 +55,7 @@ impl Pair {
         }
         let mut row = self.normal_row(&middle, &mid);
         let end = self.at_end_from(model, at, memory, &middle, gap_0, reach)?;
-        // A closest point that leaves for an end, or comes from there, opens or closes the pair.
+        // A closest point that moves to an end, or from it, opens or closes the pair.
         let finite = |gap: f64| if gap.is_finite() { gap } else { 0.0 };
         if !gap_0.is_finite() && !end.gap.is_finite() {
             return None;
@@ -157,7 +157,7 @@ impl Pair {
         Some(touch)
     }
 
-    /// How far the two have moved since the start of the step, at most \[m\].
+    /// Upper bound of the motion of the two since the start of the step \[m\].
     fn way(&self, model: &Model, at: &Configuration) -> f64 {
         let of = |c: &Centre| norm(sub(c.place(at), c.place(&at.at(0.0))));
         let target = match &self.target {

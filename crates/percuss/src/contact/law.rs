@@ -32,7 +32,7 @@ pub trait ForceCurve<S: Number> {
         let (q0, q1) = (p0.max(zero), p1.max(zero));
         let (sum, step) = (q0 + q1, p1 - p0);
         let touches = !sum.at_most(zero);
-        // Of the way over the step, the share inside.
+        // Share of the path over the step with penetration.
         let opens = p0.less(zero) | p1.less(zero);
         let force = || {
             let share = S::either(opens, || (q1 - q0) / step, || p1.constant(1.0));
@@ -183,9 +183,9 @@ impl Potential {
     }
 }
 
-/// Penetrations nearer to each other than this share of their sum are not subtracted.
+/// Penetrations closer to each other than this share of their sum are not subtracted.
 pub(super) const CLOSE: f64 = 1e-6;
-/// Difference of two potentials that rounding alone can make, relative to the larger one.
+/// Difference of two potentials that rounding can cause, relative to the larger one.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl PotentialFunction {

@@ -1,4 +1,4 @@
-//! Which pairs are near enough to touch within a step.
+//! Pairs that are close enough to touch within a step.
 //!
 //! A pair with a known gap cannot touch before its movers have travelled this distance. The travel of each mover is summed up step by step; a pair
 //! sleeps until the sum of both equals its last known gap. Sleeping changes no result: awake pairs are evaluated in the current configuration.
@@ -13,7 +13,7 @@ use crate::model::Model;
 use crate::model::frozen::BeamData;
 use crate::state::State;
 
-/// Pairs nearer than this stay awake \[m\].
+/// Pairs closer than this stay awake \[m\].
 const CLOSE: f64 = 1e-8;
 /// Pairs that would wake within this number of steps do not sleep.
 const RESTLESS: f64 = 4.0;
@@ -23,7 +23,7 @@ const STRETCH: f64 = 4.5;
 /// Bounds of elements' lengths are updated when they have grown by this share of the beam's longest element.
 const LOOSE: f64 = 0.01;
 
-/// How far a point of a beam moves, at most, if its nodes move by `nodal`; `long` is its longest element \[m\].
+/// Upper bound of the motion of a beam's points for the motion `nodal` of its nodes; `long` is its longest element \[m\].
 pub fn farthest(nodal: &[[f64; 4]], long: f64) -> f64 {
     // Components in separate arrays, by their index: the computation uses vector registers at little cost.
     let mut most = [0.0_f64; 4];
@@ -37,7 +37,7 @@ pub fn farthest(nodal: &[[f64; 4]], long: f64) -> f64 {
     norm([most[0], most[1]]) + 8.0 / 27.0 * long * norm([most[2], most[3]])
 }
 
-/// How far a point of a beam or of its outline moves, at most.
+/// Upper bound of the motion of a beam's points and of its outline.
 pub fn farthest_of(beam: &BeamData, nodal: &[[f64; 4]]) -> f64 {
     let axis = &beam.axis;
     farthest(&nodal[beam.nodes.clone()], axis.longest) + swing(axis, nodal)
@@ -69,11 +69,11 @@ pub fn longest_arcs(model: &Model, start: &[f64], increment: &[[f64; 4]], arcs: 
 /// Sleeping and waking pairs.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Search {
-    /// Way of each mover since the start, beams then bodies, shape (beams and bodies) \[m\].
+    /// Travel of each mover since the start, beams then bodies, shape (beams and bodies) \[m\].
     travelled: Vec<f64>,
-    /// Sum of both movers' ways at which a pair wakes, shape (pairs) \[m\].
+    /// Sum of both movers' travel at which a pair wakes, shape (pairs) \[m\].
     wake: Vec<f64>,
-    /// Way of any mover, and the least one at which any pair wakes, counted twice \[m\].
+    /// Travel of any mover, and the least one at which any pair wakes, counted twice \[m\].
     any: f64,
     first: f64,
     /// Travel of the movers in the current step, shape (beams and bodies) \[m\].
@@ -82,7 +82,7 @@ pub struct Search {
     longest: f64,
     /// Upper bound of element lengths in the current state, one per beam, shape (beams) \[m\]; empty if no pair is near a face.
     arcs: Vec<f64>,
-    /// By how much these have grown with the beams' ways since they were taken, as shares of the longest elements, summed up.
+    /// Their growth with the beams' travel since their computation, as shares of the longest elements, summed up.
     loose: f64,
     /// Pairs evaluated in the current state, shape (such pairs) \[index of a pair\].
     awake: Vec<usize>,
@@ -147,7 +147,7 @@ impl Search {
         }
     }
 
-    /// Ways of the movers, and the longest.
+    /// Travel of the movers, and the longest.
     fn measure(&mut self, model: &Model, nodal: &[[f64; 4]], factor: f64) {
         let beams = model.beams.len();
         let mut most = 0.0_f64;
@@ -209,7 +209,7 @@ impl Search {
         self.measure_arcs(model, state);
     }
 
-    /// Bounds the beams' elements where something is near a face.
+    /// Bounds the beams' elements if a pair is near a face.
     fn measure_arcs(&mut self, model: &Model, state: &State) {
         let on_face = |i: &usize| model.pairs[*i].target.is_outline();
         let wanted = self.restless.iter().any(on_face);
@@ -253,7 +253,7 @@ impl Search {
         Some(self.wake[i] - self.way_of(pair))
     }
 
-    /// Way of two movers together in the step measured last \[m\].
+    /// Total travel of two movers in the last measured step \[m\].
     pub fn way(&self, movers: &[usize; 2]) -> f64 {
         movers.iter().map(|m| self.step[*m]).sum()
     }

@@ -33,7 +33,7 @@ pub struct NodeFrame {
 }
 
 impl ElementTable {
-    /// Table of an element between two nodes, `length` of arc apart; `section` gives constants at a share of the way.
+    /// Table of an element between two nodes, `length` of arc apart; `section` gives constants at a share of the length.
     ///
     /// The reference is interpolated like the displacements, so that rigid motions have zero strain. Membrane strains are sampled at the nodes and
     /// the middle if the element is long relative to the radius of gyration, with and without `fibres`: elements that can yield are the same as

@@ -110,7 +110,7 @@ pub struct BendingEnd {
     pub gradient: Form<f64>,
     unit: Stress<f64>,
     rate: StressRate<f64>,
-    /// Where it is: tangent and second derivative x'', shape (2, 2) \[-, 1/m\].
+    /// Its configuration: tangent and second derivative x'', shape (2, 2) \[-, 1/m\].
     at: [[f64; 2]; 2],
 }
 
@@ -136,7 +136,7 @@ pub fn bending_at_end(law: &SectionLaw<f64>, point: &StepPoint<f64>) -> BendingE
 }
 
 impl BendingEnd {
-    /// Force of a moment, with the tangent of its lever arms alone.
+    /// Force of a moment, with the tangent of its lever arms only.
     pub fn response(&self, moment: f64) -> PointResponse<f64> {
         let [g, p] = self.at;
         Stress { moment, ..self.unit }.forces_and_tangent(&self.rate, g, p)

@@ -184,8 +184,8 @@ pub struct Quotients<S> {
 }
 
 impl<S: Real> Quotients<S> {
-    /// Those of several Gauss points together: a root and a reciprocal are long chains of operations, each waiting for the one
-    /// before, and the points' chains run side by side.
+    /// Those of several Gauss points together: a root and a reciprocal are long chains of operations, each dependent on the previous one, and the
+    /// points' chains run in parallel.
     #[inline(always)]
     pub fn of<const N: usize>(measure: StrainMeasure, ways: &[PointStep<S>; N]) -> [Self; N] {
         let like = ways[0].reference.curvature;
@@ -225,14 +225,14 @@ pub struct Step<S> {
     p_mid: [S; 2],
     /// Increment of u'', shape (2) \[1/m\].
     d_bend: [S; 2],
-    /// How the tangent turns.
+    /// Rotation of the tangent.
     pub turn: Turn<S>,
     /// Reciprocal of the sum of the stretches of both ends.
     q: S,
 }
 
 impl<S: Real> Step<S> {
-    /// A way with its quotients.
+    /// A path with its quotients.
     #[inline(always)]
     pub fn new(measure: StrainMeasure, way: &PointStep<S>, quotients: &Quotients<S>) -> Self {
         let PointStep { reference, start, d_slope, d_bend } = *way;

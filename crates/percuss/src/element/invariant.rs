@@ -1,5 +1,5 @@
-//! An element over a step of the invariant energy-momentum scheme (theory, section 3), elastic or made of fibres (section 11): its share of
-//! the integrals of the paper's eqs. (4) and (9), the inertia of translation apart.
+//! An element over a step of the invariant energy-momentum scheme (theory, section 3), elastic or with a fibre section (section 11): its share of
+//! the integrals of the paper's eqs. (4) and (9), without the inertia of translation.
 
 use super::beam::{ElementSums, ElementTable, ElementValues};
 use super::energy_momentum::{End, PointStep, Quotients, Step};

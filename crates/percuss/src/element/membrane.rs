@@ -244,7 +244,7 @@ pub fn green_or_engineering<S: Real>(measure: StrainMeasure, tangent: [S; 2], sl
 }
 
 impl<S: Real> MembraneStep<S> {
-    /// Configuration a share of the way through the step.
+    /// Configuration at a share of the step.
     #[inline(always)]
     fn at(&self, theta: f64) -> [S; 2] {
         array(|i| self.tangent[i] + self.slope_0[i] + self.d_slope[i] * theta)

@@ -3,7 +3,7 @@
 //! The schemes ([`energy_momentum`], [`strain_rate`], [`collocation`]) turn the two ends of a step into generalised forces at a
 //! Gauss point, [`gauss`] adds them over an element, [`beam`] holds its constants, [`membrane`] adds the membrane strains of slender ones.
 
-// Without a word to all that `internals` alone reaches.
+// Items that only `internals` re-exports have no documentation.
 #[allow(missing_docs)]
 pub mod beam;
 #[allow(missing_docs)]

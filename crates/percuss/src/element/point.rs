@@ -53,7 +53,7 @@ pub struct StepPoint<S> {
 }
 
 impl<S: Real> StepPoint<S> {
-    /// Tangent x' and second derivative x'' a share of the way through the step.
+    /// Tangent x' and second derivative x'' at a share of the step.
     #[inline(always)]
     pub fn at(&self, theta: f64) -> [[S; 2]; 2] {
         let [slope, bend] = self.displaced(theta);
@@ -264,7 +264,7 @@ pub fn b_of<S: Real>(g: [S; 2], p: [S; 2]) -> S {
     cross(g, p)
 }
 
-/// Which strains the strain energy `EA eps^2 / 2 + EI kappa^2 / 2` is written in.
+/// Strain measure of the strain energy `EA eps^2 / 2 + EI kappa^2 / 2`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StrainMeasure {
     /// The paper's: `eps = (|x'|^2 - 1) / 2`, `kappa = n'.x' - N'.X'` (Green-type).

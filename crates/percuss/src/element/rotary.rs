@@ -4,7 +4,7 @@ use super::point::PointResponse;
 use crate::math::vec2::{add, cross, dot, middle};
 use crate::scalar::{Number, Real};
 
-/// How the tangent turns over a step at a point: from `g0` to `g0 + d_g`, through `g` in the middle.
+/// Rotation of the tangent over a step at a point: from `g0` to `g0 + d_g`, through `g` in the middle.
 #[derive(Clone, Copy, Debug)]
 pub struct Turn<S> {
     /// Tangent at the start, shape (2) \[-\].

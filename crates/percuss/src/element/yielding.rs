@@ -44,7 +44,7 @@ pub struct ElementStep<'a, S = f64> {
     pub lag: S,
 }
 
-/// How the tangents at the Gauss points of an element turn in a step of the invariant scheme.
+/// Rotation of the tangents at the Gauss points of an element in a step of the invariant scheme.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementTurn<'a, S> {
     /// Its Gauss points at the start, shape (Gauss points).

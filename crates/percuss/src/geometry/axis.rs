@@ -16,9 +16,9 @@ const SAME: f64 = 1e-14;
 
 /// Share of its length up to which each end of a beam is rounded: the rest has to be an axis.
 pub const LONGEST_CAP: f64 = 0.499;
-/// Ends nearer to a node than this share of an element are at the node.
+/// Ends closer to a node than this share of an element are at the node.
 const AT_NODE: f64 = 1e-9;
-/// Taper beyond which an end is taken to lean no more.
+/// Limit of the taper for the inclination of an end.
 const STEEPEST: f64 = 0.9;
 
 /// The elements of a beam's axis.
@@ -62,7 +62,7 @@ impl AxisElements {
         (0..first).chain(last.max(first)..self.list.len())
     }
 
-    /// Both ends, their corners rounded off by these radii, at most half a depth; they lie within the length of the beam.
+    /// Both ends, with corners rounded by these radii, at most half a depth; they are within the length of the beam.
     pub fn ends(&self, roundings: [f64; 2]) -> [AxisEnd; 2] {
         [0, 1].map(|which| self.end(which == 1, roundings[which]))
     }
@@ -90,7 +90,7 @@ impl AxisElements {
         let half_depth = element.half_depth(xi);
         let inner = half_depth - away.min(half_depth);
         let lean = (out * (b - a) / element.length).clamp(-STEEPEST, STEEPEST);
-        // The faces of a tapered end lean, so they meet the edge farther out than a circle about the axis reaches.
+        // The faces of a tapered end are inclined, so they meet the edge farther out than a circle about the axis extends.
         let half_width = inner / (1.0 - lean * lean).sqrt();
         let point = AxisPoint { element: k, xi };
         AxisEnd { point, s, out, half_width, rounding: half_depth - inner, lean }
@@ -131,7 +131,7 @@ pub struct AxisEnd {
     pub point: AxisPoint,
     /// Its arc length from the start of the beam \[m\].
     pub s: f64,
-    /// Sign of the way out of the beam along its axis.
+    /// Sign of the outward direction along its axis.
     pub out: f64,
     /// Half the width of the edge \[m\].
     pub half_width: f64,
@@ -141,7 +141,7 @@ pub struct AxisEnd {
     pub lean: f64,
 }
 
-/// A point of an axis and the element it is on, as it lies.
+/// A point of an axis and its element, in the current configuration.
 #[derive(Clone, Copy)]
 pub struct ClosestPoint {
     /// The point.
@@ -155,8 +155,7 @@ pub struct ClosestPoint {
 pub struct Nearest {
     /// The point.
     pub closest: ClosestPoint,
-    /// The point nearest in the neighbourhood of the guess, if another one is nearer: the closest point leaps between two arms of a
-    /// beam.
+    /// The closest point in the neighbourhood of the guess, if another one is closer: the closest point jumps between two arms of a beam.
     pub leapt_from: Option<AxisPoint>,
 }
 
@@ -166,10 +165,9 @@ pub struct Axis<'a> {
     /// Frames of all nodes in the reference configuration, shape (nodes).
     pub nodes: &'a [NodeFrame],
     pub elements: &'a AxisElements,
-    /// Elements left out, for a beam against itself: the first of them, and the first behind them, shape (2)
-    /// \[index of an element of the beam\].
+    /// Omitted elements, for a beam against itself: the first of them, and the first after them, shape (2) \[index of an element of the beam\].
     pub skip: [usize; 2],
-    /// Where it starts and ends, shape (2).
+    /// Its start and end, shape (2).
     pub ends: &'a [AxisEnd; 2],
     /// Length that none of the elements exceeds \[m\].
     pub arc: f64,
@@ -209,7 +207,7 @@ impl Axis<'_> {
         [low, if k == last.element { last.xi } else { 1.0 }]
     }
 
-    /// The element at which an end of the axis is, as it lies.
+    /// The element at an end of the axis, in the current configuration.
     pub fn placed_end(&self, end: &AxisEnd, at: &Configuration) -> Placed {
         self.placed(end.point.element, at)
     }
@@ -218,7 +216,7 @@ impl Axis<'_> {
         Placed::new(&self.elements[k], self.nodes, at)
     }
 
-    /// The point nearest to `y` of all; `None` if all elements are left out. The search starts near `guess`.
+    /// The closest point to `y` of all; `None` if all elements are omitted. The search starts near `guess`.
     pub fn nearest(
         &self,
         y: [f64; 2],
@@ -247,7 +245,7 @@ impl Axis<'_> {
             let within = best.0 + self.elements.deepest;
             let squared = ends.least_distance_squared(y);
             if within < 0.0 || squared > within * within {
-                // Elements that follow cannot come nearer faster than the axis is long.
+                // The distance to the following elements decreases at most by the length of the axis.
                 next += ((squared.sqrt() - within) / self.arc) as usize;
                 continue;
             }
@@ -271,7 +269,7 @@ impl Axis<'_> {
         Some(Nearest { closest, leapt_from: local.map(|closest| closest.point) })
     }
 
-    /// Whether another point is nearer to `y` than `closest`.
+    /// Whether another point is closer to `y` than `closest`.
     pub fn has_nearer(
         &self,
         y: [f64; 2],
@@ -343,7 +341,7 @@ impl Axis<'_> {
         self.side_of(sub(y, placed.position(point.xi)), placed.tangent(point.xi), at, point)
     }
 
-    /// The same, where the place lies away from its nearest point, at which the tangent is given.
+    /// The same for a place at a distance from its closest point, at which the tangent is given.
     pub fn side_of(
         &self,
         away: [f64; 2],

@@ -9,7 +9,7 @@ pub struct Configuration<'a> {
     pub increment: &'a [[f64; 4]],
     /// Share of the increment.
     pub share: f64,
-    /// Length that no element of a beam exceeds at any share, one a beam, shape (beams) \[m\]; empty if not known. It is for speed alone.
+    /// Upper bound of element lengths at any share, one per beam, shape (beams) \[m\]; empty if not known. It only serves speed.
     pub arcs: &'a [f64],
     /// Whether there is a gap without a surface from a node to the next one, shape (beam nodes); empty without fractured beams.
     pub parted: &'a [bool],

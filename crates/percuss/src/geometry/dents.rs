@@ -12,21 +12,21 @@ const SAME: f64 = 1.0 / 16.0;
 /// A dent, where it is deepest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Dent {
-    /// Where along the face \[m\].
+    /// Position along the face \[m\].
     pub place: f64,
-    /// Which face: 1 or -1, zero beyond an end.
+    /// Face: 1 or -1, zero beyond an end.
     pub side: f64,
-    /// How deep \[m\].
+    /// Depth \[m\].
     pub depth: f64,
 }
 
 impl Dent {
-    /// Half the width that a circle of the given radius gives it \[m\].
+    /// Half its width for a circle of the given radius \[m\].
     pub fn half_width(&self, radius: f64) -> f64 {
         (self.depth * (2.0 * radius + self.depth)).sqrt()
     }
 
-    /// How deep the same circle fits into it where another one is \[m\].
+    /// Depth to which the same circle fits into it at another position \[m\].
     fn depth_at(&self, other: &Self, radius: f64) -> f64 {
         let away = (other.place - self.place).abs();
         if self.side != other.side || self.depth <= 0.0 {
@@ -43,9 +43,9 @@ impl Dent {
 /// An indentation carried along by a loaded contact: elsewhere it would have to be produced again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CarriedCrush {
-    /// How far along the face, from where it was made \[m\].
+    /// Distance along the face from the place of the indentation \[m\].
     pub distance: f64,
-    /// How much of the permanent penetration is of that place and not of the one where it presses \[m\].
+    /// Part of the permanent indentation that belongs to that place and not to the current one \[m\].
     pub depth: f64,
 }
 
@@ -61,9 +61,9 @@ impl CarriedCrush {
 /// The dents of a pair, and how its deepest one was carried.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Dents {
-    /// The one made last.
+    /// The last one.
     last: Dent,
-    /// Where it was begun \[m\].
+    /// Position of its start \[m\].
     begun: f64,
     /// The others, in their order along the face, shape (others).
     others: Vec<Dent>,
@@ -85,7 +85,7 @@ impl Dents {
         self.deepest
     }
 
-    /// Whether a place lies beside the dent made last.
+    /// Whether a place is outside the last indentation.
     pub fn has_left(&self, at: &Dent, radius: f64) -> bool {
         self.last.depth_at(at, radius) == 0.0
     }
@@ -119,7 +119,7 @@ impl Dents {
         }
     }
 
-    /// Adds a dent to the others, in place of those that lie within it.
+    /// Adds an indentation to the others, in place of those inside it.
     fn keep(&mut self, new: Dent, radius: f64) {
         if new.depth <= 0.0 {
             return;
@@ -157,7 +157,7 @@ mod tests {
         assert_eq!(dents.depth_at(&at(1.0, 0.0), RADIUS), 2e-3);
         assert_eq!(dents.depth_at(&at(1.0 + 1.0001 * half, 0.0), RADIUS), 0.0);
         assert_eq!(dents.depth_at(&Dent { side: -1.0, ..at(1.0, 0.0) }, RADIUS), 0.0);
-        // Beside the bottom, both rims at half a distance from each other: the circle that rests on one of them.
+        // Away from the bottom, both rims at half a distance from each other: the circle rests on one of them.
         for x in [0.1, 0.5, 0.9] {
             let deep = dents.depth_at(&at(1.0 - x * half, 0.0), RADIUS);
             let rim = RADIUS.hypot((1.0 - x) * half) - RADIUS;

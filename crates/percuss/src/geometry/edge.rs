@@ -32,7 +32,7 @@ enum Feature {
     Face,
 }
 
-/// The frame of an end: the way out of the beam, and across.
+/// The frame of an end: outward and across.
 struct EndFrame {
     /// Place of the axis' end, shape (2) \[m\].
     origin: [f64; 2],
@@ -43,7 +43,7 @@ struct EndFrame {
 }
 
 impl EndFrame {
-    /// Of an end of an axis, whose nearest point is `closest`.
+    /// At an end of an axis, whose closest point is `closest`.
     fn of(axis: &Axis, end: &AxisEnd, closest: &ClosestPoint, at: &Configuration) -> Self {
         if end.point.element == closest.point.element {
             return Self::new(end, &closest.placed);
@@ -77,12 +77,12 @@ pub fn nearest(
     let away = sub(y, frame.origin);
     let (d, e) = (dot(away, frame.out), dot(away, frame.across));
     let (w, sign) = (end.half_width, 1.0_f64.copysign(e));
-    // The face leans back from a thick end; its normal, and how far beyond the corner the place lies along it.
+    // The face is inclined away from a thick end; its normal, and the position of the place along it beyond the corner.
     let (sine, cosine) = (end.lean, (1.0 - end.lean * end.lean).sqrt());
     let height = e.abs() * cosine - d * sine - w * cosine;
     let past = d * cosine + (e.abs() - w) * sine;
     let through = side * seen < 0.0;
-    // An end that is rounded from face to face has no edge: a place straight ahead is as near to its one corner as any other.
+    // An end that is rounded from face to face has no edge: a place straight ahead is equally close to its one corner.
     let feature = if d > 0.0 && w > 0.0 && e.abs() <= w {
         Feature::Edge
     } else if (past > 0.0 && (d > 0.0 || height > 0.0)) || seen == 0.0 {

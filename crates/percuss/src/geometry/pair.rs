@@ -1,7 +1,7 @@
-//! Two things that can touch, one to one: a round one, the source, against a target of some shape.
+//! A pair of contact partners: a round one, the source, and a target of some shape.
 //!
-//! Every contact is made of such pairs: a disc against a beam, a point of a beam against a half-plane, the end of a wall against a
-//! beam. The source has a centre and a radius; the target is where the gap is measured to.
+//! Every contact consists of such pairs: a disc against a beam, a point of a beam against a half-plane, the end of a wall against a beam. The
+//! source has a centre and a radius; the gap is the distance to the target.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ pub struct Centre {
     pub position: [f64; 2],
     /// Node, or node `a` of the element.
     pub node: usize,
-    /// How it follows.
+    /// Motion of the point.
     pub carrier: Carrier,
 }
 
@@ -53,7 +53,7 @@ struct PlacedSection<'a> {
     tangent: [f64; 2],
     /// Unit normal of the axis, shape (2) \[-\].
     normal: [f64; 2],
-    /// Length of the derivative that the slopes give.
+    /// Length of the derivative due to the slopes.
     stretch: f64,
     /// From the axis to the point, shape (2) \[m\].
     arm: [f64; 2],
@@ -98,8 +98,8 @@ impl Centre {
         }
     }
 
-    /// Adds a force at the point over the whole step of `at`: on the increment the row gives the point's way along the force exactly,
-    /// however far its section turns.
+    /// Adds a force at the point over the whole step of `at`: on the increment the row gives the point's displacement along the force exactly, for
+    /// any rotation of its section.
     ///
     /// With unit tangents t0 and t1 of the axis, t1 - t0 = 2 (n . dg)/(|g0| + |g1|) n, where n is normal to t0 + t1 and dg the
     /// increment of the derivative g.
@@ -113,7 +113,7 @@ impl Centre {
         section.add_turn(row, self.node, cross(section.arm, force));
     }
 
-    /// Whether it belongs to no piece of a beam any more: the element that it is on has parted, and at a node the one beside it too.
+    /// Whether it no longer belongs to a piece of a beam: its element has fractured, and at a node the adjacent one too.
     pub fn is_parted(&self, at: &Configuration) -> bool {
         let Carrier::Beam { shape, .. } = &self.carrier else { return false };
         if !at.is_parted(self.node) {
@@ -144,7 +144,7 @@ impl Centre {
         Some(Turning { forms, weights: [[-dot(force, section.arm), mixed], [mixed, 0.0]] })
     }
 
-    /// Its section as it lies, if the point is off the axis.
+    /// Its section in the current configuration, if the point is off the axis.
     fn section(&self, at: &Configuration) -> Option<PlacedSection<'_>> {
         let Carrier::Beam { slope, tangent, offset, .. } = &self.carrier else { return None };
         if *offset == [0.0; 2] {
@@ -253,9 +253,9 @@ pub enum Target {
     /// The outline of a beam: faces at half a depth from its axis, and closures at both ends.
     Axis {
         beam: usize,
-        /// Elements left out: the first of them, and the first behind them, shape (2) \[index of an element of the beam\].
+        /// Omitted elements: the first of them, and the first after them, shape (2) \[index of an element of the beam\].
         skip: [usize; 2],
-        /// Where the axis starts and ends, shape (2).
+        /// Start and end of the axis, shape (2).
         ends: [AxisEnd; 2],
     },
 }
@@ -271,15 +271,15 @@ pub struct Pair {
     pub target: Target,
     /// Radii of both, but for the half depth of an axis \[m\].
     pub reach: f64,
-    /// Of it, the target's own radius \[m\].
+    /// Radius of the target, a part of it \[m\].
     pub target_radius: f64,
     /// Whether ends of an axis that are points, or rounded from face to face, are left to other pairs.
     pub skips_ends: bool,
     /// The obstacle among the two, if one is.
     pub obstacle: Option<usize>,
-    /// Things that move, source and target: beams first, then bodies, shape (2) \[index of a mover\].
+    /// Movers, source and target: beams first, then bodies, shape (2) \[index of a mover\].
     pub movers: [usize; 2],
-    /// Which of the contact's two partners the source is.
+    /// Number of the source among the contact's two partners.
     pub source_partner: usize,
     /// Arc length of the source along its beam; NaN for a body \[m\].
     pub s: f64,
@@ -292,7 +292,7 @@ pub struct Pair {
 pub struct Memory {
     /// Sign of the face it is on; zero where it may still go to either, beyond an end.
     pub side: f64,
-    /// Where on the axis it was nearest.
+    /// Last closest point on the axis.
     pub near: AxisPoint,
 }
 
@@ -337,7 +337,7 @@ impl Target {
         }
     }
 
-    /// Leaves out elements of a beam's outline: from the first of them up to the first behind them.
+    /// Omits elements of a beam's outline: from the first of them up to the first after them.
     pub fn leave_out(&mut self, elements: [usize; 2]) {
         if let Self::Axis { skip, .. } = self {
             *skip = elements;

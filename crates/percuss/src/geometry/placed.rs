@@ -83,7 +83,7 @@ impl ElementEnds {
         [[a[2], a[3]], [inner(0), inner(1)], [b[2], b[3]]]
     }
 
-    /// A bound from below of the distance of its axis from `y`, squared: the axis lies in the box about its control points.
+    /// A lower bound of the distance of its axis from `y`, squared: the axis is inside the box about its control points.
     pub fn least_distance_squared(&self, y: [f64; 2]) -> f64 {
         let [a, b] = &self.nodes;
         let third = self.length / 3.0;
@@ -113,8 +113,8 @@ impl ElementEnds {
 
 /// The axis of an element in a configuration: a cubic in the share of the element.
 ///
-/// Its faces envelop the circles about its points with the half depth as their radius. The point nearest to a place is that
-/// whose circle is, so on a tapered element the normal leans back from the thick end.
+/// Its faces envelop the circles about its points with the half depth as their radius. The closest point to a place belongs to the closest circle,
+/// so on a tapered element the normal is inclined away from the thick end.
 #[derive(Clone, Copy)]
 pub struct Placed {
     /// Coefficients of the powers of the share, shape (4, 2) \[m\].
@@ -233,7 +233,7 @@ impl Placed {
                 low = xi
             }
             let mut next = xi - slope / if convex { full } else { safe };
-            // Where the distance hardly changes, next to a centre of curvature, Newton's iteration crawls.
+            // If the distance hardly changes, near a centre of curvature, Newton's iteration is slow.
             let crawls = iteration >= PATIENCE;
             if crawls {
                 next = 0.5 * (low + high);
@@ -248,7 +248,7 @@ impl Placed {
                 };
             }
             let mut there = self.seen(y, next);
-            // Beyond a crest lies the neighbourhood of another closest point.
+            // Beyond a crest begins the neighbourhood of another closest point.
             while !crawls
                 && (next - xi).abs() > CREST
                 && self.distance(&there, next, side) > self.distance(&seen, xi, side)
@@ -271,7 +271,7 @@ impl Placed {
         norm(seen.away) - depth
     }
 
-    /// How half the square of the distance from `y` changes with the share: negative where it is nearer further on.
+    /// Derivative of half the square of the distance from `y` with respect to the share: negative if later points are closer.
     pub fn slope_at(&self, y: [f64; 2], xi: f64, side: f64) -> f64 {
         self.slope(&self.seen(y, xi), side)
     }

@@ -22,7 +22,7 @@ const LONGEST_WAY: f64 = 2.0;
 pub struct Touch {
     /// Gap \[m\]; negative inside, infinite at an end that is left to other pairs.
     pub gap: f64,
-    /// How far the surfaces are apart \[m\].
+    /// Distance of the surfaces \[m\].
     pub apart: f64,
     /// Unit normal, from target to source, shape (2) \[-\].
     pub normal: [f64; 2],
@@ -36,14 +36,14 @@ pub struct Touch {
     pub memory: Memory,
     /// Arc length of the closest point along its beam; NaN elsewhere \[m\].
     pub s: f64,
-    /// How the normal turns.
+    /// Rotation of the normal.
     pub bend: Bend,
 }
 
-/// How the normal turns as source and target move.
+/// Rotation of the normal with the motion of source and target.
 #[derive(Clone, Copy, Debug)]
 pub enum Bend {
-    /// Not at all.
+    /// No rotation.
     Flat,
     /// About the closest point, at this signed distance.
     Round { distance: f64 },
@@ -136,7 +136,7 @@ impl Pair {
         }
     }
 
-    /// Whether another place of the target is nearer than the closest point remembered.
+    /// Whether another place of the target is closer than the stored closest point.
     pub fn leaps(&self, axes: &impl Axes, at: &Configuration, memory: &Memory) -> bool {
         let Target::Axis { beam, skip, ends } = &self.target else { return false };
         let y = self.source.place(at);
@@ -236,7 +236,7 @@ impl Pair {
         {
             return self.on_edge(axis, end, &found, point);
         }
-        // Beyond an end there are no sides; a face once known stays known.
+        // Beyond an end there are no sides; a known face does not change.
         let side = if seen == 0.0 || memory.side == 0.0 { seen } else { memory.side };
         let sign = if seen == 0.0 { 1.0 } else { side * seen };
         let normal = if distance > COINCIDENT {
@@ -247,7 +247,7 @@ impl Pair {
         };
         let (distance, half_depth) = (sign * distance, element.half_depth(point.xi));
         let slides = point.xi > 0.0 && point.xi < 1.0;
-        // Where the elements left out begin is no end.
+        // The start of omitted elements is no end.
         let border = side == 0.0 && axis.is_border(point);
         let gap = distance - self.reach - half_depth;
         if gap < 0.0
@@ -289,7 +289,7 @@ impl Pair {
         axis.ends.iter().filter(|_| self.skips_ends).find(left)
     }
 
-    /// At the end of an axis, whose nearest point is `near`.
+    /// At the end of an axis, whose closest point is `near`.
     fn on_edge(&self, axis: &Axis, end: &AxisEnd, found: &EdgeTouch, near: AxisPoint) -> Touch {
         let apart = found.distance - self.reach - end.rounding;
         let left = found.corner && self.skips_ends && end.half_width == 0.0;

@@ -1,4 +1,4 @@
-//! How the gradient of a gap turns with its nodes.
+//! Rotation of the gradient of a gap with its nodes.
 
 use super::configuration::Configuration;
 use super::pair::Pair;
@@ -11,9 +11,9 @@ impl Pair {
     /// Rotation of the gap's gradient with its nodes; `None` where it is constant. The contribution of points off an axis is in
     /// [`Pair::section_turnings`].
     ///
-    /// With A the motion across the normal and O the turn of the axis at the closest point, both as forms, the second derivative of the gap is
-    /// `A (x) A / d` at a distance d from a fixed closest point. One that slides by `(l A + d O) / (l^2 - d n.x'')`, l = across . x', adds
-    /// its share (theory, section 6). An edge that turns by O gives `A (x) O + O (x) A - d O (x) O`.
+    /// With A the motion across the normal and O the rotation of the axis at the closest point, both as forms, the second derivative of the gap is
+    /// `A (x) A / d` at a distance d from a fixed closest point. One that slides by `(l A + d O) / (l^2 - d n.x'')`, l = across . x', contributes
+    /// its share (theory, section 6). An edge that rotates by O gives `A (x) O + O (x) A - d O (x) O`.
     pub fn turning(&self, touch: &Touch, at: &Configuration) -> Option<Turning> {
         let turns = match touch.bend {
             Bend::Flat => false,

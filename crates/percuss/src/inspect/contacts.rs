@@ -52,7 +52,7 @@ impl<'m> ContactView<'m> {
         &self.data.law
     }
 
-    /// Its pairs of one round thing and one target: the partners, and the shape of the target.
+    /// Its pairs of a round partner and a target: the partners, and the shape of the target.
     pub fn pairs(
         &self,
     ) -> impl ExactSizeIterator<Item = ([MovingPartner; 2], TargetShape)> + use<'m> {
@@ -91,7 +91,7 @@ fn shape(target: &Target) -> TargetShape {
 pub struct LoadView<'m>(pub(super) &'m LoadData);
 
 impl LoadView<'_> {
-    /// The acceleration that it gives everything that has mass, for a factor of one, if it is gravity \[m/s^2\].
+    /// The acceleration of all masses, for a factor of one, if it is gravity \[m/s^2\].
     pub fn gravity(&self) -> Option<[f64; 2]> {
         match self.0.kind {
             LoadAction::Gravity { acceleration } => Some(acceleration),

@@ -6,7 +6,7 @@ use super::PrescribedView;
 use crate::math::vec2::{norm, sub};
 use crate::model::Model;
 
-/// Places nearer than this share of the size of the structure are one.
+/// Places closer than this share of the size of the structure coincide.
 const ONE_PLACE: f64 = 1e-6;
 
 /// Two ends of beams at one place that neither a joint nor a spring ties, no contact is between and supports do not both hold.
@@ -16,7 +16,7 @@ pub struct LooseEnds {
     pub beams: [usize; 2],
     /// Names of the ends in a scenario, such as `top.start`, shape (2).
     pub ends: [String; 2],
-    /// Where they lie, shape (2) \[m\].
+    /// Position, shape (2) \[m\].
     pub position: [f64; 2],
 }
 
@@ -36,7 +36,7 @@ impl LooseEnds {
 struct BeamEnd {
     beam: usize,
     s: f64,
-    /// Where it is, shape (2) \[m\].
+    /// Position, shape (2) \[m\].
     position: [f64; 2],
 }
 
@@ -82,9 +82,9 @@ fn ends(model: &Model) -> Vec<BeamEnd> {
     (0..model.beam_count()).flat_map(of).collect()
 }
 
-/// Makes groups of the ends that the points of joints, supports between nodes, springs and hinges tie at one place.
+/// Groups the ends that the points of joints, supports between nodes, springs and hinges connect at one place.
 fn tie(model: &Model, ends: &[BeamEnd], near: f64, groups: &mut Groups) {
-    // Places on beams by the cell of arc length that holds them, each with a member of its group.
+    // Places on beams by their cell of arc length, each with a member of its group.
     let mut along: HashMap<(usize, i64), Vec<(f64, usize)>> = HashMap::new();
     let mut place = |beam: usize, s: f64, groups: &mut Groups, group: usize| {
         let cell = cell(s, near);
@@ -116,7 +116,7 @@ fn tie(model: &Model, ends: &[BeamEnd], near: f64, groups: &mut Groups) {
     }
 }
 
-/// Number of the cell of size `near` that holds a coordinate.
+/// Number of the cell of size `near` that contains a coordinate.
 fn cell(x: f64, near: f64) -> i64 {
     (x / near).floor() as i64
 }
@@ -132,7 +132,7 @@ impl Groups {
         Self { leader: (0..count).collect() }
     }
 
-    /// One more member, of a group of its own.
+    /// Adds a member, in a group of its own.
     fn add(&mut self) -> usize {
         self.leader.push(self.leader.len());
         self.leader.len() - 1
@@ -153,11 +153,10 @@ impl Groups {
     }
 }
 
-/// Ends by the cell of the plane that they lie in, so that each is held against its neighbours alone.
+/// Ends by their cell of the plane, so that each is compared with its neighbours only.
 struct Corners {
     near: f64,
-    /// Lists of ends of one group each: free ones, and those that a support holds, shape (cells, 2, lists, ends of one)
-    /// \[index of a cell, index of an end\].
+    /// Lists of ends of one group each: free ones, and supported ones, shape (cells, 2, lists, ends of one) \[index of a cell, index of an end\].
     cells: HashMap<[i64; 2], [Vec<Vec<usize>>; 2]>,
 }
 
@@ -167,8 +166,7 @@ impl Corners {
         self.cells.entry(key).or_default()[usize::from(held)].push(vec![end]);
     }
 
-    /// Of every group but `own` the first end near a position for which `loose` holds, in their order. Two ends that supports hold are no
-    /// pair.
+    /// Of every group but `own` the first end near a position for which `loose` is true, in their order. Two supported ends are no pair.
     fn first_of_each_group(
         &mut self,
         (position, held): ([f64; 2], bool),
@@ -200,7 +198,7 @@ impl Corners {
     }
 }
 
-/// Makes one list of those of one group.
+/// Merges the lists of members of one group.
 fn merge(lists: &mut Vec<Vec<usize>>, groups: &mut Groups) {
     if lists.len() < 2 {
         return;
@@ -215,7 +213,7 @@ fn merge(lists: &mut Vec<Vec<usize>>, groups: &mut Groups) {
     }));
 }
 
-/// Whether a support holds both displacements of an end.
+/// Whether a support fixes both displacements of an end.
 fn is_held(model: &Model, end: &BeamEnd) -> bool {
     let nodes = model.beam(end.beam).nodes();
     let node = if end.s > 0.0 { nodes.end - 1 } else { nodes.start };

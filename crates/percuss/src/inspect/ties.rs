@@ -123,7 +123,7 @@ impl<'m> ConnectorView<'m> {
 /// A point mass.
 #[derive(Clone, Copy, Debug)]
 pub struct PointMassView<'m> {
-    /// Where it sits.
+    /// Position.
     pub point: PointView<'m>,
     /// Mass \[kg\].
     pub mass: f64,
@@ -134,7 +134,7 @@ pub struct PointMassView<'m> {
 pub struct GuidedView<'m> {
     /// Its body that strikes.
     pub body: &'m Body,
-    /// The mass behind it, if it has one.
+    /// Its rear mass, if any.
     pub rear: Option<&'m Body>,
     /// Unit vector of the line of flight, from projectile to beam, shape (2) \[-\].
     pub direction: [f64; 2],

@@ -1,4 +1,4 @@
-//! How well the balances close.
+//! Errors of the balances.
 
 use serde::{Deserialize, Serialize};
 

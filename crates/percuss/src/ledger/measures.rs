@@ -35,8 +35,8 @@ pub struct Measures<S = f64> {
     /// Kinetic energy with the angular rates that follow from the slopes' velocities, less that with the sections' own rates, which is
     /// conserved \[J\].
     pub angular_rate_drift: S,
-    /// Sum of the magnitudes of the bodies' linear momenta and of the elements', these by components \[kg m/s\], a scale: where things move against
-    /// each other, momenta vanish together that do not vanish alone.
+    /// Sum of the magnitudes of the bodies' linear momenta and of the elements', these by components \[kg m/s\], a scale: for opposite motions the
+    /// total momentum vanishes although its parts do not.
     pub linear_size: S,
     /// Sum of the distances from the origin times momenta, and of couples, all by their components' magnitudes \[kg m^2/s\], a scale: a body that
     /// moves straight towards the origin has no angular momentum although its components have.

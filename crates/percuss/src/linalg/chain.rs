@@ -156,7 +156,7 @@ impl WithSimd for Factor<'_> {
         }
         let pivot = &mut chain.diag[middle];
         *pivot = block::inverse(pivot).ok_or(SingularPivot { node: middle })?;
-        // Apart from the products, which else are no longer taken row by row.
+        // Separate from the products, which otherwise are no longer computed row by row.
         for blocks in [&mut chain.diag[..=last], &mut chain.upper[..last], &mut chain.lower[..last]]
         {
             blocks.iter_mut().for_each(|b| *b = block::transpose(b));

@@ -65,7 +65,7 @@ impl Cluster {
         &self.test[4 * node * f..4 * (node + 1) * f]
     }
 
-    /// Finds the reduction for the present constraints; `false` if they depend on each other.
+    /// Computes the reduction for the present constraints; `false` if they depend on each other.
     pub fn reduce(
         &mut self,
         rows: &[BorderVector],

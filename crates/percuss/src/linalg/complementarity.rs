@@ -133,7 +133,7 @@ impl Lemke {
         self.rows[row * (self.n + 2) + 1 + column]
     }
 
-    /// The row whose variable is the first to vanish as that of `column` grows.
+    /// The row whose variable vanishes first as that of `column` increases.
     fn leaving(&mut self, column: usize) -> Option<usize> {
         let mut ties = std::mem::take(&mut self.ties);
         ties.clear();
@@ -155,7 +155,7 @@ impl Lemke {
         found
     }
 
-    /// Keeps the rows whose `part` allows the variable of `column` the least.
+    /// Keeps the rows whose `part` has the smallest limit for the variable of `column`.
     fn keep_least(&self, rows: &mut Vec<usize>, column: usize, part: impl Fn(&Self, usize) -> f64) {
         let ratio = |row: usize| -part(self, row) / self.coefficient(row, column);
         let least = rows.iter().map(|r| ratio(*r)).fold(f64::INFINITY, f64::min);
@@ -198,7 +198,7 @@ impl Lemke {
         left
     }
 
-    /// Values of x in the basis reached, from a factorisation of its own where that can be had.
+    /// Values of x in the final basis, from a separate factorisation if possible.
     fn finish(&mut self, matrix: &[f64], q: &[f64], x: &mut Vec<f64>) {
         let n = self.n;
         x.clear();
@@ -208,7 +208,7 @@ impl Lemke {
                 x[*i] = self.rows[row * (n + 2)].max(0.0);
             }
         }
-        // Of each pair one is in the basis now: x where w is outside.
+        // One variable of each pair is in the basis: x if w is outside.
         let outside = |i: &usize| matches!(self.places[*i], TableauPlace::Column(_));
         let active: Vec<usize> = (0..n).filter(outside).collect();
         self.matrix.clear();
@@ -252,7 +252,7 @@ mod tests {
 
     #[test]
     fn a_ray_tells_that_nothing_solves_it() {
-        // w_1 = -1 whatever x is.
+        // w_1 = -1 for any x.
         let mut x = Vec::new();
         assert_eq!(
             Lemke::default().solve(&[0.0, 0.0, 0.0, 1.0], &[-1.0, 1.0], 1e9, &mut x),

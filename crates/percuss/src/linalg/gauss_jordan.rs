@@ -45,7 +45,7 @@ pub fn eliminate_largest<S: Real>(
     Some(p)
 }
 
-/// Puts the columns of an inverse in the order of the matrix, whose row `k` was exchanged with row `exchanged[k]`.
+/// Arranges the columns of an inverse in the order of the matrix, whose row `k` was exchanged with row `exchanged[k]`.
 #[inline(always)]
 pub fn restore<S>(m: &mut [S], n: usize, exchanged: &[usize]) {
     for k in (0..n).rev() {

@@ -62,8 +62,8 @@ impl SparseLu {
 
     /// Factors the matrix, scaled in place; `false` if it is singular.
     ///
-    /// Inertia of a very short step and the ones of constraints differ by 20 orders: pivots are sought among scaled entries
-    /// (Ruiz 2001: rows and columns alike by the square root of their largest entries, repeatedly).
+    /// Inertia of a very short step and the ones of constraints differ by 20 orders: pivots are selected among scaled entries (Ruiz 2001: rows and
+    /// columns equally by the square root of their largest entries, repeatedly).
     pub fn factor(&mut self) -> bool {
         self.scale.fill(1.0);
         for _ in 0..SWEEPS {

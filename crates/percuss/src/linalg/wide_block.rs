@@ -79,7 +79,7 @@ pub fn negatives(matrix: &[Wide], n: usize, m: &mut Vec<Wide>) -> Option<usize> 
             }
             k += 1;
         } else {
-            // Of a pair without a diagonal to speak of, one is negative.
+            // In a pair with a negligible diagonal, one is negative.
             exchange(m, n, k, beside.2);
             exchange(m, n, k + 1, beside.1);
             negative += 1;
@@ -99,7 +99,7 @@ pub fn negatives(matrix: &[Wide], n: usize, m: &mut Vec<Wide>) -> Option<usize> 
     Some(negative)
 }
 
-/// Scales rows and columns alike: displacements, slopes and multipliers differ by many orders.
+/// Scales rows and columns equally: displacements, slopes and multipliers differ by many orders.
 fn equilibrate(m: &mut [Wide], n: usize) {
     for _ in 0..2 {
         for i in 0..n {

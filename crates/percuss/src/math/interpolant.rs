@@ -16,7 +16,7 @@ pub struct Interpolant<S> {
 }
 
 impl<S: Number> Interpolant<S> {
-    /// The one of a lane.
+    /// The interpolant of a lane.
     pub fn lane(&self, i: usize) -> Cubic {
         let both = |x: [S; 2]| [x[0].lane(i), x[1].lane(i)];
         Cubic { h: self.h.lane(i), start: both(self.start), end: both(self.end) }
@@ -69,7 +69,7 @@ impl<S: Number> Interpolant<S> {
         if S::DERIVES { root - self.value(root) / self.slope(root) } else { root }
     }
 
-    /// An instant at which it is stationary in a lane, which moves with the ends of the path so that it stays stationary.
+    /// An instant at which it is stationary in a lane, as a function of the ends of the path.
     pub fn crest(&self, t: f64) -> S {
         let t = self.h.constant(t);
         if S::DERIVES { t - self.slope(t) / self.bend(t) } else { t }

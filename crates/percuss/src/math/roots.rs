@@ -32,7 +32,7 @@ pub struct Bracket {
     lo: (f64, f64),
     hi: (f64, f64),
     next: f64,
-    /// On which side the last point was.
+    /// Side of the last point.
     last_side: i32,
     /// Points tried.
     trial: usize,
@@ -69,7 +69,7 @@ impl Bracket {
         if y.abs() <= self.f_tolerance || self.hi.0 - self.lo.0 <= self.x_tolerance {
             return true;
         }
-        // Anderson and Bjorck's weight for an end of the bracket that stays twice.
+        // Anderson and Bjorck's weight for an end of the bracket that is unchanged twice.
         let weight = |old: f64| if y / old < 1.0 { 1.0 - y / old } else { 0.5 };
         if y > 0.0 {
             if self.last_side > 0 {

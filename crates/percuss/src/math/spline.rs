@@ -51,7 +51,7 @@ impl Spline {
         a * self.bend[i] + b * self.bend[i + 1]
     }
 
-    /// Number of the interval that holds `t`, its length, and the shares of its ends.
+    /// Number of the interval that contains `t`, its length, and the shares of its ends.
     fn interval(&self, t: f64) -> (usize, f64, f64, f64) {
         let i = self.x.partition_point(|x| *x <= t).clamp(1, self.x.len() - 1) - 1;
         let h = self.x[i + 1] - self.x[i];

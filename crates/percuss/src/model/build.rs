@@ -1,4 +1,4 @@
-//! Turns definitions into a frozen [`Model`]; the one place that validates.
+//! Conversion of definitions to a frozen [`Model`], with all validation.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -172,7 +172,7 @@ fn axis(model: &Model, first_span: usize, line: &CentreLine, plans: &[SpanPlan])
     AxisElements::new(axis.collect())
 }
 
-/// How far the line lies to the left of element `k` of a span at its quarter points, shape (3) \[m\].
+/// Distance to the left from element `k` of a span to the line at its quarter points, shape (3) \[m\].
 fn deviations(
     model: &Model,
     span: &Span,

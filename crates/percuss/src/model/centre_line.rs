@@ -9,7 +9,7 @@ use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 pub enum Piece {
     /// From a point along a unit tangent.
     Straight {
-        /// Where it starts, shape (2) \[m\].
+        /// Start, shape (2) \[m\].
         start: [f64; 2],
         /// Unit tangent, shape (2) \[-\].
         tangent: [f64; 2],
@@ -133,7 +133,7 @@ fn straight(start: [f64; 2], end: [f64; 2]) -> Piece {
     Piece::Straight { start, tangent: scale(1.0 / length, sub(end, start)), length }
 }
 
-/// The arc through three points; `None` if they lie on a line.
+/// The arc through three points; `None` if they are on a line.
 fn arc(points: &[[f64; 2]]) -> Option<Piece> {
     let &[a, b, c] = points else { return None };
     let (ab, ac) = (sub(b, a), sub(c, a));
@@ -188,7 +188,7 @@ fn length_between(x: &Spline, y: &Spline, a: f64, b: f64) -> f64 {
             .sum::<f64>()
 }
 
-/// Parameter at arc length `s`, by Newton's iteration from the step that holds it.
+/// Parameter at arc length `s`, by Newton's iteration from the step that contains it.
 fn parameter_at(x: &Spline, y: &Spline, parameter: &[f64], arc: &[f64], s: f64) -> f64 {
     let i = arc.partition_point(|a| *a <= s).clamp(1, arc.len() - 1) - 1;
     let share = (s - arc[i]) / (arc[i + 1] - arc[i]);

@@ -129,7 +129,7 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
 /// Sign of the rotation of the first point relative to the second that corresponds to a positive bending moment beside the hinge: in the first of
 /// the two beams that begins or ends there.
 fn as_the_moment(model: &Model, places: [&MaterialPoint; 2]) -> f64 {
-    // Where a beam ends the way leads on into the other one, where it begins it comes from it.
+    // At the end of a beam the path continues into the other one, at its start it comes from it.
     for (place, goes_on) in places.into_iter().zip([-1.0, 1.0]) {
         let length = model.beams[place.beam].length;
         if place.s <= AT_END * length {
@@ -142,7 +142,7 @@ fn as_the_moment(model: &Model, places: [&MaterialPoint; 2]) -> f64 {
     -1.0
 }
 
-/// Nearer to an end of a beam than this share of its length is there.
+/// A point closer to an end of a beam than this share of its length is at the end.
 const AT_END: f64 = 1e-9;
 
 /// Yield law of the next connector, as the law of a fibre, and the sign of its results.

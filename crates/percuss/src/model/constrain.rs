@@ -1,4 +1,4 @@
-//! Supports and joints as held components of nodes and as constraints with multipliers.
+//! Supports and joints as fixed components of nodes and as constraints with multipliers.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ use super::material_points::locate;
 use super::prescribed::Prescribed;
 use crate::math::vec2::{cross, dot, norm, rot90, scale};
 
-/// A support holds a direction of the displacement, or of the slope.
+/// A support fixes a direction of the displacement, or of the slope.
 #[derive(Clone, Copy)]
 struct HeldDirection {
     /// The direction, of unit length, shape (2) \[-\].
@@ -45,7 +45,7 @@ pub(super) fn all(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<F
     }
     corners(model, &mut independent);
     let mut faults = joints(builder, model, &mut independent);
-    // Of two that hold the same for a time, the one that holds longer is kept.
+    // Of two equal temporary constraints, the one with the longer duration is kept.
     let mut passing: Vec<(usize, &Support)> =
         builder.supports.iter().enumerate().filter(|(_, s)| s.until < f64::INFINITY).collect();
     passing.sort_by(|a, b| b.1.until.total_cmp(&a.1.until));
@@ -79,7 +79,7 @@ fn held_directions(support: &Support, tangent: [f64; 2]) -> Vec<HeldDirection> {
     }
 }
 
-/// Whether a support turns the tangent it holds.
+/// Whether a support rotates the tangent that it fixes.
 fn turns(support: &Support) -> bool {
     support.motion.as_ref().is_some_and(|m| m.rotation != 0.0)
 }
@@ -94,7 +94,7 @@ fn node_of(point: &MaterialPoint) -> Option<usize> {
     }
 }
 
-/// Holds components of nodes; a prescribed rotation is left to a constraint.
+/// Fixes components of nodes; a prescribed rotation becomes a constraint.
 fn prescribe_nodes(
     index: usize,
     support: &Support,
@@ -116,7 +116,7 @@ fn prescribe_nodes(
     }
 }
 
-/// Holds one more direction at a node, unless it is held already (Gram-Schmidt).
+/// Fixes one more direction at a node, unless it is fixed already (Gram-Schmidt).
 fn hold(
     model: &mut Model,
     independent: &mut Independent,
@@ -165,7 +165,7 @@ fn constrain_points(
         let turned =
             held.gradient && turns(support) && dot(held.direction, point.tangent).abs() < 0.5;
         if !turned && for_ever && node_of(&point).is_some() {
-            continue; // held at its node
+            continue; // fixed at its node
         }
         let (direction, gradient) = (held.direction, held.gradient);
         let (kind, drive) = if turned {
@@ -265,8 +265,8 @@ fn join(
     kinds.into_iter().map(keep).sum()
 }
 
-/// Keeps constraints that do not follow from held components and the constraints before them, so that no multiplier is
-/// indeterminate (Gram-Schmidt on the constraint gradients of the reference configuration).
+/// Keeps constraints that do not follow from fixed components and the constraints before them, so that no multiplier is indeterminate (Gram-Schmidt
+/// on the constraint gradients of the reference configuration).
 struct Independent<'b> {
     builder: &'b ModelBuilder,
     /// The constraints kept, shape (constraints kept).

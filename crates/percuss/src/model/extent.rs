@@ -9,7 +9,7 @@ use super::definition::{
 /// Memory of an element that shares its constants with the others of a straight span, including computed data \[bytes\]. This and the other two
 /// were measured with meshes of a million elements, and of fifty thousand in contact.
 const EVEN: f64 = 1900.0;
-/// Memory of an element with constants of its own: of a curve, or of a section that varies \[bytes\].
+/// Memory of an element with its own constants: on a curve, or with a varying section \[bytes\].
 const OWN: f64 = 3600.0;
 /// Memory of a pair of a contact \[bytes\].
 const PAIR: f64 = 500.0;

@@ -8,13 +8,13 @@ use crate::element::fibre::{Fibre, StressLaw};
 use crate::element::point::SectionLaw;
 use crate::math::hermite::{self, GAUSS};
 
-/// Where the elements of a span lie.
+/// Position of the elements of a span.
 pub(super) struct Stretch<'a> {
     /// Arc length from the start of the beam at its nodes, shape (nodes of the span) \[m\].
     pub stations: &'a [f64],
     /// Arc length of the beam \[m\].
     pub total: f64,
-    /// Whether all its elements are alike.
+    /// Whether all its elements are equal.
     pub uniform: bool,
     /// Number of its elements.
     pub count: usize,
@@ -129,12 +129,12 @@ fn given(make: &Make, mut add: impl FnMut(&Material) -> usize) -> Option<Vec<Fib
 /// Fibres of a section that follow from its shape.
 struct ProfileLayout<'a> {
     section: &'a Section,
-    /// Fibres of its profiles, each of unit area and unit radius of gyration, as (height, area), shape (profiles, fibres, 2) \[-\]: all stations are
-    /// of one where they are alike but for size.
+    /// Fibres of its profiles, each of unit area and unit radius of gyration, as (height, area), shape (profiles, fibres, 2) \[-\]: all stations
+    /// share one if they differ only in size.
     profiles: Vec<Vec<[f64; 2]>>,
 }
 
-/// Heights and areas of two profiles that differ by less, relative, are alike but for size.
+/// Heights and areas of two profiles that differ by less, relative, differ only in size.
 const ALIKE: f64 = 1e-9;
 
 impl<'a> ProfileLayout<'a> {
@@ -163,8 +163,8 @@ impl<'a> ProfileLayout<'a> {
         Self { section, profiles }
     }
 
-    /// Fibres at a fraction of the beam's length: the profiles of the stations before and behind, both scaled to the area and the radius of
-    /// gyration there and weighed by the distances to them; then those at both surfaces, which do not bear.
+    /// Fibres at a fraction of the beam's length: the profiles of the adjacent stations, both scaled to the area and the radius of gyration there
+    /// and weighted by the distances to them; then those at both surfaces, without area.
     fn at(&self, fraction: f64) -> Vec<Fibre> {
         let here = self.section.at(fraction);
         let mut out = Vec::new();

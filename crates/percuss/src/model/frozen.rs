@@ -1,4 +1,4 @@
-//! The frozen model: what is simulated. Never changes once built.
+//! The frozen model, which never changes once built.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -17,10 +17,10 @@ use crate::geometry::axis::AxisElements;
 use crate::geometry::pair::Pair;
 use crate::math::vec2::norm;
 
-/// What is simulated; made by [`ModelBuilder`](super::ModelBuilder).
+/// The simulated model; made by [`ModelBuilder`](super::ModelBuilder).
 ///
-/// Nodes and elements of all beams stand in one row, beam after beam, span after span. Behind them stand rigid bodies, a node
-/// each, whose degrees of freedom are (u1, u2, angle, nothing).
+/// Nodes and elements of all beams form one row, beam after beam, span after span. They are followed by rigid bodies, a node each, whose degrees of
+/// freedom are (u1, u2, angle, unused).
 #[derive(Clone, Debug)]
 pub struct Model {
     /// Nodes in the reference configuration, shape (nodes).
@@ -32,7 +32,7 @@ pub struct Model {
     /// Spans of all beams, in the order of their nodes, shape (spans).
     #[doc(hidden)]
     pub spans: Vec<Span>,
-    /// Components held at nodes, in the order of the nodes, shape (nodes held).
+    /// Fixed components of nodes, in the order of the nodes, shape (nodes held).
     #[doc(hidden)]
     pub prescribed: Vec<PrescribedDofs>,
     /// Constraints that a node's own components cannot express: joints, supports between nodes or for a time, shape (constraints).
@@ -84,7 +84,7 @@ pub struct Model {
     pub total_mass: f64,
 }
 
-/// A beam: what its spans have in common.
+/// A beam: common data of its spans.
 #[derive(Clone, Debug)]
 pub struct BeamData {
     pub name: String,
@@ -93,7 +93,7 @@ pub struct BeamData {
     pub elements: Range<usize>,
     /// Arc length \[m\].
     pub length: f64,
-    /// Its elements as contact sees them; copies of a model share them.
+    /// Its elements for contact; copies of a model share them.
     pub axis: Arc<AxisElements>,
 }
 
@@ -113,9 +113,9 @@ pub struct Span {
     pub retardation: f64,
     /// Mass-proportional damping \[1/s\].
     pub mass_damping: f64,
-    /// Stresses that an elastic material usually bears, if known.
+    /// Usual yield stresses of an elastic material, if known.
     pub strength: Option<Strength>,
-    /// Its fibres, if its material does more than Hooke's law says or its section is given by them.
+    /// Its fibres, if its material is nonlinear or its section is given by them.
     pub fibres: Option<SpanFibres>,
 }
 
@@ -126,7 +126,7 @@ impl Span {
         &self.tables[if self.tables.len() == 1 { 0 } else { k }]
     }
 
-    /// Section of the element of number `k` in the span a share `xi` of the way.
+    /// Section of the element of number `k` in the span at a share `xi` of its length.
     pub fn section_at(&self, k: usize, xi: f64) -> SectionValues {
         let (from, to) = (self.stations[k], self.stations[k + 1]);
         let s = if xi == 1.0 { to } else { from + xi * (to - from) };
@@ -138,7 +138,7 @@ impl Span {
         !self.section.at(self.stations[0]).half_depth.is_nan()
     }
 
-    /// Whether anything in it is damped by its material.
+    /// Whether any part has material damping.
     pub fn is_damped(&self) -> bool {
         self.retardation > 0.0 || self.mass_damping > 0.0
     }
@@ -161,13 +161,13 @@ impl Model {
         last.map_or(0, |(span, fibres)| fibres.first + fibres.count * span.elements.len())
     }
 
-    /// Whether any beam is made of fibres: it can yield, bears no stress of one sign, or its section is given by them.
+    /// Whether any beam has a fibre section: it can yield, carries no stress of one sign, or its section is given by fibres.
     pub(crate) fn has_fibres(&self) -> bool {
         self.spans.iter().any(|s| s.fibres.is_some())
     }
 
-    /// Whether any beam is made of fibres, since it can yield, bears no stress of one sign or has a section given by them, or any spring
-    /// or joint can yield.
+    /// Whether any beam has a fibre section, since it can yield, carries no stress of one sign or has a section given by fibres, or any spring or
+    /// joint can yield.
     pub fn is_inelastic(&self) -> bool {
         self.has_fibres() || self.memory_count() > 0
     }
@@ -234,7 +234,7 @@ impl Model {
         span.elements.start + k
     }
 
-    /// What is held at a node.
+    /// Fixed components of a node.
     pub(crate) fn dofs_at(&self, node: usize) -> Option<&PrescribedDofs> {
         self.prescribed.binary_search_by_key(&node, |h| h.node).ok().map(|i| &self.prescribed[i])
     }
@@ -259,13 +259,13 @@ impl Model {
         lengths.chain(self.nodes.iter().map(|n| away(n.position))).fold(0.0, f64::max)
     }
 
-    /// What positions are as large as, so that gaps round at this size: the structure's own, or its distance from the origin \[m\].
+    /// Scale of positions, which determines the rounding of gaps: the size of the structure, or its distance from the origin \[m\].
     #[doc(hidden)]
     pub fn position_scale(&self) -> f64 {
         self.nodes.iter().map(|n| norm(n.position)).fold(self.extent(), f64::max)
     }
 
-    /// The beams with all that holds them, without bodies and contacts: what statics and vibrations know.
+    /// The beams with their supports and joints, without bodies and contacts, as used in statics and vibrations.
     pub(crate) fn structure(&self) -> Self {
         let nodes = self.beam_node_count();
         let mut structure = self.clone();
@@ -279,7 +279,7 @@ impl Model {
         structure
     }
 
-    /// Whether no part of the structure moves at the start.
+    /// Whether the whole structure is at rest at the start.
     #[doc(hidden)]
     pub fn is_still(&self) -> bool {
         self.initial_motion == InitialMotion::default() && self.own_motions.is_empty()
@@ -291,7 +291,7 @@ impl Model {
         Some(self.spans[beam.spans.start].measure)
     }
 
-    /// Whether any force depends on a rate: such forces know the midpoint family of schemes only.
+    /// Whether any force depends on a rate: only the midpoint family of schemes supports such forces.
     pub fn has_viscous_parts(&self) -> bool {
         self.has_viscous_structure() || self.contacts.iter().any(|c| c.law.dissipates())
     }
@@ -317,12 +317,12 @@ impl Model {
         each.sum()
     }
 
-    /// Times at which a support lets go \[s\].
+    /// Times at which a support is released \[s\].
     pub(crate) fn releases(&self) -> impl Iterator<Item = f64> {
         self.supports.iter().map(|s| s.until).filter(|t| t.is_finite())
     }
 
-    /// Whether supports can give impulses: by rigid contacts, or where prescribed velocities jump.
+    /// Whether supports can have impulses: by rigid contacts, or by jumps of prescribed velocities.
     pub(crate) fn has_impulses(&self) -> bool {
         self.has_rigid_contact() || self.structural_drives().any(|drive| !drive.is_empty())
     }
@@ -349,7 +349,7 @@ impl Model {
         self.beam_node_count() + body
     }
 
-    /// Nodes of something that moves: beams first, then bodies.
+    /// Nodes of a mover: beams first, then bodies.
     pub(crate) fn nodes_of_mover(&self, mover: usize) -> Range<usize> {
         match self.beams.get(mover) {
             Some(beam) => beam.nodes.clone(),

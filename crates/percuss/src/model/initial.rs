@@ -45,7 +45,7 @@ impl ModelBuilder {
         if faults.is_empty() { Ok(()) } else { Err(faults) }
     }
 
-    /// Motions of point masses that say of their place what another motion given by name denies: a place has one velocity.
+    /// Motions of point masses that contradict another motion given by name at the same place, which has one velocity.
     fn contradicting_motions(&self, model: &Model) -> Vec<Fault> {
         let placed = |name: &String| {
             let mass = self.masses.iter().position(|mass| mass.name == *name)?;
@@ -57,7 +57,7 @@ impl ModelBuilder {
             let others = self.own_motions.iter().enumerate().filter(|(i, (other, _))| {
                 match placed(other) {
                     None => self.beams[point.beam].name == *other,
-                    // Of two masses the later one is told of.
+                    // Of two masses the later one is reported.
                     Some(at) => {
                         *i < k && at.beam == point.beam && (at.s - point.s).abs() <= SAME * at.s
                     }
@@ -79,7 +79,7 @@ impl ModelBuilder {
     }
 }
 
-/// What a motion says of a place.
+/// Velocity of a place in a motion.
 struct Told {
     /// Velocity, shape (2) \[m/s\].
     velocity: [f64; 2],

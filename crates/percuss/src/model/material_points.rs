@@ -1,4 +1,4 @@
-//! Material points of beams: where a reference stands.
+//! Material points of beams: positions of references.
 
 use super::definition::{Along, PointRef};
 use super::frozen::{MaterialPoint, Model, Span};

@@ -1,9 +1,8 @@
 //! Divides beams into spans and spans into elements.
 //!
-//! A span is a part of a beam without corner, of one material and one section: its nodes follow each other and its
-//! strains are smooth. Where a span ends inside a beam, two nodes stand at the same place, joined rigidly; the
-//! stretch may jump there. Where something acts at a point a node stands, and a span ends if the axial force may jump: the
-//! number of elements asked for is the least.
+//! A span is a part of a beam without corners, of one material and one section: its nodes are consecutive and its strains are smooth. Where a span
+//! ends inside a beam, two nodes coincide, connected rigidly; the stretch may jump there. Points of action have a node, and a span ends if the
+//! axial force may jump there: the requested number of elements is the least.
 
 use super::centre_line::{CentreLine, Piece};
 use super::definition::{Beam, ElementSize, MaterialId, Mesh, SectionId};
@@ -45,15 +44,15 @@ impl SpanPlan {
 /// Breaks closer than this share of the length are one.
 const SAME_PLACE: f64 = 1e-9;
 
-/// A place is at a node if it is nearer to it than this share of the element: a point is located there as well.
+/// A place is at a node if it is closer to it than this share of the element: a point is located there as well.
 const AT_NODE: f64 = 1e-9;
-/// Places nearer to each other, or to the end of a part, than this share of an element share a node: a shorter element would cost more
-/// digits than it gains.
+/// Places closer to each other, or to the end of a part, than this share of an element share a node: a shorter element would lose more digits than
+/// it gains.
 const SLIVER: f64 = 1e-3;
-/// An element that is longer than asked for by no more than this share is not divided.
+/// An element that is longer than requested by no more than this share is not divided.
 const SLACK: f64 = 1e-6;
 
-/// Spans of a checked beam along its centre line, with nodes at `places`, which stand in their order along it.
+/// Spans of a checked beam along its centre line, with nodes at `places`, which are in their order along it.
 pub fn spans(beam: &Beam, line: &CentreLine, places: &[BeamPlace]) -> Vec<SpanPlan> {
     let mut plans = parts_of(beam, line);
     divide(&beam.mesh, line, &mut plans);
@@ -85,7 +84,7 @@ fn with_places(mut plan: SpanPlan, grade: &Grade, places: &[BeamPlace]) -> Vec<S
     out
 }
 
-/// The places inside a divided part at which nodes shall stand, in their order: at nodes of its own where they are that near.
+/// The places of nodes inside a divided part, in their order: at its own nodes where these are close enough.
 fn breaks(stations: &[f64], places: &[BeamPlace]) -> Vec<BeamPlace> {
     let (first, last) = (stations[0], stations[stations.len() - 1]);
     let inside = places.partition_point(|p| p.s <= first)..places.partition_point(|p| p.s < last);
@@ -140,7 +139,7 @@ fn parts_of(beam: &Beam, line: &CentreLine) -> Vec<SpanPlan> {
     let slack = SAME_PLACE * line.length();
     let mut plans = Vec::new();
     let mut start = 0.0;
-    // Changes stand in their order along the beam.
+    // Changes are in their order along the beam.
     let mut changes = beam.changes.iter().map(|change| (line.arc(change.at), change)).peekable();
     let (mut material, mut section) = (beam.material, beam.section);
     for (index, piece) in line.pieces.iter().enumerate() {
@@ -171,7 +170,7 @@ fn divide(mesh: &Mesh, line: &CentreLine, plans: &mut [SpanPlan]) {
         plans.iter().map(|p| grade.count(p.stations[0], p.stations[1])).collect();
     let numbers: Vec<usize> = match mesh.size {
         ElementSize::Number(n) => share_out(n, &weights),
-        // The count of a unit size, over the smallest size wanted.
+        // Sum of the unit size, divided by the smallest required size.
         ElementSize::Length(h) => weights
             .iter()
             .map(|w| ((w / h * grade.smallest) * (1.0 - 1e-9)).ceil().max(1.0) as usize)
@@ -233,7 +232,7 @@ impl Grade {
         self.primitive(b) - self.primitive(a)
     }
 
-    /// Station at which the count from `a` reaches `count`, a `share` of the way if even.
+    /// Station at which the count from `a` reaches `count`, at a `share` of the length if uniform.
     fn station(&self, a: f64, b: f64, count: f64, share: f64) -> f64 {
         if self.slope == 0.0 {
             return a + share * (b - a);
@@ -280,7 +279,7 @@ mod tests {
             meshed(places).into_iter().map(|p| p.stations).collect()
         };
         let plain = vec![0.0, 0.25, 0.5, 0.75, 1.0];
-        // At nodes, nearly at nodes, at the ends, and just beside an end: nothing moves.
+        // At nodes, nearly at nodes, at the ends, and just beside an end: the mesh does not change.
         for s in [0.25, 0.25 + 1e-11, 0.0, 1.0, 1e-5] {
             assert_eq!(stations(&[(s, false)]), std::slice::from_ref(&plain), "{s}");
         }
@@ -291,7 +290,7 @@ mod tests {
         assert_eq!(found[0], [0.0, 0.2, 0.4]);
         assert!(found[1].contains(&0.9) && found[1].first() == Some(&0.4));
         assert!(lengths(&found[1]).iter().all(|l| *l <= 0.25 + 1e-6), "{found:?}");
-        // Where the second begins on the line.
+        // Start of the second on the line.
         let plans = meshed(&[(0.4, true)]);
         assert_eq!(plans[1].node(&line, 0).0, [0.4, 0.0]);
     }

@@ -1,6 +1,6 @@
-//! The outline of a beam: what of it touches, and what of it is touched.
+//! The outline of a beam: its touching circles, and its surface.
 //!
-//! Faces lie half a depth from the axis and end where the beam ends, with a straight edge across or a half circle from face to face.
+//! Faces are half a depth from the axis and end at the end of the beam, with a straight edge across or a half circle from face to face.
 
 use super::Fault;
 use super::builder::ModelBuilder;
@@ -11,13 +11,13 @@ use crate::geometry::axis::{AxisEnd, LONGEST_CAP};
 use crate::geometry::pair::{Carrier, Centre, Target, carried};
 use crate::math::vec2::add;
 
-/// Radius of the corners of a flat end against beams, as a share of half the depth there. Two sharp corners that face each other, as
-/// those of bars that meet end on do, would not know on which side to pass; arcs of circles always have a normal.
+/// Radius of the corners of a flat end against beams, as a share of half the depth there. Two sharp corners that face each other, as for axially
+/// aligned bars, have no defined side of passing; arcs of circles always have a normal.
 const CORNERS: f64 = 0.1;
-/// Circles nearer to an end than half a depth take this share of the way to it as their radius: they touch the faces, but not what the
-/// end meets before its corners do. Else a flat end would press the harder on a wall, the more elements there are within half a depth.
-/// Between beams they still touch with it and share the blow: bars that meet end on under a rigid law lose 4e-10 of their energy
-/// in the impact with the corners alone, and less than 1e-10 so.
+/// Circles closer to an end than half a depth have this share of their distance from it as radius: they touch the faces, but no body that the end
+/// reaches first with its corners. Otherwise the contact stiffness of a flat end with a wall would grow with the number of elements within half a
+/// depth. Between beams these circles share the impact: axially aligned bars under a rigid law lose 4e-10 of their energy in the impact with the
+/// corners alone, and less than 1e-10 with them.
 const INSIDE: f64 = 0.5;
 /// Places along a beam that differ by less than this share of its length are one.
 const SAME: f64 = 1e-9;
@@ -26,13 +26,13 @@ const SAME: f64 = 1e-9;
 pub(super) struct BeamOutline<'a> {
     model: &'a Model,
     beam: usize,
-    /// Where its axis starts and ends, shape (2).
+    /// Start and end of its axis, shape (2).
     ends: [AxisEnd; 2],
-    /// Largest radius of a circle towards an end, as a share of the way to it.
+    /// Largest radius of a circle towards an end, as a share of the distance to it.
     inside: f64,
 }
 
-/// A circle that goes with a section: what of a beam touches something.
+/// A circle that moves with a section, by which a beam touches other bodies.
 pub(super) struct Source {
     /// Its centre.
     pub centre: Centre,
@@ -65,12 +65,12 @@ pub(super) fn too_short(builder: &ModelBuilder, model: &Model) -> Vec<Fault> {
 }
 
 impl<'a> BeamOutline<'a> {
-    /// As obstacles and discs see it.
+    /// For contact with obstacles and discs.
     pub fn exact(builder: &ModelBuilder, model: &'a Model, beam: usize) -> Self {
         Self::new(builder, model, beam, 0.0)
     }
 
-    /// As beams see it: its corners are rounded off a little.
+    /// For contact with beams: its corners are slightly rounded.
     pub fn rounded(builder: &ModelBuilder, model: &'a Model, beam: usize) -> Self {
         Self::new(builder, model, beam, CORNERS)
     }
@@ -93,13 +93,13 @@ impl<'a> BeamOutline<'a> {
         self.ends.each_ref().map(|end| end.rounding)
     }
 
-    /// What of it is touched.
+    /// Its surface, which other bodies touch.
     pub fn target(&self, skip: [usize; 2]) -> Target {
         Target::Axis { beam: self.beam, skip, ends: self.ends }
     }
 
-    /// What of it touches: circles from face to face, evenly in each element; towards both ends smaller ones that stay within the outline,
-    /// and the corners themselves.
+    /// Its touching circles: from face to face, evenly in each element; towards both ends smaller ones that stay within the outline, and the
+    /// corners themselves.
     pub fn sources(&self, points: usize) -> Vec<Source> {
         let data = &self.model.beams[self.beam];
         let [first, last] = &self.ends;
@@ -124,7 +124,7 @@ impl<'a> BeamOutline<'a> {
         out
     }
 
-    /// The circles at a section: two beside the axis, or one about it.
+    /// The circles at a section: two off the axis, or one about it.
     fn add(&self, s: f64, [across, radius]: [f64; 2], at_end: bool, out: &mut Vec<Source>) {
         let on_axis = beam_centre(&point_at(self.model, self.beam, s));
         let sides: &[f64] = if across > 0.0 { &[1.0, -1.0] } else { &[0.0] };

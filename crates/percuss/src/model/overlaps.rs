@@ -1,4 +1,4 @@
-//! What must not be at the start of a run: one thing inside another, or right through it.
+//! Initial interpenetration: bodies that overlap or cross at the start of a run.
 
 use super::Model;
 use super::fault::Fault;
@@ -15,15 +15,14 @@ const TOUCHING: f64 = 1e-9;
 /// Share of the largest deviation of elements from their curve that its three values a piece may leave unknown: less than that for arcs
 /// of half a radian an element, and for splines.
 const UNKNOWN: f64 = 0.02;
-/// Straight lines that stand for an element.
+/// Number of straight lines that represent an element.
 const CHORDS: usize = 8;
-/// Places of an element among which the one nearest to a point of its curve is looked for, and halvings of the way between two.
+/// Number of points of an element in the search for the one closest to a point of its curve, and bisections between two.
 const PLACES: usize = 16;
 const HALVINGS: usize = 40;
 
 impl Model {
-    /// A fault for each contact `of` those that has one thing inside the other in a configuration: how deep, where, and what would
-    /// cure it.
+    /// A fault for each contact `of` those with overlapping partners in a configuration: depth, place, and remedy.
     pub(crate) fn overlaps(
         &self,
         displacement: &[[f64; 4]],
@@ -45,8 +44,7 @@ impl Model {
         faults
     }
 
-    /// What goes right through a beam between the points at which it could touch: the end of it that is least far through, as a
-    /// touch from the other side, and the partner it is of.
+    /// Penetration through a beam between its contact points: the end with the least depth, as a contact from the other side, and its partner.
     fn crossing(&self, contact: &ContactData, at: &Configuration) -> Option<(Touch, usize)> {
         let pairs = &self.pairs[contact.pairs.clone()];
         let mut polyline: Option<(usize, Vec<[f64; 2]>)> = None;
@@ -93,8 +91,8 @@ impl Model {
         along.collect()
     }
 
-    /// Whether a pair is inside each other where it is nearest, not for round-off alone, nor because elements lie beside the curves that
-    /// were given: what touches such a curve touches, wherever it does.
+    /// Whether the closest points of a pair overlap by more than round-off and more than the distance of elements from the given curves: a body
+    /// that touches such a curve is in contact on any side of the element.
     fn is_inside(&self, pair: &Pair, touch: &Touch, at: &Configuration) -> bool {
         let touching = TOUCHING * self.scale_of(pair);
         if touch.gap >= -touching {
@@ -136,7 +134,7 @@ impl Model {
         each.fold(0.0, f64::max)
     }
 
-    /// Least distance of a place from the face of the curve that an element stands for, as far as that goes \[m\].
+    /// Least distance of a place from the face of the original curve of an element, within its extent \[m\].
     fn away_from_curve(&self, element: &AxisElement, y: [f64; 2], at: &Configuration) -> f64 {
         let placed = Placed::new(element, &self.nodes, at);
         let away = |xi: f64| {
@@ -161,13 +159,13 @@ impl Model {
     fn scale_of(&self, pair: &Pair) -> f64 {
         match pair.target.beam() {
             Some(beam) => self.beams[beam].length.max(pair.reach),
-            None if pair.target.is_guided() => f64::INFINITY, // its standoff is checked by itself
+            None if pair.target.is_guided() => f64::INFINITY, // its standoff is checked separately
             None => pair.reach.max(1e-3),
         }
     }
 }
 
-/// From a point of an element to where the curve has it that the element stands for, shape (2) \[m\].
+/// Vector from a point of an element to the original curve, shape (2) \[m\].
 fn beside(element: &AxisElement, placed: &Placed, xi: f64) -> [f64; 2] {
     let deviation = element.deviation(xi);
     if deviation == 0.0 {
@@ -177,7 +175,7 @@ fn beside(element: &AxisElement, placed: &Placed, xi: f64) -> [f64; 2] {
     scale(deviation / norm(tangent), rot90(tangent))
 }
 
-/// Whether two polylines cross: halves of both are looked at only where the boxes around them meet.
+/// Whether two polylines cross: their halves are tested only if the boxes around them intersect.
 fn cross_each_other(one: &[[f64; 2]], other: &[[f64; 2]]) -> bool {
     let (one, other) = (Boxed::new(one), Boxed::new(other));
     let mut left = vec![(1, 1)];
@@ -267,7 +265,7 @@ fn legible(x: f64) -> String {
 fn overlap(contact: &ContactData, touch: &Touch, partner: usize) -> Fault {
     let depth = -touch.gap;
     let [x, y] = touch.closest_place.map(legible);
-    // A little more than enough, so that rounding leaves nothing inside.
+    // Slightly more than necessary, so that rounding leaves no overlap.
     let shift = scale(depth * (1.0 + 1e-6), touch.normal).map(|x| legible(x + 0.0));
     let (inside, of) = (&contact.between[partner], &contact.between[1 - partner]);
     let found = format!("`{inside}` starts {} m inside `{of}`, at [{x}, {y}]", legible(depth));
@@ -282,7 +280,8 @@ fn overlap(contact: &ContactData, touch: &Touch, partner: usize) -> Fault {
 mod tests {
     use super::*;
 
-    /// Against every piece of one with every piece of the other; lines of few and of many leaves, that cross, touch boxes only, or lie apart.
+    /// Compared with every piece of one against every piece of the other; lines of few and of many leaves, that cross, touch only with their boxes,
+    /// or are apart.
     #[test]
     fn boxes_hide_no_crossing() {
         let wave = |count: usize, shift: f64| -> Vec<[f64; 2]> {

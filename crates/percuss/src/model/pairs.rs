@@ -1,4 +1,4 @@
-//! Contacts as pairs of something round and what it touches.
+//! Contacts as pairs of a round body and its target.
 
 use super::builder::ModelBuilder;
 use super::definition::*;
@@ -9,10 +9,10 @@ use super::outline::{BeamOutline, beam_centre};
 use crate::geometry::pair::{Carrier, Centre, Pair, Target};
 use crate::math::vec2::{add, norm, rot90, scale};
 
-/// A beam touches itself no nearer along its axis than this, in elements and in half depths.
+/// Least distance along its axis at which a beam touches itself, in elements and in half depths.
 const OWN_NEIGHBOURHOOD: [f64; 2] = [2.0, 8.0];
 
-/// Adds the contacts with their pairs; the errors are a fault for each contact that starts with one thing inside the other.
+/// Adds the contacts with their pairs; the errors are a fault for each contact with initial interpenetration.
 pub(super) fn place(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
     for (i, projectile) in builder.projectiles.iter().enumerate() {
         guided(i, projectile, model);
@@ -89,7 +89,7 @@ fn body_centre(model: &Model, body: usize) -> Centre {
     Centre { position: model.nodes[node].position, node, carrier }
 }
 
-/// A shape that does not bend: its body, and what of it can be touched.
+/// A rigid shape: its body, and its surface.
 #[derive(Clone, Copy)]
 enum Rigid {
     Round {
@@ -102,7 +102,7 @@ enum Rigid {
         body: usize,
         /// A point of it, shape (2) \[m\].
         point: [f64; 2],
-        /// Unit normal, away from what lies behind it, shape (2) \[-\].
+        /// Unit normal, away from the half-plane behind it, shape (2) \[-\].
         normal: [f64; 2],
     },
     Segment {
@@ -131,7 +131,7 @@ impl Pairs<'_> {
             [ContactPartner::Beam(a), ContactPartner::Beam(b)] => {
                 let (a, b) = (a.0 as usize, b.0 as usize);
                 self.points_on_axis(a, b, points, 0, false);
-                // Where both end in points or are round, ends of `b` are touched already, as sources or through the ends of `a`.
+                // If both end in points or are round, ends of `b` are in pairs already, as sources or through the ends of `a`.
                 self.points_on_axis(b, a, points, 1, true);
             }
             [ContactPartner::Beam(beam), other] => {
@@ -154,7 +154,7 @@ impl Pairs<'_> {
         }
     }
 
-    /// What of a disc or an obstacle can be touched.
+    /// Surface of a disc or an obstacle.
     fn shapes(&self, partner: ContactPartner) -> Vec<Rigid> {
         match partner {
             ContactPartner::Beam(_) => Vec::new(),
@@ -245,7 +245,7 @@ impl Pairs<'_> {
         });
     }
 
-    /// A beam and a disc or obstacle; `beam_partner` tells which of the two the beam is.
+    /// A beam and a disc or obstacle; `beam_partner` is the number of the beam among the two.
     fn beam_and_rigid(
         &mut self,
         beam: usize,
@@ -284,7 +284,7 @@ impl Pairs<'_> {
                         for end in ends {
                             let source = self.offset_centre(body, *end);
                             let pair = self.on_axis(source, *radius, body, axis.clone(), beam);
-                            // Where the beam ends in a point, that is a source already.
+                            // If the beam ends in a point, it is a source already.
                             let source_partner = 1 - beam_partner;
                             self.found.push(Pair { skips_ends: true, source_partner, ..pair });
                         }
@@ -358,13 +358,13 @@ impl Pairs<'_> {
                 axis.partition_point(|e| e.s < pair.s + apart),
             ];
             pair.target.leave_out(skip);
-            // Of two ends that touch, one is the source.
+            // Of two touching ends, one is the source.
             pair.skips_ends = pair.s > 0.5 * self.model.beams[beam].length;
         }
     }
 }
 
-/// Ends of the segments that stand around a point of a beam, with a free way to its surface, on the given sides \[m\].
+/// Ends of the segments around a point of a beam, with a free path to its surface, on the given sides \[m\].
 pub(super) fn clearance_segments(
     model: &Model,
     point: &MaterialPoint,

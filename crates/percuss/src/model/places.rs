@@ -1,4 +1,4 @@
-//! Places along beams where a node has to stand: where something acts at a point, section forces jump.
+//! Places along beams that require a node: at points of action section forces jump.
 //!
 //! The slope of a beam's interpolation is continuous at its nodes, and with it the membrane strain. Where the axial force jumps
 //! that is wrong to first order in the element's size: there spans end. At a station of a tapered section its constants have a kink,
@@ -13,13 +13,13 @@ use crate::math::vec2::{dot, norm, rot90};
 /// Forces across a beam to this share are across it.
 const ACROSS: f64 = 1e-9;
 
-/// What acts at a place of a beam, as far as it decides whether the axial force jumps there.
+/// Actions at a place of a beam that decide whether the axial force jumps there.
 enum Acts<'b> {
     /// It jumps.
     Along,
-    /// It does not.
+    /// It does not jump.
     Across,
-    /// A support, by what it holds.
+    /// A support, with its fixed components.
     Support(&'b SupportKind),
     /// A force, shape (2) \[N\], in the axes of the plane or, of a follower, along and across the beam.
     Force {
@@ -43,7 +43,7 @@ impl Acts<'_> {
     }
 }
 
-/// What acts at places of each beam: found once, since every definition names its beams.
+/// Actions at places of each beam: determined once, since every definition names its beams.
 pub struct Places<'b> {
     builder: &'b ModelBuilder,
     /// By beam, in the order of the definitions, shape (beams, places of a beam).

@@ -3,7 +3,7 @@
 use crate::math::vec2::{add, dot4, middle};
 use crate::scalar::Real;
 
-/// A material point: where it lies in the mesh and how it follows the nodes.
+/// A material point: its position in the mesh and its dependence on the nodes.
 #[derive(Clone, Debug)]
 pub struct MaterialPoint<S = f64> {
     pub label: String,

@@ -10,18 +10,17 @@ use crate::math::vec2::norm;
 /// Values that differ by less than this share of the motions are the same.
 const SAME: f64 = 1e-9;
 
-/// Who prescribes what, and the contradictions found.
+/// Supports with prescribed values, and the contradictions found.
 #[derive(Default)]
 pub(super) struct Prescribed {
-    /// Supports that hold the directions of each node, in the order of the directions, shape (directions held at the node)
-    /// \[index of a support\].
+    /// Supports that fix the directions of each node, in the order of the directions, shape (directions held at the node) \[index of a support\].
     pub at_nodes: BTreeMap<usize, Vec<usize>>,
-    /// Contradictions: where, and the supports that take part.
+    /// Contradictions: place, and the supports in conflict.
     found: BTreeMap<String, BTreeSet<usize>>,
 }
 
 impl Prescribed {
-    /// Looks at what is left of a prescribed value that the `others` imply already: nothing, at any time, or they contradict it.
+    /// Checks the remainder of a prescribed value that the `others` imply already: it is zero at any time, or they contradict it.
     pub fn check(
         &mut self,
         builder: &ModelBuilder,
@@ -57,7 +56,7 @@ fn support_of(model: &Model, motion: usize) -> Option<usize> {
     model.supports.iter().position(|s| s.motion == Some(motion))
 }
 
-/// Whether a sum of motions is anything but zero at some time.
+/// Whether a sum of motions differs from zero at some time.
 fn differs(builder: &ModelBuilder, model: &Model, sum: &Drive) -> bool {
     let size = |motion: usize| {
         let given = support_of(model, motion).and_then(|s| builder.supports[s].motion.as_ref());

@@ -1,12 +1,12 @@
-//! What stands in a model, for drawings of it: outlines, symbols, and the places that these follow.
+//! Contents of a model for drawings of it: outlines, symbols, and their points.
 //!
-//! A scene holds what does not change during a run. With the displacements of its [`nodes`](Scene::nodes) at an instant
-//! everything in it can be placed: a beam is the Hermite cubic through its stations.
+//! A scene holds the data that do not change during a run. With the displacements of its [`nodes`](Scene::nodes) at an instant everything in it can
+//! be placed: a beam is the Hermite cubic through its stations.
 
 /// Stations of all beams at most, about: finer meshes are drawn through some of their nodes.
 pub(super) const MOST_STATIONS: usize = 1500;
 
-/// What stands in a model.
+/// Contents of a model.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     /// Nodes whose displacements place the scene, among those of the state: of stations, then of bodies, shape (stations and bodies)
@@ -37,7 +37,7 @@ pub struct Scene {
 pub struct SceneBeam {
     /// Name.
     pub name: String,
-    /// Stations, start to end, shape (stations); at a corner or a change of section two of them stand at one place.
+    /// Stations, start to end, shape (stations); at a corner or a change of section two of them coincide.
     pub stations: Vec<DrawnStation>,
     /// Radii of the arcs from either face to its start and its end, zero where it ends straight across, shape (2) \[m\].
     pub roundings: [f64; 2],
@@ -60,7 +60,7 @@ pub struct DrawnStation {
     pub half_depth: f64,
     /// Area \[m^2\].
     pub area: f64,
-    /// Second moment of area, for stresses \[m^4\]; NaN where the section can yield, and stress does not follow from forces.
+    /// Second moment of area, for stresses \[m^4\]; NaN if the section can yield, and stress does not follow from forces.
     pub inertia: f64,
 }
 
@@ -80,11 +80,11 @@ pub struct SceneBody {
     pub name: String,
     /// Position of its centre in the reference configuration, shape (2) \[m\].
     pub position: [f64; 2],
-    /// What it is.
+    /// Kind.
     pub shape: BodyShape,
 }
 
-/// What a body looks like.
+/// Shape of a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BodyShape {
     /// A disc, whose third displacement is the angle it has turned.
@@ -123,7 +123,7 @@ pub struct SceneObstacle {
 /// Outline of an obstacle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ObstacleOutline {
-    /// Everything behind a straight line.
+    /// The half-plane behind a straight line.
     HalfPlane {
         /// A point of the line, shape (2) \[m\].
         point: [f64; 2],
@@ -151,42 +151,42 @@ pub enum ObstacleOutline {
 pub struct SceneSupport {
     /// Name.
     pub name: String,
-    /// The point held.
+    /// The supported point.
     pub at: OnBeam,
-    /// What it is drawn as.
+    /// Kind of symbol.
     pub symbol: SupportSymbol,
-    /// Whether what it holds is moved as prescribed.
+    /// Whether its fixed components move as prescribed.
     pub moves: bool,
-    /// Holds until this time \[s\]; infinity if for ever.
+    /// Active until this time \[s\]; infinity if permanent.
     pub until: f64,
 }
 
 /// Symbol of a support.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SupportSymbol {
-    /// Displacements and rotation held.
+    /// Displacements and rotation fixed.
     Clamp,
-    /// Displacements held.
+    /// Displacements fixed.
     Pin,
-    /// One displacement held; free along the direction.
+    /// One displacement fixed; free along the direction.
     Roller {
         /// Unit vector of free motion, shape (2) \[-\].
         direction: [f64; 2],
     },
-    /// Rotation held, displacements not.
+    /// Rotation fixed, displacements free.
     Guide,
     /// Springs.
     Elastic {
         /// Unit vector of the stiffer one, shape (2) \[-\].
         direction: [f64; 2],
     },
-    /// A stop after a free way.
+    /// A stop after a gap.
     Stop {
         /// Unit vector of the motion stopped, shape (2) \[-\].
         direction: [f64; 2],
-        /// Free way \[m\].
+        /// Gap \[m\].
         gap: f64,
-        /// Whether motion the other way is stopped as well.
+        /// Whether motion in the opposite direction is stopped as well.
         two_sided: bool,
     },
 }
@@ -196,7 +196,7 @@ pub enum SupportSymbol {
 pub struct SceneJoint {
     /// Name.
     pub name: String,
-    /// Where it is.
+    /// Position.
     pub at: OnBeam,
     /// Whether the beams turn against each other there.
     pub turns: bool,
@@ -227,7 +227,7 @@ pub struct SceneSpring {
 pub struct SceneMass {
     /// Name.
     pub name: String,
-    /// Where it is.
+    /// Position.
     pub at: OnBeam,
     /// Mass \[kg\].
     pub mass: f64,
@@ -238,13 +238,13 @@ pub struct SceneMass {
 pub struct SceneLoad {
     /// Name.
     pub name: String,
-    /// What it applies for a factor of one.
+    /// Load for a factor of one.
     pub kind: SceneLoadKind,
     /// Whether it turns with the tangent.
     pub follower: bool,
 }
 
-/// What a load applies.
+/// Kind of a load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SceneLoadKind {
     /// Gravity.
@@ -254,7 +254,7 @@ pub enum SceneLoadKind {
     },
     /// A force and a moment at a point.
     Point {
-        /// Where.
+        /// Position.
         at: OnBeam,
         /// Force, shape (2) \[N\]; along (tangent, normal) if it follows.
         force: [f64; 2],

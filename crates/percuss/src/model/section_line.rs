@@ -42,7 +42,7 @@ impl SectionLine {
     }
 }
 
-/// Constants a share of the way from one station to the next.
+/// Constants at a share of the length from one station to the next.
 fn mixed(from: &SectionValues, to: &SectionValues, share: f64) -> SectionValues {
     let mix = |f: fn(&SectionValues) -> f64| {
         let (a, b) = (f(from), f(to));

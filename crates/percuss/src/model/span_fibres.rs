@@ -10,8 +10,8 @@ use crate::math::hermite::GAUSS;
 pub struct SpanFibres<S = f64> {
     /// Laws of its materials, shape (laws).
     pub laws: Vec<StressLaw<S>>,
-    /// Fibres at the Gauss points, as many entries as the span has tables, shape (tables, Gauss points, fibres at one); those of
-    /// a shape end with two that do not bear, at the lower and the upper surface.
+    /// Fibres at the Gauss points, one entry for each table of the span, shape (tables, Gauss points, fibres at one); those of a shape end with two
+    /// without area, at the lower and the upper surface.
     pub at: Vec<[Vec<Fibre<S>>; GAUSS]>,
     /// Fibres of an element, all its Gauss points together.
     pub count: usize,
@@ -19,7 +19,7 @@ pub struct SpanFibres<S = f64> {
     pub first: usize,
 }
 
-/// What layouts of fibres of one kind have in common.
+/// Common data of layouts of fibres of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FibreShape {
     /// Their laws, shape (laws).
@@ -35,7 +35,7 @@ impl<S> SpanFibres<S> {
         &self.at[if self.at.len() == 1 { 0 } else { k }]
     }
 
-    /// Where the fibres of that element are in the state.
+    /// Position of the fibres of that element in the state.
     pub fn range(&self, k: usize) -> Range<usize> {
         let first = self.first + k * self.count;
         first..first + self.count
@@ -53,7 +53,7 @@ impl<S: Copy> SpanFibres<S> {
         SpanFibres { laws, at, count: self.count, first: self.first }
     }
 
-    /// All about them that is no number.
+    /// All their properties that are not numbers.
     pub fn shape(&self) -> FibreShape {
         let laws = self.laws.iter().map(|law| law.shape()).collect();
         let of = |points: &[Vec<Fibre<S>>; GAUSS]| {

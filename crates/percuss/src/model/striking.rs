@@ -1,4 +1,4 @@
-//! What strikes and is struck: rigid bodies, guided projectiles, obstacles, contacts.
+//! Partners of impact: rigid bodies, guided projectiles, obstacles, contacts.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use super::point::MaterialPoint;
 pub struct Body {
     /// Its name.
     pub name: String,
-    /// What it is.
+    /// Kind.
     pub kind: BodyKind,
     /// Mass \[kg\].
     pub mass: f64,
@@ -22,7 +22,7 @@ pub struct Body {
     pub spin: f64,
 }
 
-/// What a rigid body is.
+/// Kind of a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BodyKind {
     /// The mass of a projectile that strikes, on its line of flight.
@@ -41,7 +41,7 @@ pub enum BodyKind {
         /// Radius \[m\].
         radius: f64,
     },
-    /// An obstacle that moves as prescribed, or the ground of all that stand still.
+    /// An obstacle that moves as prescribed, or the ground of all fixed ones.
     Obstacle,
 }
 
@@ -64,7 +64,7 @@ impl BodyKind {
         }
     }
 
-    /// Whether it moves as prescribed, or stands still.
+    /// Whether it moves as prescribed, or is fixed.
     pub fn is_obstacle(&self) -> bool {
         matches!(self, Self::Obstacle)
     }
@@ -74,7 +74,7 @@ impl BodyKind {
         self.is_guided() || self.is_disc()
     }
 
-    /// The spring and the damper between a mass and the one in front of it; none of what is no rear mass.
+    /// The spring and the damper between a mass and the one in front of it; `None` for other masses than rear ones.
     pub fn behind(&self) -> Option<Behind> {
         match *self {
             Self::Rear { direction, stiffness, damping } => {
@@ -85,7 +85,7 @@ impl BodyKind {
     }
 }
 
-/// What ties a rear mass to the one in front of it.
+/// Spring and damper between a rear mass and the one in front of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Behind {
     /// Unit vector of the line of flight, shape (2) \[-\].
@@ -96,11 +96,11 @@ pub struct Behind {
     pub damping: f64,
 }
 
-/// An obstacle: those that stand still share one body, the ground.
+/// An obstacle: all fixed ones share one body, the ground.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObstacleData {
     pub body: usize,
-    /// Where its reactions are kept.
+    /// Index of its reactions.
     pub support: usize,
     /// The point its moment is about, in the reference configuration, shape (2) \[m\].
     pub position: [f64; 2],
@@ -118,7 +118,7 @@ pub struct ProjectileData {
     pub point: MaterialPoint,
 }
 
-/// What two things do to each other.
+/// Contact law between two partners.
 #[derive(Clone, Debug)]
 pub struct ContactData {
     pub name: String,

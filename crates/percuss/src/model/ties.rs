@@ -1,34 +1,33 @@
-//! What holds and ties beams: prescribed degrees of freedom, constraints, connectors, the points they act at.
+//! Supports and joints of beams: prescribed degrees of freedom, constraints, connectors, their points of action.
 
 use super::point::MaterialPoint;
 use crate::element::fibre::StressLaw;
 use crate::linalg::block::{Block, IDENTITY};
 
-/// Components of a node's displacement that are held, or moved as prescribed.
+/// Components of a node's displacement that are fixed, or moved as prescribed.
 #[derive(Clone, Debug)]
 pub struct PrescribedDofs<S = f64> {
     pub node: usize,
-    /// The support that holds them, the first one where several do; `None` for the guide of a projectile
-    /// and for obstacles, whose reactions are those of their contacts.
+    /// Their support, the first one of several; `None` for the guide of a projectile and for obstacles, whose reactions are those of their contacts.
     pub support: Option<usize>,
-    /// Held directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4, 4) \[-\].
+    /// Fixed directions in (u1, u2, u1', u2'), orthonormal, shape (at most 4, 4) \[-\].
     pub normals: Vec<[S; 4]>,
     /// Motion along each of them, shape (directions held, motions that take part) \[index of a motion, m\].
     pub drives: Vec<Drive>,
-    /// What they leave free: `P = I - N N^T` with the held directions as columns of N, shape (4, 4) \[-\].
+    /// Projection on the free directions: `P = I - N N^T` with the fixed directions as columns of N, shape (4, 4) \[-\].
     pub free: Block<S>,
-    /// Which components are held, where the directions are those of components, or all are, shape (4).
+    /// Fixed components, if the directions are those of components, or all are, shape (4).
     pub components: Option<[bool; 4]>,
 }
 
 impl PrescribedDofs {
-    /// Nothing held yet.
+    /// No fixed direction yet.
     pub fn new(node: usize, support: Option<usize>) -> Self {
         let (normals, drives) = (Vec::new(), Vec::new());
         Self { node, support, normals, drives, free: IDENTITY, components: Some([false; 4]) }
     }
 
-    /// Holds one more direction, of unit length and across those held already.
+    /// Fixes one more direction, of unit length and across the fixed ones.
     pub fn hold(&mut self, normal: [f64; 4], drive: Drive) {
         for r in 0..4 {
             for c in 0..4 {
@@ -48,7 +47,7 @@ impl PrescribedDofs {
 }
 
 impl<S: Copy> PrescribedDofs<S> {
-    /// Whether nothing is left free.
+    /// Whether all directions are fixed.
     pub fn is_whole(&self) -> bool {
         self.normals.len() == 4
     }
@@ -75,7 +74,7 @@ pub struct SupportData {
     pub name: String,
     /// Its point; an obstacle has none.
     pub point: Option<MaterialPoint>,
-    /// Holds until this time \[s\].
+    /// Active until this time \[s\].
     pub until: f64,
     /// Its time function among [`Model::motions`](super::frozen::Model::motions).
     pub motion: Option<usize>,
@@ -83,7 +82,7 @@ pub struct SupportData {
     pub stops: bool,
 }
 
-/// What a joint carries, a mean over a step.
+/// Load of a joint, a mean over a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct JointLoad {
     /// Size of the force \[N\].
@@ -96,7 +95,7 @@ pub struct JointLoad {
 #[derive(Clone, Debug)]
 pub struct JointData {
     pub name: String,
-    /// What it carries at most, force and moment; endless if it bears any, shape (2) \[N, N m\].
+    /// Its strength, force and moment; infinite if unlimited, shape (2) \[N, N m\].
     pub strength: [f64; 2],
 }
 
@@ -112,7 +111,7 @@ impl JointData {
     }
 }
 
-/// A scalar constraint on material points, kept by a multiplier.
+/// A scalar constraint on material points, with a multiplier.
 #[derive(Clone, Debug)]
 pub struct Constraint<S = f64> {
     pub kind: ConstraintKind<S>,
@@ -122,11 +121,11 @@ pub struct Constraint<S = f64> {
     pub joint: Option<usize>,
     /// Prescribed value, shape (motions that take part) \[index of a motion, m or rad\].
     pub drive: Drive,
-    /// Holds until this time \[s\].
+    /// Active until this time \[s\].
     pub until: f64,
 }
 
-/// What is constrained.
+/// Kind of constraint.
 #[derive(Clone, Debug)]
 pub enum ConstraintKind<S = f64> {
     /// `direction . u(point) = value`, or of its gradient: a support between nodes.
@@ -145,7 +144,7 @@ pub enum ConstraintKind<S = f64> {
         /// The direction, of unit length, shape (2) \[-\].
         direction: [S; 2],
     },
-    /// `g_a x R g_b = 0` with R the rotation from the reference tangent of b to that of a: the angle is kept.
+    /// `g_a x R g_b = 0` with R the rotation from the reference tangent of b to that of a: the angle is constant.
     Angle {
         /// The points a and b, shape (2).
         points: Box<[MaterialPoint<S>; 2]>,
@@ -218,7 +217,7 @@ impl<S> Constraint<S> {
 pub struct Connector {
     pub coordinate: Coordinate,
     pub law: ConnectorLaw,
-    /// How it yields, if it does; its linear law is the elastic part then.
+    /// Yield law, if any; its linear law is then the elastic part.
     pub yielding: Option<YieldingLaw>,
     /// Viscous damping of the coordinate, force per rate.
     pub damping: f64,
@@ -228,17 +227,17 @@ pub struct Connector {
     pub until: f64,
 }
 
-/// How a spring or an elastic hinge yields.
+/// Yield law of a spring or an elastic hinge.
 #[derive(Clone, Debug)]
 pub struct YieldingLaw {
-    /// What it is and its name, `spring.brace` or `joint.knee`.
+    /// Kind and name, `spring.brace` or `joint.knee`.
     pub name: String,
     /// Force over extension from the length without force, or moment over rotation.
     pub law: StressLaw,
-    /// What its extension or rotation, and its force or moment, are told with: 1 or, of a hinge, -1 where its coordinate (the turn of the
-    /// first place against the second) counts against the bending moment beside it.
+    /// Sign of its extension or rotation, and of its force or moment, in results: 1 or, for a hinge, -1 if its coordinate (the rotation of the
+    /// first point relative to the second) is opposite to the bending moment beside it.
     pub sign: f64,
-    /// Number of what it remembers among [`crate::state::State::memories`].
+    /// Number of its state variables among [`crate::state::State::memories`].
     pub memory: usize,
 }
 
@@ -320,7 +319,7 @@ impl<S: Copy> ConnectorLaw<S> {
 }
 
 impl ConnectorLaw {
-    /// Whether it acts at a value of the coordinate: what is not closed there has neither force nor stiffness.
+    /// Whether it acts at a value of the coordinate: an open one has neither force nor stiffness.
     pub fn acts_at(self, q: f64) -> bool {
         match self {
             Self::Linear { .. } => true,

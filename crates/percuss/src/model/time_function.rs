@@ -16,10 +16,10 @@ pub enum TimeFunction {
     Constant,
     /// Zero before, one from this time on \[s\].
     Step {
-        /// When it rises.
+        /// Time of the rise.
         at: f64,
     },
-    /// Rises linearly to one, then stays.
+    /// Linear rise to one, then constant.
     Ramp {
         /// Time of the rise \[s\].
         duration: f64,
@@ -29,7 +29,7 @@ pub enum TimeFunction {
         /// Its length \[s\].
         duration: f64,
     },
-    /// Rises linearly to one at half of its length and falls to zero.
+    /// Linear rise to one at half of its length and decrease to zero.
     Triangle {
         /// Its length \[s\].
         duration: f64,
@@ -41,7 +41,7 @@ pub enum TimeFunction {
         /// Phase \[rad\].
         phase: f64,
     },
-    /// Values at given times, the first and the last held outside.
+    /// Values at given times, constant outside.
     Table {
         /// Times, increasing, shape (points) \[s\].
         times: Vec<f64>,
@@ -50,7 +50,7 @@ pub enum TimeFunction {
         /// A natural cubic spline through the values instead of straight lines.
         smooth: bool,
     },
-    /// Any function; must depend on nothing but the time.
+    /// Any function; must depend only on time.
     Function(Function),
 }
 
@@ -77,7 +77,7 @@ impl TimeFunction {
     }
 }
 
-/// A [`TimeFunction`] ready for evaluation: it knows its kinks.
+/// A [`TimeFunction`] prepared for evaluation, with its kinks.
 #[derive(Clone, Debug)]
 pub struct PreparedFunction {
     function: TimeFunction,
@@ -92,7 +92,7 @@ impl PreparedFunction {
         matches!(self.function, TimeFunction::Constant)
     }
 
-    /// Periods in a second of what swings for ever; zero of anything else \[Hz\].
+    /// Frequency of a periodic function; zero for all others \[Hz\].
     pub fn frequency(&self) -> f64 {
         match self.function {
             TimeFunction::Harmonic { frequency, .. } => frequency.abs(),
@@ -142,8 +142,8 @@ impl PreparedFunction {
         self.rate_on(t, t, width)
     }
 
-    /// Derivative at time `t` of the smooth piece that holds the time `inside`: at a kink from the left or from the right,
-    /// as `inside` lies \[1/s\].
+    /// Derivative at time `t` of the smooth piece that contains the time `inside`: at a kink from the left or from the right, according to `inside`
+    /// \[1/s\].
     pub fn rate_on(&self, t: f64, inside: f64, width: f64) -> f64 {
         use TimeFunction::*;
         let pi = std::f64::consts::PI;
@@ -173,7 +173,7 @@ impl PreparedFunction {
                 |spline| spline.slope(t),
             ),
             Function(f) if t < 0.5 * width => {
-                // Nothing is asked for before time zero: a parabola through the values after it.
+                // No value before time zero is needed: a parabola through the values after it.
                 let [a, b, c] = [0.0, 0.5, 1.0].map(|x| f.0(t + x * width));
                 (4.0 * b - 3.0 * a - c) / width
             }
@@ -181,8 +181,8 @@ impl PreparedFunction {
         }
     }
 
-    /// Second derivative at time `t` of the smooth piece that holds the time `inside`; of a function given as code over
-    /// `width` about it \[1/s^2\].
+    /// Second derivative at time `t` of the smooth piece that contains the time `inside`; for a function given as code over `width` about it
+    /// \[1/s^2\].
     pub fn second_rate_on(&self, t: f64, inside: f64, width: f64) -> f64 {
         use TimeFunction::*;
         let pi = std::f64::consts::PI;
@@ -211,8 +211,8 @@ impl PreparedFunction {
         }
     }
 
-    /// Times from zero on at which two functions that are not the same differ: kinks, places between and behind them, parts of a
-    /// period, and every order of magnitude.
+    /// Times from zero on at which two different functions differ: kinks, points between and after them, parts of a period, and every order of
+    /// magnitude.
     pub fn probes(&self) -> Vec<f64> {
         let mut times: Vec<f64> =
             (-24..=24).map(|k| 1.2345 * 10_f64.powf(0.25 * f64::from(k))).collect();
@@ -230,8 +230,8 @@ impl PreparedFunction {
         times
     }
 
-    /// Times at which the derivative jumps, as far as steps of size `step` resolve it: samples of a table that lie closer
-    /// together stand for something smooth.
+    /// Times at which the derivative jumps, as far as steps of size `step` resolve it: samples of a table at smaller distances represent a smooth
+    /// function.
     pub fn rate_jumps(&self, step: f64) -> Vec<f64> {
         use TimeFunction::*;
         let Table { times, smooth, .. } = &self.function else {
@@ -279,7 +279,7 @@ impl PreparedFunction {
             a = b;
         }
         if a == start {
-            // No kink inside: no lengths are compared, however short the interval.
+            // Without a kink inside, lengths are not compared, for an interval of any length.
             return self.smooth_mean(start, h);
         }
         sum + (end - a) / h * self.smooth_mean(a, end - a)
@@ -364,7 +364,7 @@ mod tests {
                 let difference = (function.value(t + 1e-6) - function.value(t - 1e-6)) / 2e-6;
                 assert!((function.rate(t, 1e-5) - difference).abs() < 1e-5, "{f:?} {t}");
             }
-            // What begins at zero moves from there on.
+            // A function that begins at zero starts the motion from there.
             assert!((function.rate(0.0, 1e-5) - function.rate(1e-9, 1e-5)).abs() < 1e-4, "{f:?}");
         }
     }

@@ -1,4 +1,4 @@
-//! Where a contact is likely to close first, and what can be said of it there: effective mass, rates of closing.
+//! Estimate of the first contact to close, and of the effective mass and closing rates there.
 
 use std::borrow::Cow;
 
@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 use crate::step::tangent::{Singular, Tangent};
 
-/// Times that the way to the first touch is estimated anew: on straight paths the second estimate is exact.
+/// Number of repeated estimates of the distance to the first contact: on straight paths the second estimate is exact.
 const ESTIMATES: usize = 4;
 
 /// First touches of the contacts of a model, estimated in the reference configuration and the motion at the start.
@@ -23,7 +23,7 @@ pub struct FirstTouches<'m> {
     velocity: Vec<[f64; 4]>,
 }
 
-/// A pair that is likely to close first, with the displacements in which it does, and whether it approaches.
+/// A pair that is likely to close first, with its displacements then, and whether it approaches.
 struct FirstTouch<'a> {
     pair: &'a Pair,
     touch: Touch,
@@ -33,14 +33,13 @@ struct FirstTouch<'a> {
 }
 
 impl<'m> FirstTouches<'m> {
-    /// The motion at the start; all else is computed when it is asked for.
+    /// The motion at the start; other data are computed on request.
     pub fn new(model: &'m Model) -> Self {
         let rest = vec![[0.0; 4]; model.node_count()];
         Self { model, mass: None, rest, velocity: velocities(model) }
     }
 
-    /// Effective mass of the beams of the contact of number `contact` under a rigid law where they are likely to touch first;
-    /// none where no beam takes part.
+    /// Effective mass of the beams of the contact of number `contact` under a rigid law at the likely first point of contact; `None` without a beam.
     pub fn effective_mass(&mut self, contact: usize) -> Option<EffectiveMass> {
         let model = self.model;
         let data = &model.contacts[contact];
@@ -53,11 +52,11 @@ impl<'m> FirstTouches<'m> {
         let FirstTouch { pair, touch, u, comes } = first_touch(model, pairs, [rest, velocity])?;
         let mass = self.mass.get_or_insert_with(|| mass_matrix(model, rest)).as_mut().ok()?;
         let found = EffectiveMass::of_pair(model, mass, &u, pair, &touch)?;
-        // Where nothing approaches, the nearest pair may be one that is held and will never close.
+        // Without an approaching pair, the closest one may be fixed and never close.
         (comes || found.on_mesh.is_finite()).then_some(found)
     }
 
-    /// How fast motions of the beams' nodes close the gap of a contact where it is likely to close first, one entry a motion; each
+    /// Rates at which motions of the beams' nodes close the gap of a contact where it is likely to close first, one entry for each motion; each
     /// motion has the shape (number of beam nodes).
     pub fn closing_rates(&self, contact: usize, motions: &[&[[f64; 4]]]) -> Option<Vec<f64>> {
         let model = self.model;
@@ -90,7 +89,7 @@ impl<'m> FirstTouches<'m> {
     }
 }
 
-/// The pair that closes first in the motion that all things start with; where nothing approaches, the nearest one.
+/// The pair that closes first in the initial motion of all bodies; without an approaching pair the closest one.
 fn first_touch<'a>(
     model: &Model,
     pairs: &'a [Pair],

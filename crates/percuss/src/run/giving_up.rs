@@ -1,4 +1,4 @@
-//! What is said of a step that fails however small it is: what did not converge, and where.
+//! Report of a step that fails at any size: the part that did not converge, and its place.
 
 use crate::contact::search::Search;
 use crate::element::beam::ElementValues;
@@ -10,13 +10,13 @@ use crate::step::newton::Failure;
 use crate::step::tangent::Singular;
 use crate::summary::PressedIn;
 
-/// Corrections of Newton's iteration in a step, over all its parts, impacts and cuts, before the run gives up: more would not end.
+/// Limit of the corrections of Newton's iteration in a step, over all its parts, impacts and cuts, after which the run ends without convergence.
 pub const MOST_CORRECTIONS: usize = 100_000;
 
 /// A stretch below this is a beam that has collapsed: its curvature has no bound as the stretch vanishes.
 const COLLAPSED: f64 = 0.2;
 
-/// Why the run ends here, after a step of the given size has failed.
+/// Reason for the end of the run after a step of the given size has failed.
 pub fn give_up(
     (model, state, search): (&Model, &State, &Search),
     failure: Failure,
@@ -75,7 +75,7 @@ pub fn give_up(
     }
 }
 
-/// The compliant contact that is pressed in deepest, in words, if that is deep for what touches.
+/// The compliant contact with the largest penetration, in words, if that is large for its partners.
 fn deepest_pressed(model: &Model, state: &State, search: &Search) -> Option<String> {
     let deep = |i: &usize| {
         let pressed = PressedIn::of(model, *i, &state.pairs[*i], state.time)?;

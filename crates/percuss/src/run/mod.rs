@@ -1,7 +1,7 @@
 //! A transient run.
 //!
-//! [`step`] is one step: its parts are solved and accepted ([`solving`]), shown to what gathers the summary ([`observing`]), and recorded
-//! ([`recording`]). [`simulation`] connects these, and none of them knows it.
+//! [`step`] is one step: its parts are solved and accepted ([`solving`]), passed to the observers of the summary ([`observing`]), and recorded
+//! ([`recording`]). [`simulation`] connects these, and none of them depends on it.
 
 mod first_touch;
 mod giving_up;

@@ -6,20 +6,20 @@ use crate::model::Model;
 use crate::settings::Settings;
 use crate::summary::ContactRecord;
 
-/// What the beginning of a run showed.
+/// Results of the beginning of a run.
 #[derive(Clone, Debug)]
 pub struct Preview {
     /// Step \[s\].
     pub step: f64,
     /// Time reached \[s\].
     pub time: f64,
-    /// Elements times iterations that it took.
+    /// Elements times iterations so far.
     pub effort: usize,
     /// Beginning and end of the first interval of each contact, shape (contacts, 2) \[s\]; the end is not a number while it is closed.
     pub first: Vec<Option<[f64; 2]>>,
 }
 
-/// Counts the parts of steps, so that accumulating impacts do not take more time than was given.
+/// Counts the parts of steps, so that accumulating impacts do not exceed the given effort.
 struct Limit {
     left: usize,
 }
@@ -35,9 +35,9 @@ impl Recorder for Limit {
     }
 }
 
-/// Follows a run until `contact` has opened after its first interval, or has not touched up to the end of the settings, or until
-/// `effort` elements times iterations are spent; to begin it takes as much as an iteration, and one for each pair of its contacts. None if
-/// the run cannot begin, or not for that.
+/// Follows a run until `contact` has opened after its first interval, or has not closed up to the end of the settings, or until `effort` elements
+/// times iterations are spent; the start costs as much as an iteration, and one for each pair of its contacts. `None` if the run cannot begin, or
+/// not for that effort.
 pub fn preview(
     model: &Model,
     settings: &Settings,

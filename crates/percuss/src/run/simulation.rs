@@ -1,4 +1,4 @@
-//! A transient run: what it consists of, how it is set up, the loop over its steps.
+//! A transient run: its parts, its setup, the loop over its steps.
 
 use super::observing::monitor::Monitor;
 use super::observing::status::RunStatus;
@@ -52,20 +52,20 @@ pub struct Simulation<'m> {
     pub(super) state: State,
     /// Energies and momenta of the state.
     pub(super) measures: Measures,
-    /// What solves parts of steps.
+    /// Solver of parts of steps.
     pub(super) solver: Solver,
-    /// The size of steps, where an accuracy is asked for in place of one.
+    /// The size of steps, for a requested accuracy in place of a step.
     pub(super) step_size: Option<StepSizeControl>,
-    /// What the summary tells.
+    /// Data of the summary.
     pub(super) monitor: Monitor,
     pub(super) rows: Rows,
     pub(super) frames: Frames,
-    /// Contacts that press in the equilibrium the run started from, with their forces, shape (such contacts) \[N\]; empty otherwise.
+    /// Active contacts in the equilibrium at the start of the run, with their forces, shape (such contacts) \[N\]; empty otherwise.
     pub(super) pressed: Vec<(Row, f64)>,
 }
 
 impl<'m> Simulation<'m> {
-    /// The model at rest, its projectiles on their way.
+    /// The model at rest, with moving projectiles.
     ///
     /// # Errors
     /// Every fault of the settings.
@@ -81,10 +81,10 @@ impl<'m> Simulation<'m> {
         Self::about(model, settings)
     }
 
-    /// The same of structures that may have beams without mass, which nothing moves in time.
+    /// The same for structures that may have beams without mass, which do not move in time.
     pub(super) fn about(model: &'m Model, settings: &Settings) -> Result<Self, Vec<Fault>> {
         let Initial { state, reactions, pressed } = initial_state(model, settings)?;
-        // What presses on something in equilibrium may well be inside it.
+        // Bodies in compliant contact in equilibrium may overlap.
         let may_press = |c: &ContactData| {
             settings.start == Start::Static
                 && model.pairs[c.pairs.clone()].iter().all(|p| takes_part(model, p))
@@ -135,20 +135,20 @@ impl<'m> Simulation<'m> {
         }
     }
 
-    /// The solver, and what it sees.
+    /// The solver, and its view of the run.
     pub(super) fn solver(&mut self) -> (&mut Solver, Standing<'_>) {
         let Self { model, settings, state, solver, .. } = self;
         (solver, Standing { model, settings, state })
     }
 
-    /// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
-    /// of a rigid motion between neighbouring nodes. Opens the ledger anew.
+    /// Sets initial velocities of the beams \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those of a rigid motion
+    /// between neighbouring nodes. Opens a new ledger.
     pub fn set_velocities(&mut self, velocity: impl Fn(&str, [f64; 2]) -> [f64; 2]) {
         set_velocities(self.model, self.settings.step, &mut self.state, velocity);
         self.open();
     }
 
-    /// Turns every velocity round: without losses the motion runs back. Opens the ledger anew.
+    /// Reverses every velocity: without losses the motion returns to its start. Opens a new ledger.
     pub fn reverse(&mut self) {
         reverse(&mut self.state);
         self.open();
@@ -174,8 +174,8 @@ impl<'m> Simulation<'m> {
         channels::channels(self.model)
     }
 
-    /// Number of steps of the given size up to the end; the last one may be shorter. Where an accuracy is asked for, of steps of the size
-    /// of the first one, and the number is not known before.
+    /// Number of steps of the given size up to the end; the last one may be shorter. For a requested accuracy the size is that of the first step,
+    /// and the number is not known in advance.
     pub fn step_count(&self) -> usize {
         self.settings.step_count()
     }
@@ -188,7 +188,7 @@ impl<'m> Simulation<'m> {
         }
     }
 
-    /// Whether the end has a say in the size of the next step.
+    /// Whether the end influences the size of the next step.
     fn is_last_step(&self) -> bool {
         match &self.step_size {
             Some(step_size) => step_size.is_last(self.settings.end - self.state.time),
@@ -201,7 +201,7 @@ impl<'m> Simulation<'m> {
         let termination = self.run_steps(recorder);
         let Self { model, settings, state, measures, solver, step_size, monitor, rows, .. } = self;
         let counts = solver.counts;
-        // The summary solves for small forces: of very many elements memory does not hold both.
+        // The summary solves for small forces: for very many elements both would need too much memory.
         drop(solver);
         let run = Ended {
             at: Standing { model, settings: &settings, state: &state },
@@ -216,7 +216,7 @@ impl<'m> Simulation<'m> {
 
     fn run_steps(&mut self, recorder: &mut dyn Recorder) -> Termination {
         let begun = recorder.begin(&self.channels()).map_err(Error::recorder);
-        // A run that goes on from a checkpoint has left its first row already.
+        // A resumed run has its first row already.
         let goes_on = self.rows.count > 0;
         if let Err(error) =
             begun.and_then(|()| if goes_on { Ok(()) } else { self.record(recorder) })
@@ -237,7 +237,7 @@ impl<'m> Simulation<'m> {
             let stops = flow == Flow::Stop && !self.is_over();
             let due = self.state.step.is_multiple_of(self.settings.record_every);
             let mut noted = if due { self.record(recorder) } else { Ok(()) };
-            // Before a row that a run that goes on would not have.
+            // Before a row that a resumed run would not have.
             if stops && self.state.step > step {
                 noted = noted.and_then(|()| self.offer_checkpoint(recorder, false));
             }
@@ -253,7 +253,7 @@ impl<'m> Simulation<'m> {
         Termination::Completed
     }
 
-    /// Hands a row to the recorder, unless this instant has one: an impact at the very end of a step has left it already.
+    /// Passes a row to the recorder, unless this instant has one: an impact at the very end of a step has recorded it already.
     pub(super) fn record(&mut self, recorder: &mut dyn Recorder) -> Result<(), Error> {
         let Self { model, state, measures, solver, monitor, rows, frames, .. } = self;
         if state.time <= rows.time {
@@ -276,15 +276,15 @@ impl<'m> Simulation<'m> {
         Ok(())
     }
 
-    /// What the run has done so far.
+    /// Progress of the run.
     pub fn status(&self) -> RunStatus<'_> {
         let at = Standing { model: self.model, settings: &self.settings, state: &self.state };
         RunStatus::of(at, &self.monitor.contacts, self.solver.counts.effort.iterations)
     }
 
-    /// Takes a checkpoint. It tells of the run as it is, between two steps.
+    /// Takes a checkpoint of the run between two steps.
     pub fn checkpoint(&self) -> Checkpoint {
-        // Every field is named, so that none is forgotten when one is added.
+        // Every field is named, so that a new field cannot be forgotten.
         let Self {
             state,
             measures,
@@ -311,8 +311,8 @@ impl<'m> Simulation<'m> {
         }
     }
 
-    /// A run that goes on from a checkpoint, to the end of the settings, which may lie later than when it was taken: rows and
-    /// summary are those of a run that was never interrupted, bit for bit. All else in the settings must be as it was.
+    /// Continues a run from a checkpoint to the end of the settings, which may be later than in the original run: rows and summary are those of an
+    /// uninterrupted run, bit for bit. All other settings must be unchanged.
     ///
     /// # Errors
     /// Every fault of the settings; a checkpoint that does not belong to the model.
@@ -335,14 +335,14 @@ impl<'m> Simulation<'m> {
         Ok(Self { state, measures, step_size, monitor, rows, frames, ..run })
     }
 
-    /// Hands the status to a recorder that wants it.
+    /// Passes the status to a recorder that requests it.
     fn tell_status(&self, recorder: &mut dyn Recorder) {
         if recorder.wants_status() {
             recorder.status(&self.status());
         }
     }
 
-    /// Hands a checkpoint to a recorder that wants one.
+    /// Passes a checkpoint to a recorder that requests one.
     fn offer_checkpoint(&self, recorder: &mut dyn Recorder, last: bool) -> Result<(), Error> {
         match recorder.wants_checkpoint(last) {
             true => recorder.checkpoint(&self.checkpoint()).map_err(Error::recorder),
@@ -354,7 +354,7 @@ impl<'m> Simulation<'m> {
 /// Simulates `model` under `settings`, handing rows to `recorder`.
 ///
 /// # Errors
-/// Every fault of the settings. A run that gives up on its way is no error here: its summary says how far it came.
+/// Every fault of the settings. A run without convergence is no error here: its summary gives the time it reached.
 pub fn simulate(
     model: &Model,
     settings: &Settings,
@@ -366,7 +366,7 @@ pub fn simulate(
 /// The reference configuration at rest, that of a beam in flight too: as it would vibrate at rest.
 ///
 /// # Errors
-/// What overlaps.
+/// The overlapping bodies.
 pub fn reference_state(model: &Model) -> Result<State, Vec<Fault>> {
     let mut state = Simulation::about(model, &Settings::new(1.0, 1.0))?.state().clone();
     state.velocity.fill([0.0; 4]);

@@ -1,4 +1,4 @@
-//! Where a transient analysis starts: configuration, velocities, accelerations.
+//! Start of a transient analysis: configuration, velocities, accelerations.
 
 use std::ops::Range;
 
@@ -16,8 +16,8 @@ use crate::step::effective_mass;
 use crate::step::forcing::Forcing;
 use crate::step::{commit, fibres, lead};
 
-/// Gives the beams initial velocities \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those
-/// of a rigid motion between neighbouring nodes. Steps have the size `step`.
+/// Sets initial velocities of the beams \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those of a rigid motion
+/// between neighbouring nodes. Steps have the size `step`.
 pub fn set_velocities(
     model: &Model,
     step: f64,
@@ -40,7 +40,7 @@ pub fn set_velocities(
     settle_velocities(model, step, state);
 }
 
-/// Gives beams and masses the rigid motion of the model, about the configuration they stand in.
+/// Sets the rigid motion of the model for beams and masses, about their current configuration.
 pub fn start_moving(model: &Model, step: f64, state: &mut State) {
     if model.is_still() {
         return;
@@ -66,8 +66,8 @@ fn move_nodes(model: &Model, state: &mut State, range: Range<usize>, motion: &In
     }
 }
 
-/// Where joined parts start in motions that their joints do not allow, they take the nearest ones that these do, in the
-/// measure of kinetic energy: those after impulses in the joints.
+/// Connected parts whose initial motions violate their joints start with the nearest admissible ones, in the measure of kinetic energy: those after
+/// impulses in the joints.
 fn join_velocities(model: &Model, state: &mut State) {
     let structure = model.structure();
     let own = state.of_structure(&structure);
@@ -84,7 +84,7 @@ fn join_velocities(model: &Model, state: &mut State) {
 
 fn settle_velocities(model: &Model, step: f64, state: &mut State) {
     crate::step::tangent::project(model, &mut state.velocity);
-    // What moves at the start has been driven before: held components have the velocities of their motions.
+    // Motions at the start were prescribed before: fixed components have their velocities.
     for (function, followed) in model.motions.iter().zip(&mut state.followed) {
         followed.rate = jumps::rate_after(function, 0.0, step);
     }
@@ -98,7 +98,7 @@ fn settle_velocities(model: &Model, step: f64, state: &mut State) {
     commit::spin_from_velocity(model, state);
 }
 
-/// Turns every velocity round, at the beginning of a run.
+/// Reverses every velocity, at the beginning of a run.
 pub fn reverse(state: &mut State) {
     for v in &mut state.velocity {
         *v = v.map(|c| -c);
@@ -147,7 +147,7 @@ pub fn initial_acceleration(model: &Model, step: f64, state: &mut State, pressed
     for (f, a) in force.iter_mut().zip(&prescribed) {
         (0..4).for_each(|k| f[k] += a[k]);
     }
-    // Bodies fall freely, but for what the contacts of an equilibrium carry: no spring is pressed.
+    // Bodies fall freely, except for the contact forces of an equilibrium: no spring is compressed.
     let falling = |b: &Body| if b.kind.is_obstacle() { [0.0; 2] } else { forcing.gravity };
     force.extend(model.bodies.iter().map(falling).map(|g| [g[0], g[1], 0.0, 0.0]));
     for (body, (a, f)) in
@@ -163,8 +163,8 @@ pub fn initial_acceleration(model: &Model, step: f64, state: &mut State, pressed
     state.acceleration = force;
 }
 
-/// A fault for each beam without mass, which statics and modes know but no run in time. Inertia is all that tells a velocity from
-/// the forces: where a node has none its velocity is no result, whatever the step.
+/// A fault for each beam without mass, which statics and modes support but no run in time. Velocities depend on inertia: the velocity of a node
+/// without inertia is no result, for any step.
 pub fn massless(model: &Model) -> Vec<Fault> {
     let without = |beam: &&BeamData| {
         model.spans[beam.spans.clone()].iter().any(|s| s.tables.iter().any(|t| t.mass[0][0] == 0.0))
@@ -178,7 +178,7 @@ pub fn massless(model: &Model) -> Vec<Fault> {
     model.beams.iter().filter(without).map(fault).collect()
 }
 
-/// Where a run starts.
+/// Start of a run.
 pub struct Initial {
     pub state: State,
     /// Reactions of the supports, shape (supports, 3) \[N, N m\].
@@ -187,7 +187,7 @@ pub struct Initial {
     pub pressed: Vec<(Row, f64)>,
 }
 
-/// The reference configuration or static equilibrium, projectiles as far from it as they stand off, and its reactions.
+/// The reference configuration or static equilibrium, with projectiles at their standoff from it, and its reactions.
 pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<Fault>> {
     let mut state = State::at_rest(model, settings.scheme);
     let mut reactions = vec![[0.0; 3]; model.supports.len()];
@@ -219,7 +219,7 @@ pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<
         state.memories = found.memories;
         state.joints_parted = found.joints_parted;
         state.pairs = found.pairs;
-        // Projectiles stand off from where their points have moved to.
+        // Standoffs of projectiles are relative to the moved points.
         for p in &model.projectiles {
             let moved = dot(p.direction, p.point.value(&state.displacement));
             for node in (0..=usize::from(p.has_rear)).map(|k| model.body_node(p.body + k)) {
@@ -234,7 +234,7 @@ pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<
     Ok(Initial { state, reactions, pressed })
 }
 
-/// Stores the strains of the configuration, for the scheme that keeps them.
+/// Stores the strains of the configuration, for the scheme with stored strains.
 fn keep_strains(model: &Model, state: &mut State) {
     let structure = model.structure();
     state.strain = stored_strains(&structure, &state.of_structure(&structure));

@@ -1,8 +1,8 @@
 //! One step of a run.
 //!
-//! Its parts end at impacts, at releases of supports and at jumps of prescribed velocities. Each is solved as its contacts ask for
-//! ([`decider`](super::solving::decider)), accepted by the only writer of the state, shown to observers, and recorded before and after an
-//! impact. A part that has no solution is cut in half; where that does not help, the run gives up with its reason.
+//! Its parts end at impacts, at releases of supports and at jumps of prescribed velocities. Each is solved according to its contacts
+//! ([`decider`](super::solving::decider)), accepted by the only writer of the state, passed to observers, and recorded before and after an impact.
+//! A part without a solution is cut in half; if that does not help, the run ends without convergence and gives the reason.
 
 use super::giving_up::{MOST_CORRECTIONS, give_up};
 use super::observing::step_size::StepSizeControl;
@@ -16,7 +16,7 @@ use crate::error::Error;
 use crate::settings::SAME_INSTANT;
 use crate::step::newton::Failure;
 
-/// Energy out of nothing at which a run ends, beside what was there at the start or was put in.
+/// Growth of energy at which a run ends, relative to the initial and the supplied energy.
 const MOST_MADE: f64 = 10.0;
 
 impl Simulation<'_> {
@@ -62,13 +62,13 @@ impl Simulation<'_> {
         Ok(recorder.progress(self.state.time))
     }
 
-    /// Where the run stands within the step.
+    /// Status of the run within the step.
     fn moment(&mut self) -> Moment {
         let (solver, at) = self.solver();
         solver.moment(at)
     }
 
-    /// Size of the step to come \[s\].
+    /// Size of the next step \[s\].
     fn target(&self) -> f64 {
         match &self.step_size {
             Some(step_size) => step_size.target(self.settings.end - self.state.time),
@@ -76,12 +76,12 @@ impl Simulation<'_> {
         }
     }
 
-    /// The size that a part should have had, if it is too long for the accuracy asked for \[s\].
+    /// The size that a part should have had, if it is too long for the requested accuracy \[s\].
     fn too_long(&self, solved: &Solved) -> Option<f64> {
         self.step_size.as_ref()?.too_long(self.model, solved)
     }
 
-    /// A part was too long for the accuracy asked for: the step ends after one of the given size.
+    /// A part was too long for the requested accuracy: the step ends after one of the given size.
     fn refuse(&mut self, decider: &mut Decider, size: f64) {
         decider.end_at(self.state.offset + size);
         if let Some(step_size) = &mut self.step_size {
@@ -89,14 +89,14 @@ impl Simulation<'_> {
         }
     }
 
-    /// Behind a jump of velocities a step ends soon where an accuracy is asked for.
+    /// After a jump of velocities a step with a requested accuracy ends soon.
     fn slow_down(&self, decider: &mut Decider) {
         if let Some(size) = self.step_size.as_ref().and_then(StepSizeControl::afresh) {
             decider.end_at(self.state.offset + size);
         }
     }
 
-    /// Accepts a part and what follows from it at once, with rows before and after an impact.
+    /// Accepts a part and its immediate consequences, with rows before and after an impact.
     fn accept_all(&mut self, solved: Solved, recorder: &mut dyn Recorder) -> Result<(), Error> {
         let strikes = solved.strikes();
         if strikes {
@@ -134,7 +134,7 @@ impl Simulation<'_> {
         }
     }
 
-    /// What an accepted part leaves to be done at its end: the next impact of a sequence, or bringing what was held to rest.
+    /// Consequence of an accepted part at its end: the next impact of a sequence, or bringing held contacts to rest.
     fn follow_up(&mut self, solved: Solved) -> Option<Solved> {
         let Solved { trial, solution, .. } = solved;
         let (solver, at) = self.solver();
@@ -153,7 +153,7 @@ impl Simulation<'_> {
         next.ok()
     }
 
-    /// Counts the step; its end is on the grid of steps, or behind an impact that went beyond.
+    /// Counts the step; its end is on the grid of steps, or after an impact that exceeded it.
     fn close_step(&mut self, decider: &Decider) -> Result<(), Error> {
         self.solver.counts.accumulated_steps += usize::from(decider.accumulates());
         self.state.step += 1;
@@ -170,8 +170,8 @@ impl Simulation<'_> {
         self.refuse_growth()
     }
 
-    /// Ends a run whose scheme makes energy out of nothing. What conserves it never comes near: its residual is round-off beside the
-    /// largest energy so far.
+    /// Ends a run whose scheme creates energy. Conserving schemes never reach the limit: their residual is round-off relative to the largest energy
+    /// so far.
     fn refuse_growth(&self) -> Result<(), Error> {
         let ledger = &self.state.ledger;
         let (made, came) = (ledger.energy_residual(&self.measures), self.monitor.energy_came);
@@ -182,14 +182,14 @@ impl Simulation<'_> {
         Ok(())
     }
 
-    /// Why the run ends here, after a step of the given size has failed.
+    /// Reason for the end of the run after a step of the given size has failed.
     #[doc(hidden)]
     pub fn give_up(&self, failure: Failure, step: f64) -> Error {
         give_up((self.model, &self.state, &self.solver.search), failure, step)
     }
 }
 
-/// Solves the part at hand as its contacts ask for.
+/// Solves the current part according to its contacts.
 fn solve_part(solving: &mut Solving<'_>, decider: &mut Decider) -> Result<Trial, Failure> {
     match decider.part.resolution {
         Resolution::Jump => solving.jump(&decider.part),
@@ -200,10 +200,10 @@ fn solve_part(solving: &mut Solving<'_>, decider: &mut Decider) -> Result<Trial,
     }
 }
 
-/// Parts of steps by themselves, for tests: runs take them where nothing simpler will do.
+/// Single parts of steps, for tests: runs use them only if no simpler part is possible.
 #[doc(hidden)]
 impl Simulation<'_> {
-    /// Takes a part of the given size as behind more impacts than are followed one by one, and what follows from it.
+    /// Accepts a part of the given size as after the Zeno limit, and its consequences.
     pub fn advance_held(&mut self, size: f64) -> Result<(), Failure> {
         let mut decider = Decider::new(&self.settings, self.solver.positions, size).exhausted();
         decider.goes_on(&self.moment());

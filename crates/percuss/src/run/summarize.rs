@@ -19,17 +19,17 @@ use crate::summary::*;
 
 /// A run that has ended.
 pub struct Ended<'a> {
-    /// Where it stands.
+    /// Its status.
     pub at: Standing<'a>,
     /// Energies and momenta there.
     pub measures: &'a Measures,
-    /// What was done.
+    /// Its counts.
     pub counts: Counts,
     /// Rows recorded.
     pub rows: usize,
-    /// What is told of the sizes of steps chosen for an accuracy.
+    /// Data on the sizes of steps chosen for an accuracy.
     pub step_control: Option<StepControl>,
-    /// What was gathered.
+    /// Collected data.
     pub monitor: Monitor,
 }
 
@@ -129,8 +129,8 @@ fn contacts(
         .collect()
 }
 
-/// Takes off the interval of a smooth contact that begins no earlier than this and has not ended: a contact that closes at the very end of a
-/// run has no penetration but round-off.
+/// Removes the interval of a smooth contact that begins no earlier than this and has not ended: the penetration of a contact that closes at the
+/// very end of a run is round-off.
 fn remove_closing_since(record: &mut ContactRecord, time: f64) {
     if let ContactRecord::Smooth { peak_force, intervals } = record
         && intervals.pop_if(|last| last.end.is_nan() && last.start >= time).is_some()

@@ -1,4 +1,4 @@
-//! Numbers side by side, one a run or one an element: what the processor works on at once.
+//! Numbers in lanes, one per run or per element, on which the processor operates at once.
 
 use std::ops::{Add, AddAssign, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -10,12 +10,12 @@ use super::{Mask, Number, Real, Task, quotient};
 /// Numbers in the widest registers that may be used.
 static MOST_LANES: AtomicUsize = AtomicUsize::new(usize::MAX);
 
-/// Lets the process use registers of at most so many numbers from now on: for tests, which compare them.
+/// Limits the registers of the process to this number of lanes from now on: for tests, which compare them.
 pub fn use_at_most(lanes: usize) {
     MOST_LANES.store(lanes, Ordering::Relaxed);
 }
 
-/// Does something in the widest registers that the processor has.
+/// Executes a task in the widest registers of the processor.
 pub fn in_lanes<W: WithSimd>(what: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     {
@@ -31,10 +31,10 @@ pub fn in_lanes<W: WithSimd>(what: W) -> W::Output {
     what.with_simd(pulp::Scalar::new())
 }
 
-/// As many numbers side by side as a vector register of the processor family `P` holds.
+/// As many lanes as a vector register of the processor family `P` has.
 ///
-/// Each lane sees the same operations whatever the registers, products fused with sums where a kernel says so: its bits depend
-/// neither on its neighbours nor on how wide the registers are.
+/// Each lane has the same operations for any registers, products fused with sums where a kernel requires it: its bits depend neither on its
+/// neighbours nor on the width of the registers.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))] // a load never straddles two cache lines
 pub struct Lanes<P: Simd> {

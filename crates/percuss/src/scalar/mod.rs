@@ -15,7 +15,7 @@ pub use wide::Wide;
 
 /// A real number as the kernels need it.
 ///
-/// Kernels hold no branch on a value of this type, so that a lane of several numbers can stand in for it.
+/// Kernels have no branch on a value of this type, so that several lanes can replace it.
 pub trait Real:
     Copy
     + Add<Output = Self>
@@ -45,7 +45,7 @@ pub trait Real:
     fn ordinary_recips<const N: usize>(x: [Self; N]) -> [Self; N] {
         each(x, Self::recip)
     }
-    /// `self + a b`; lanes round once, which is what processors do fastest.
+    /// `self + a b`; lanes round once, which is the fastest operation of processors.
     #[inline(always)]
     fn add_product(self, a: Self, b: Self) -> Self {
         self + a * b
@@ -90,8 +90,8 @@ fn each<T: Copy, const N: usize>(mut x: [T; N], f: impl Fn(T) -> T) -> [T; N] {
     x
 }
 
-/// An array by its index. A plain loop: what the library's `from_fn` and `map` become is not always inlined, and what is not
-/// inlined does not know the registers it could use.
+/// An array by its index. A plain loop: the library's `from_fn` and `map` are not always inlined, and a function that is not inlined cannot use the
+/// vector registers.
 #[inline(always)]
 pub fn array<S: Real, const N: usize>(f: impl Fn(usize) -> S) -> [S; N] {
     let mut out = [f(0); N];
@@ -105,9 +105,9 @@ pub fn array<S: Real, const N: usize>(f: impl Fn(usize) -> S) -> [S; N] {
 pub trait Mask:
     Copy + Debug + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output = Self>
 {
-    /// Whether any lane says yes.
+    /// Whether any lane is true.
     fn any(self) -> bool;
-    /// What a lane says.
+    /// Value of a lane.
     fn lane(self, lane: usize) -> bool;
 }
 
@@ -119,22 +119,22 @@ pub trait Number: Real + Debug {
     const LANES: usize;
     /// Whether it carries derivatives, which follow the values once these are found.
     const DERIVES: bool = false;
-    /// The same value; what it would change by with a parameter is not known.
+    /// The same value without known derivatives.
     #[inline(always)]
     fn underived(self) -> Self {
         self
     }
     /// Value in a lane.
     fn lane(self, lane: usize) -> f64;
-    /// Puts the number of another lane into one of its own.
+    /// Copies the number of another lane into one of its own.
     fn set_lane(&mut self, lane: usize, from: Self, from_lane: usize);
     /// `self < other`.
     fn less(self, other: Self) -> Self::Mask;
     /// `self <= other`.
     fn at_most(self, other: Self) -> Self::Mask;
-    /// `a` where the mask says yes, `b` elsewhere.
+    /// `a` where the mask is true, `b` elsewhere.
     fn choose(mask: Self::Mask, a: Self, b: Self) -> Self;
-    /// What one of two gives: the first where the mask says yes; what no lane asks for may be left out.
+    /// Result of one of two functions: the first where the mask is true; a function that no lane needs may be skipped.
     #[inline(always)]
     fn either(mask: Self::Mask, a: impl FnOnce() -> Self, b: impl FnOnce() -> Self) -> Self {
         Self::choose(mask, a(), b())
@@ -183,19 +183,19 @@ pub trait Number: Real + Debug {
     }
     /// Constants of given values, lane by lane.
     fn constants(self, value: impl Fn(usize) -> f64) -> Self;
-    /// Does something in a function of its own, which has the same registers: what is inlined wherever it is called takes compilers
-    /// long, and what is seldom needed crowds out of the registers what always is.
+    /// Executes a task in a separate function with the same registers: code that is inlined at every call takes long to compile, and seldom used
+    /// code displaces frequently used values from the registers.
     #[inline(never)]
     fn apart<T: Task>(self, task: T) -> T::Output {
         task.run()
     }
 }
 
-/// Something to do, inlined where it is done.
+/// A task, inlined at its call.
 pub trait Task {
-    /// What it gives.
+    /// Its result.
     type Output;
-    /// Does it.
+    /// Executes it.
     fn run(self) -> Self::Output;
 }
 

@@ -1,9 +1,9 @@
 //! Reciprocals and square roots of lanes without the divider.
 //!
-//! On registers of eight numbers the divider is slow: one root and one reciprocal a Gauss point took a sixth of a study's time
-//! (seen in a profile). Newton's iteration from the processor's estimate of 14 bits, its last step rounded as
-//! Markstein showed (IA-64 and Elementary Functions, 2000, chapters 8 and 9), gives the same bits. Each of its steps waits for the
-//! one before: several numbers at a time, step by step, keep the processor busy meanwhile.
+//! On registers of eight numbers division is slow: one root and one reciprocal per Gauss point took a sixth of a study's time (from a profile).
+//! Newton's iteration from the processor's estimate of 14 bits, its last step rounded as Markstein showed (IA-64 and Elementary Functions, 2000,
+//! chapters 8 and 9), gives the same bits. Each of its steps depends on the previous one: several numbers at a time, step by step, use the
+//! processor meanwhile.
 
 use pulp::Simd;
 

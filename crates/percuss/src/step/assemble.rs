@@ -54,7 +54,7 @@ pub fn forces_at_rest(model: &Model, state: &State, gravity: [f64; 2]) -> EndFor
 
 /// Residual `M (a - gravity) + f_int` of the beams at `increment`, and their tangent if `TANGENT`.
 ///
-/// Must not allocate, but for the first time that elements are evaluated one by one.
+/// Must not allocate, except for the first evaluation of elements one by one.
 pub fn beams<const TANGENT: bool>(
     model: &Model,
     state: &State,
@@ -153,8 +153,8 @@ impl StepState<'_> {
         }
     }
 
-    /// Sums over all elements `response` at their Gauss points, and `membrane` at the sampling points of slender ones; those of fibres,
-    /// which know the invariant scheme and rest alone, are at rest here.
+    /// Sums over all elements `response` at their Gauss points, and `membrane` at the sampling points of slender ones; fibre elements, which
+    /// support only the invariant scheme and rest, are at rest here.
     #[inline(always)]
     fn sum_points<const TANGENT: bool>(
         &self,
@@ -188,7 +188,7 @@ impl StepState<'_> {
         }
     }
 
-    /// Sums over a span what `forces_of` gives of its elements, and inertia.
+    /// Sums the results of `forces_of` over a span's elements, and inertia.
     #[inline(always)]
     fn sum_span<const TANGENT: bool>(
         &self,
@@ -215,7 +215,7 @@ impl StepState<'_> {
             let old = ElementValues::new(&u[a], &u[a + 1]);
             let step = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
             let sums = if self.state.has_parted(a) {
-                ElementSums::zero(0.0) // inertia alone
+                ElementSums::zero(0.0) // inertia only
             } else {
                 let at = ElementAt { span, table, k, node: a, element, old, step, lag };
                 forces_of(&at, &mut forces.sweep)
@@ -234,7 +234,7 @@ impl StepState<'_> {
         }
     }
 
-    /// The invariant scheme, of which the sweep gets the angular rates at the end.
+    /// The invariant scheme, whose angular rates at the end the sweep computes.
     fn invariant<const TANGENT: bool>(
         &self,
         at: &ElementAt,
@@ -259,7 +259,7 @@ impl StepState<'_> {
         sums
     }
 
-    /// Acceleration of a node in the equation of motion, less gravity, with what mass-proportional damping adds.
+    /// Acceleration of a node in the equation of motion, less gravity, with the term of mass-proportional damping.
     #[inline(always)]
     fn inertia(&self, span: &Span, node: usize) -> [f64; 4] {
         let (d, v) = (&self.increment[node], &self.state.velocity[node]);

@@ -13,7 +13,7 @@ use crate::state::State;
 pub struct RearSpring {
     /// Force, positive in compression \[N\].
     pub force: f64,
-    /// Of it, what the damper carries \[N\].
+    /// Its part in the damper \[N\].
     pub damper: f64,
     /// Increase of the compression over the step \[m\].
     pub change: f64,

@@ -1,35 +1,34 @@
-//! Values of nodes or elements, one column a component: so many beside each other go into a vector register.
+//! Values of nodes or elements, one column per component: a vector register holds several consecutive values.
 
 use pulp::Simd;
 use serde::{Deserialize, Serialize};
 
 use crate::scalar::Lanes;
 
-/// More than any vector register holds: columns are so much longer than what they are of, so that the last of it fills a
-/// register, too.
+/// More than the lanes of any vector register: columns are longer than their values by this number, so that the last values fill a register, too.
 const PADDING: usize = 8;
 
 /// Columns of equal length.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Columns {
     length: usize,
-    /// Columns one after another, shape (columns, length) \[unit of what is stored\].
+    /// Columns one after another, shape (columns, length) \[unit of the stored values\].
     values: Vec<f64>,
 }
 
 impl Columns {
-    /// So many columns of `count` values each, all zero.
+    /// The given number of columns of `count` values each, all zero.
     pub fn zeros(columns: usize, count: usize) -> Self {
         let length = count + PADDING;
         Self { length, values: vec![0.0; columns * length] }
     }
 
-    /// Whether they are so many columns of `count` values each.
+    /// Whether there are this number of columns of `count` values each.
     pub fn fit(&self, columns: usize, count: usize) -> bool {
         self.length == count + PADDING && self.values.len() == columns * self.length
     }
 
-    /// Takes in rows, the first as row `first`.
+    /// Copies rows, the first as row `first`.
     #[inline(always)]
     pub fn gather<const N: usize>(&mut self, first: usize, rows: &[[f64; N]]) {
         let mut columns = self.values.chunks_exact_mut(self.length);

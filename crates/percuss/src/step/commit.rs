@@ -17,8 +17,8 @@ use crate::model::Model;
 use crate::model::frozen::{BodyKind, Connector, Coordinate};
 use crate::state::State;
 
-/// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger; tells the elements that have no fibre left
-/// at its end, and whether any fibre has yielded.
+/// Moves `state` to the end of the step solved in `work`, works and impulses into its ledger; returns the elements without fibres at its end, and
+/// whether any fibre has yielded.
 pub fn commit(
     model: &Model,
     state: &mut State,
@@ -51,7 +51,7 @@ pub fn commit(
     (parted, losses.yielded)
 }
 
-/// Gives obstacles the velocities of their motions, whatever the rule makes of their increments; steps have the size `step`.
+/// Sets the velocities of obstacles to those of their motions, for any integration rule; steps have the size `step`.
 pub fn steer_obstacles(model: &Model, state: &mut State, step: f64) {
     let (time, width) = (state.time, WIDTH * step);
     for dofs in model.prescribed.iter().rev() {
@@ -60,7 +60,7 @@ pub fn steer_obstacles(model: &Model, state: &mut State, step: f64) {
             break;
         }
         if dofs.drives.iter().all(Vec::is_empty) {
-            continue; // it stands
+            continue; // it does not move
         }
         let rate = |motion: usize| model.motions[motion].rate(time, width);
         let mut velocity = [0.0; 4];
@@ -106,7 +106,7 @@ fn advance_histories(model: &Model, state: &mut State, rule: &Integration, work:
     }
     if rule.sweeps() {
         for (_, _, a, element) in model.each_element() {
-            // Nothing turns the sections of what has parted any more.
+            // Sections of fractured elements no longer rotate.
             if !state.has_parted(a) {
                 state.spin[element] = work.beams.sweep.end_spin(element);
             }

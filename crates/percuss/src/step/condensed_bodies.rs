@@ -1,10 +1,9 @@
-//! Bodies that touch nothing but one element of a beam: eliminated onto its nodes before the band is factored, so that they cost
-//! next to nothing.
+//! Bodies in contact with only one element of a beam: eliminated onto its nodes before the band is factored, at negligible cost.
 
 use crate::linalg::block::{self, Block, ZERO, mul};
 use crate::linalg::chain::Chain;
 
-/// The bodies eliminated, with what is needed to solve for them.
+/// The eliminated bodies, with the data of their solution.
 #[derive(Clone, Debug, Default)]
 pub struct CondensedBodies {
     /// One entry a body eliminated, shape (bodies eliminated).
@@ -17,9 +16,9 @@ struct CondensedBody {
     /// Nodes that it touches, those in use first, shape (2) \[index of a node\].
     nodes: [usize; 2],
     count: usize,
-    /// `C K^-1` of each node's row: what the body's right side leaves there, shape (2, 4, 4) \[-, m, 1/m\].
+    /// `C K^-1` of each node's row: contribution of the body's right side there, shape (2, 4, 4) \[-, m, 1/m\].
     onto: [Block; 2],
-    /// `K^-1 D` of each node's column: what the node's value takes from the body's, shape (2, 4, 4) \[-, m, 1/m\].
+    /// `K^-1 D` of each node's column: contribution of the node's value to the body's, shape (2, 4, 4) \[-, m, 1/m\].
     from: [Block; 2],
 }
 
@@ -29,7 +28,7 @@ impl CondensedBodies {
         self.bodies.clear();
     }
 
-    /// Eliminates bodies (nodes from `first` on) whose couplings all lie with one element; takes their couplings out.
+    /// Eliminates bodies (nodes from `first` on) whose couplings are all with one element; removes their couplings.
     ///
     /// # Errors
     /// The node of a body whose block is singular.
@@ -75,7 +74,7 @@ impl CondensedBodies {
         Ok(())
     }
 
-    /// Takes the bodies' right sides to the nodes they touch.
+    /// Adds the bodies' right sides to those of their nodes.
     pub fn before(&self, x: &mut [[f64; 4]]) {
         for s in &self.bodies {
             let own = x[s.body];
@@ -86,7 +85,7 @@ impl CondensedBodies {
         }
     }
 
-    /// Takes what the nodes do from the bodies' solutions.
+    /// Subtracts the contribution of the nodes from the bodies' solutions.
     pub fn after(&self, x: &mut [[f64; 4]]) {
         for s in &self.bodies {
             for i in 0..s.count {
@@ -97,7 +96,7 @@ impl CondensedBodies {
     }
 }
 
-/// The body as a condensed body, if it is linked to nothing and touches no more than one element.
+/// The body as a condensed body, if it has no connections and contact with at most one element.
 fn condensed_body(
     body: usize,
     linked: &[bool],

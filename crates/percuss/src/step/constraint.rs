@@ -1,7 +1,7 @@
 //! Values and gradients of constraints.
 //!
-//! Linear ones are what they are. The angle of a rigid corner, `c = g_a x R g_b`, is quadratic: along its gradient at the
-//! midpoint a multiplier does no work, and `c` vanishes at the end of the step (theory, section 2).
+//! Linear ones are exact. The angle of a rigid corner, `c = g_a x R g_b`, is quadratic: along its gradient at the midpoint a multiplier does no
+//! work, and `c` vanishes at the end of the step (theory, section 2).
 
 use super::forcing::Forcing;
 use crate::linalg::condensed::BorderVector;
@@ -9,7 +9,7 @@ use crate::math::vec2::{add, cross, dot, rot90, scale};
 use crate::model::frozen::{Constraint, ConstraintKind, MaterialPoint};
 use crate::scalar::Real;
 
-/// A step as constraints see it.
+/// A step for constraints.
 #[derive(Clone, Copy, Debug)]
 pub struct ConstraintStep<'a, S = f64> {
     /// Displacements at the start, shape (nodes, 4) \[m, -, rad\].
@@ -18,14 +18,14 @@ pub struct ConstraintStep<'a, S = f64> {
     pub increment: &'a [[S; 4]],
     /// Prescribed motions.
     pub forcing: &'a Forcing,
-    /// Where in the step the forces of constraints are directed: at its middle, in statics at its end.
+    /// Instant of the step for the directions of constraint forces: its middle, in statics its end.
     pub share: f64,
 }
 
 /// A gradient on the nodes of a constraint's points, two nodes of the first, two of the second, shape (4, 4) \[-, m, 1/m\].
 pub type NodalForm<S> = [[S; 4]; 4];
 
-/// What the ground does on a point through a constraint, a mean over a step.
+/// Force of the ground on a point through a constraint, a mean over a step.
 #[derive(Clone, Copy, Debug)]
 pub struct Reaction<S> {
     /// Position of the point in the middle of the step, shape (2) \[m\].
@@ -59,7 +59,7 @@ fn seen<S: Real>(point: &MaterialPoint<S>, gradient: bool, nodal: &[[S; 4]]) -> 
 }
 
 impl<'a, S> ConstraintStep<'a, S> {
-    /// No step: constraints at a configuration that stands still.
+    /// No step: constraints at rest.
     pub fn at_rest(start: &'a [[S; 4]], forcing: &'a Forcing) -> Self {
         Self { start, increment: &[], forcing, share: 0.0 }
     }
@@ -146,7 +146,7 @@ impl<S: Real> ConstraintStep<'_, S> {
         }
     }
 
-    /// What a support does on its point through a constraint with the given multiplier.
+    /// Force of a support on its point through a constraint with the given multiplier.
     #[inline(always)]
     pub fn reaction(&self, c: &Constraint<S>, multiplier: S) -> Reaction<S> {
         let (point, zero) = (&c.points()[0], multiplier.constant(0.0));

@@ -1,4 +1,4 @@
-//! Contacts within a step: what is asked of them, what they came to, their tangents.
+//! Contacts within a step: conditions, results, tangents.
 
 use super::tangent::Tangent;
 use crate::contact::law::StepForce;
@@ -9,19 +9,19 @@ use crate::linalg::block::ZERO;
 
 /// Parts of a step below this share of it are as short as an impact: a mean force over them is an impulse in disguise.
 pub const IMPULSIVE: f64 = 1e-3;
-/// Differences of gaps below this share of the size of positions are none: what round-off and Newton's iteration leave of them.
+/// Differences of gaps below this share of the size of positions are zero: the accuracy of round-off and Newton's iteration.
 pub const GAP_RESOLUTION: f64 = 1e-12;
 
-/// A rigid contact that takes part in a step.
+/// An active rigid contact in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ActiveContact {
     /// The pair.
     pub pair: usize,
-    /// What is asked of it.
+    /// Its condition.
     pub phase: Phase,
 }
 
-/// What a rigid contact does in a step.
+/// Phase of a rigid contact in a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Phase {
     /// It strikes: restitution along normal and tangent.
@@ -31,9 +31,9 @@ pub enum Phase {
         /// Along the tangent.
         tangential: f64,
     },
-    /// It stays closed while it presses; friction acts against the sliding velocity at the end of the step, or against its mean.
+    /// It remains closed under contact force; friction acts against the sliding velocity at the end of the step, or against its mean.
     Resting { mean: bool },
-    /// After a step that held it by impulses of this size: both together are those of a plastic impact.
+    /// After a step in which impulses of this size held it: the total impulses are those of a plastic impact.
     PlasticPostStep {
         /// Along normal and tangent, shape (2) \[N s\].
         carried: [f64; 2],
@@ -49,8 +49,8 @@ impl Phase {
         }
     }
 
-    /// Least rate of the gap at the end of a step that begins with this one, where the normal does not turn; one that happens to open already is
-    /// let go as it came: an impulse would give energy.
+    /// Least rate of the gap at the end of a step that begins with this one, for a constant normal; a gap that opens already keeps its rate: an
+    /// impulse would create energy.
     #[inline(always)]
     pub fn least_rate(&self, before: f64) -> f64 {
         match self {
@@ -60,8 +60,8 @@ impl Phase {
         }
     }
 
-    /// Whether a contact is closed behind a step in which it gave this impulse along the normal. What sticks is held from there on; if
-    /// nothing presses it, the next step releases it.
+    /// Whether a contact is closed after a step with this normal impulse. A sticking contact is held from there on; without contact force the next
+    /// step releases it.
     pub fn closes(&self, impulse: f64) -> bool {
         match self {
             Self::Impact { restitution, .. } => *restitution == 0.0,
@@ -71,20 +71,20 @@ impl Phase {
 }
 
 impl ActiveContact {
-    /// Pair `i`, which stays closed while it presses.
+    /// Pair `i`, which remains closed under contact force.
     pub fn resting(pair: usize) -> Self {
         Self { pair, phase: Phase::Resting { mean: false } }
     }
 }
 
-/// How impulses follow from the velocities before and after.
+/// Relation of impulses to the velocities before and after.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ImpulseLaw {
-    /// Newton's along the normal, Coulomb's along the tangent on what restitution leaves.
+    /// Newton's law along the normal, Coulomb's along the tangent, for the velocity after restitution.
     Newton,
-    /// Moreau's: impulses of the plastic impact, times 1 + e. In an instant it never gives energy.
+    /// Moreau's: impulses of the plastic impact, times 1 + e. In an instant it never creates energy.
     Moreau,
-    /// Newton's along the normal, Coulomb's on the mean sliding velocity: never gives energy, whatever else acts in the step.
+    /// Newton's along the normal, Coulomb's on the mean sliding velocity: never creates energy, for any other actions in the step.
     Mean,
 }
 
@@ -95,9 +95,9 @@ pub struct SmoothContact {
     pub pair: usize,
     /// Force over the step.
     pub force: StepForce,
-    /// Where the force acts: the form of the gap's change.
+    /// Form of the force: that of the gap's change.
     pub row: Row,
-    /// What to remember at the end of the step, if that was looked at.
+    /// Data to store at the end of the step, if it was evaluated.
     pub end: Option<Memory>,
 }
 
@@ -119,7 +119,7 @@ impl RigidContact {
     }
 }
 
-/// Adds `slope row (x) end - bend d(gradient)`; without the second part where the normal does not turn.
+/// Adds `slope row (x) end - bend d(gradient)`; without the second part for a constant normal.
 pub(crate) fn add_tangent(
     tangent: &mut Tangent,
     row: &Row,
@@ -151,7 +151,7 @@ pub(crate) fn add_tangent(
     }
 }
 
-/// Adds `-bend` times what a turn of sections adds to the second derivative of a gap.
+/// Adds `-bend` times the contribution of the rotation of sections to the second derivative of a gap.
 pub(crate) fn add_turning(tangent: &mut Tangent, bend: f64, turning: &Turning) {
     let [first, second] = &turning.forms;
     let w = &turning.weights;

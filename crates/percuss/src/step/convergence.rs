@@ -7,16 +7,16 @@ const CONTRACTION: f64 = 0.02;
 /// Unbalanced work of an accepted step, relative to the energy scale: far below 1e-10 even if every step of a long run
 /// errs to the same side.
 pub const WORK_TOLERANCE: f64 = 1e-16;
-/// Unbalanced work that may pass for round-off, relative to the energy scale. It is a sum of magnitudes: on 60 000 elements
-/// of 0.05 mm, moved by 0.1 m, round-off alone is of the order of 1e-4, though its signed sum is not.
+/// Limit of the unbalanced work that may be round-off, relative to the energy scale. It is a sum of magnitudes: on 60 000 elements of 0.05 mm,
+/// moved by 0.1 m, round-off is of the order of 1e-4, though its signed sum is not.
 const MOST_ROUND_OFF: f64 = 1e-2;
-/// Corrections below this share of the step are near its end.
+/// Corrections below this share of the step are close to convergence.
 const NEAR: f64 = 1e-2;
-/// An iteration whose corrections shrink by this factor gets there in the end.
+/// An iteration whose corrections decrease by this factor converges eventually.
 const CLOSES_IN: f64 = 0.9;
 /// Corrections this small against the step that no longer shrink are round-off.
 const STALLED: f64 = 1e-10;
-/// A correction below so many units in the last place of the displacements moves nothing any more.
+/// A correction of fewer units in the last place of the displacements has no effect.
 pub const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 
 /// Follows an iteration: how fast it contracts, and whether it has reached the last digit.
@@ -29,7 +29,7 @@ pub struct ConvergenceMonitor<S: Number> {
     /// Unbalanced work now, and before the last correction \[J\].
     pub unbalanced: S,
     before: S,
-    /// Work of the unbalanced forces on a correction, per square of its size: the largest seen.
+    /// Work of the unbalanced forces on a correction, per square of its size: the largest so far.
     stiffness: S,
     /// Size of the last correction, its ratio to the one before, and that one's.
     size: S,
@@ -39,12 +39,12 @@ pub struct ConvergenceMonitor<S: Number> {
     contraction: S,
     /// Whether it was small against the step.
     near: S::Mask,
-    /// Whether further corrections would move nothing but round-off.
+    /// Whether the effect of further corrections would be round-off.
     settled: S::Mask,
 }
 
 impl<S: Number> ConvergenceMonitor<S> {
-    /// Nothing seen yet; `energy` is the largest so far.
+    /// Initial state; `energy` is the largest so far.
     #[inline(always)]
     pub fn new(energy: S) -> Self {
         let infinity = energy.constant(f64::INFINITY);
@@ -63,22 +63,22 @@ impl<S: Number> ConvergenceMonitor<S> {
         }
     }
 
-    /// Takes in the unbalanced work of an increment.
+    /// Enters the unbalanced work of an increment.
     #[inline(always)]
     pub fn unbalanced(&mut self, unbalanced: S) {
         self.before = std::mem::replace(&mut self.unbalanced, unbalanced);
     }
 
-    /// Whether the last factored tangent is still good enough. On very fine meshes the unbalanced work soon is round-off
-    /// and no longer falls; the corrections then still tell.
+    /// Whether the last factored tangent is still good enough. On very fine meshes the unbalanced work soon is round-off and no longer decreases;
+    /// the corrections then still show convergence.
     #[inline(always)]
     pub fn contracts(&self) -> S::Mask {
         let enough = self.energy.constant(CONTRACTION);
         self.unbalanced.at_most(self.before * CONTRACTION) | self.rate.at_most(enough)
     }
 
-    /// Whether the iteration comes nearer, if slowly: corrections small against the step shrink by at least a tenth in each of
-    /// the last two, on average.
+    /// Whether the iteration converges slowly: corrections that are small relative to the step decrease by at least a tenth in each of the last
+    /// two, on average.
     #[inline(always)]
     pub fn closes_in(&self) -> S::Mask {
         let both = self.rate * self.rate_before;
@@ -91,7 +91,7 @@ impl<S: Number> ConvergenceMonitor<S> {
         self.settled & self.unbalanced.at_most(self.energy * MOST_ROUND_OFF)
     }
 
-    /// The share that the last correction leaves of what was unbalanced before it; one, unless the iteration contracts well.
+    /// Share of the unbalanced forces that remains after the last correction; one, unless the iteration contracts well.
     #[inline(always)]
     pub fn left_share(&self) -> S {
         let share = self.contraction;
@@ -104,14 +104,14 @@ impl<S: Number> ConvergenceMonitor<S> {
         self.unbalanced * self.left_share()
     }
 
-    /// Takes in the energy scale, once the first correction has shown it.
+    /// Enters the energy scale, after the first correction.
     #[inline(always)]
     pub fn play(&mut self, energy: S) {
         self.energy = energy;
     }
 
-    /// Takes in a correction: its size, the size of the displacements and of the step, and the work of the unbalanced forces
-    /// on it. Where things touch, gaps are differences of positions as large as `places`, zero elsewhere.
+    /// Enters a correction: its size, the size of the displacements and of the step, and the work of the unbalanced forces on it. With contacts,
+    /// gaps are differences of positions of size `places`, otherwise zero.
     #[inline(always)]
     pub fn corrected(&mut self, size: S, reach: S, step: S, work: S, places: S) {
         let zero = size.constant(0.0);
@@ -124,7 +124,7 @@ impl<S: Number> ConvergenceMonitor<S> {
         self.near = size.at_most(step * NEAR);
         let round_off = size.at_most(reach.max(step) * ROUND_OFF);
         self.contraction = self.rate.max(self.unbalanced / self.before);
-        // What the next correction would find unbalanced, were there no round-off.
+        // Unbalanced work after the next correction, without round-off.
         let ahead = size * self.rate * self.stiffness * step;
         let predicted = self.rate.at_most(zero.constant(CONTRACTION))
             & zero.less(self.stiffness)

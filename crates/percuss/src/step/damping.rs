@@ -1,4 +1,4 @@
-//! What damping of their material takes of beams over a step.
+//! Dissipation by material damping of beams over a step.
 
 use crate::element::beam::{ElementTable, ElementValues};
 use crate::element::membrane::SAMPLES;
@@ -9,8 +9,8 @@ use crate::math::hermite::GAUSS;
 use crate::math::vec2::add;
 use crate::scalar::Real;
 
-/// `int EA (Deps)^2 + EI (Dkappa)^2 ds` of an element whose strains change so at its Gauss points, and at the sampling points of a
-/// slender one; `tau/h` times that is what damping in proportion to the rates of strain takes (theory, section 3).
+/// `int EA (Deps)^2 + EI (Dkappa)^2 ds` of an element for the changes of strain at its Gauss points, and at the sampling points of a slender one;
+/// `tau/h` times this is the dissipation by stiffness-proportional damping (theory, section 3).
 #[inline(always)]
 pub fn viscous<S: Real>(
     table: &ElementTable<S>,
@@ -38,8 +38,7 @@ pub struct MassDamping<'a, S> {
 }
 
 impl<S: Real> MassDamping<'_, S> {
-    /// Adds what resists translation: from the velocities of both nodes, their positions and tangents in the middle of the step, and
-    /// increments.
+    /// Adds the damping of translation: from the velocities of both nodes, their positions and tangents in the middle of the step, and increments.
     #[inline(always)]
     pub fn translation(
         &self,
@@ -60,7 +59,7 @@ impl<S: Real> MassDamping<'_, S> {
         }
     }
 
-    /// Adds what resists the turning of the sections, from the slopes at the Gauss points at the start.
+    /// Adds the damping of the rotation of sections, from the slopes at the Gauss points at the start.
     #[inline(always)]
     pub fn rotation(
         &self,

@@ -1,4 +1,4 @@
-//! Effective mass of a struck point, on the mesh and in the limit of an ever finer one.
+//! Effective mass of a struck point, on the mesh and in the limit of mesh refinement.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,15 +16,15 @@ use crate::math::vec2::{add, cross, dot, norm, scale};
 use crate::model::Model;
 use crate::model::frozen::{BodyKind, MaterialPoint, ProjectileData};
 
-/// What moves by less than this share of the whole under an impulse is held.
+/// A point that moves by less than this share of the whole under an impulse is fixed.
 const HELD: f64 = 1e-12;
 
 /// Effective mass of a struck point, along the line of flight of its projectile.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EffectiveMass {
-    /// On the mesh at hand, `1 / (n M^-1 n^T)` \[kg\]; infinite if the point is held.
+    /// On the current mesh, `1 / (n M^-1 n^T)` \[kg\]; infinite for a fixed point.
     pub on_mesh: f64,
-    /// In the limit of an ever finer mesh, `2 sqrt(rhoA rhoI)` across a beam's interior \[kg\].
+    /// In the limit of mesh refinement, `2 sqrt(rhoA rhoI)` across a beam's interior \[kg\].
     pub limit: f64,
 }
 
@@ -123,7 +123,7 @@ pub fn mass_matrix(model: &Model, u: &[[f64; 4]]) -> Result<Tangent, Singular> {
     Ok(tangent)
 }
 
-/// Effective mass `1 / (n M^-1 n^T)` of a point in a direction \[kg\]; infinite if the point is held.
+/// Effective mass `1 / (n M^-1 n^T)` of a point in a direction \[kg\]; infinite if the point is fixed.
 fn on_mesh(model: &Model, mass: &mut Tangent, point: &MaterialPoint, direction: [f64; 2]) -> f64 {
     let mut x = vec![[0.0; 4]; model.node_count()];
     point.spread(direction, &mut x);
@@ -133,7 +133,7 @@ fn on_mesh(model: &Model, mass: &mut Tangent, point: &MaterialPoint, direction: 
     if mobility <= HELD * free { f64::INFINITY } else { 1.0 / mobility }
 }
 
-/// Directions that lie along a beam by this much have a part along it, in which a fine mesh has no mass.
+/// Directions closer to the axis than this have an axial part, for which a fine mesh has no mass.
 const ALONG: f64 = 1e-9;
 /// The same of a normal in a configuration that the run has bent.
 const LEANS: f64 = 1e-3;
@@ -151,8 +151,8 @@ struct StruckPlace {
 }
 
 impl StruckPlace {
-    /// Limit of the effective mass for an ever finer mesh \[kg\]: `2 sqrt(rhoA rhoI)` across a beam's interior, half of it
-    /// across a free end, what the place carries in itself besides; zero along the beam.
+    /// Limit of the effective mass under mesh refinement \[kg\]: `2 sqrt(rhoA rhoI)` across a beam's interior, half of it across a free end, plus
+    /// the mass added at the point; zero along the beam.
     ///
     /// The velocity that an impulse leaves in a Rayleigh beam decays as `exp(-s / l)` with `l = sqrt(rhoI / rhoA)`.
     fn limit(&self, model: &Model, direction: [f64; 2], leans: f64) -> f64 {

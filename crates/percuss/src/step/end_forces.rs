@@ -1,26 +1,26 @@
-//! What acts on the ends of elements, as assembled last.
+//! Forces on the ends of elements, from the last assembly.
 
 use crate::model::Model;
 use crate::step::sweep::Sweep;
 
-/// What acts on the elements, as last assembled: section forces follow from it.
+/// Forces on the elements, from the last assembly, which give the section forces.
 #[derive(Clone, Debug, Default)]
 pub struct EndForces {
-    /// As [`Self::on_nodes()`] tells of spans that are not swept, shape (elements, 2, 4) \[N, N m\]; empty while all are.
+    /// As [`Self::on_nodes()`] of spans that are not swept, shape (elements, 2, 4) \[N, N m\]; empty if all are.
     pub(super) on_nodes: Vec<[[f64; 4]; 2]>,
-    /// As [`Self::inertia()`] does, shape (beam nodes, 4) \[m/s^2, 1/s^2\]; empty while all are.
+    /// As [`Self::inertia()`], shape (beam nodes, 4) \[m/s^2, 1/s^2\]; empty if all are.
     pub(super) inertia: Vec<[f64; 4]>,
     /// Elements that are evaluated side by side.
     pub sweep: Sweep,
 }
 
 impl EndForces {
-    /// Nothing assembled yet; the default is that of statics, which evaluates elements one by one.
+    /// State before any assembly; the default is that of statics, which evaluates elements one by one.
     pub fn new(model: &Model) -> Self {
         Self { sweep: Sweep::new(model), ..Self::default() }
     }
 
-    /// Makes room for elements that are evaluated one by one: of a long beam that is swept it would be a sixteenth of its memory.
+    /// Allocates memory for elements that are evaluated one by one: for a long swept beam it would be a sixteenth of its memory.
     pub(super) fn make_room(&mut self, model: &Model) {
         if self.on_nodes.is_empty() {
             self.on_nodes = vec![[[0.0; 4]; 2]; model.element_count()];

@@ -1,5 +1,5 @@
-//! Loads in a step, constant over it but for what turns with the beam: a load acts with its mean factor over a time as long as the step, so
-//! that its impulse is exact.
+//! Loads in a step, constant over it except for the rotation of follower loads: a load acts with its mean factor over a time as long as the step,
+//! so that its impulse is exact.
 
 use super::forcing::Forcing;
 use super::tangent::Tangent;
@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::model::frozen::{LoadAction, MaterialPoint};
 use crate::state::State;
 
-/// Tangent g at a point, `theta` of the way through the step.
+/// Tangent g at a point, at the share `theta` of the step.
 pub fn tangent_at(
     p: &MaterialPoint,
     state: &State,
@@ -128,8 +128,8 @@ pub fn middle(model: &Model, state: &State, increment: &[[f64; 4]], node: usize)
     ]
 }
 
-/// What the loads did over a step, beams', masses' and projectiles' gravity included; those that turn with the beam act as they stand `theta` of the
-/// way.
+/// Work and impulse of the loads over a step, including gravity of beams, masses and projectiles; follower loads have their direction at the share
+/// `theta` of the step.
 pub fn work(
     model: &Model,
     state: &State,

@@ -1,4 +1,4 @@
-//! Fibres over a step: what they remember at its end, and what they dissipate.
+//! Fibres over a step: their state variables at its end, and their dissipation.
 
 use super::integration::Integration;
 use super::sweep::{AdvanceFibres, Sweep};
@@ -37,12 +37,12 @@ pub struct PartedElement {
     pub node: usize,
     /// The Gauss point at which no fibre is left.
     pub gauss: usize,
-    /// What was stored in all that fails in it at that instant \[J\].
+    /// Energy stored at that instant in all parts that fail in it \[J\].
     pub energy: f64,
 }
 
-/// Moves the fibres to the end of a step, from the displacements of `state` by the increment. An element without a fibre left at one of
-/// its Gauss points loses all others too, and is told.
+/// Moves the fibres to the end of a step, from the displacements of `state` by the increment. An element without fibres at one of its Gauss points
+/// loses all others too, and is returned.
 pub fn advance(
     model: &Model,
     state: &mut State,
@@ -93,7 +93,7 @@ impl Moved<'_> {
         element_step((self.span, table), [&start, &change], self.rule).strains()
     }
 
-    /// Moves those of an element; tells whether any has come to its failure strain.
+    /// Moves those of an element; returns whether any has reached its failure strain.
     fn advance(&mut self, k: usize) -> bool {
         let (fibres, table) = (self.fibres, self.span.table(k));
         let (h, lag) = (self.rule.h, self.rule.lag(self.span.retardation));
@@ -113,7 +113,7 @@ impl Moved<'_> {
         flow.failing
     }
 
-    /// Fails the fibres of an element that have come to their failure strain, and all others if none is left at a Gauss point.
+    /// Lets the fibres of an element fail that have reached their failure strain, and all others if none is left at a Gauss point.
     fn fail(&mut self, k: usize) -> Option<PartedElement> {
         let fibres = self.fibres;
         let [_, strains] = self.strains(k);
@@ -139,7 +139,7 @@ fn gap(fibres: &[Vec<Fibre>; GAUSS], mut states: &[FibreState]) -> Option<usize>
     })
 }
 
-/// Fails those fibres of an element that do, by their law and strain; returns what they stored \[J\].
+/// Lets those fibres of an element fail that reach their failure strain; returns their stored energy \[J\].
 fn fail_those(
     (fibres, k): (&SpanFibres, usize),
     table: &ElementTable,
@@ -162,7 +162,7 @@ fn fail_those(
     stored
 }
 
-/// Brings the fibres slowly to where displacements have led; of those that bear none fails by that.
+/// Strains the fibres quasi-statically to the current displacements; fibres do not fail by that.
 pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], all: &mut [FibreState]) {
     for (span, k, a, _) in model.each_element() {
         let Some(fibres) = &span.fibres else { continue };
@@ -179,7 +179,7 @@ pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], all: &mut [FibreS
     }
 }
 
-/// Fails all fibres of the elements that have none left at a Gauss point, and had not `parted` before; tells their first nodes, and the
+/// Lets all fibres of the elements fail that have none left at a Gauss point, and were not in `parted` before; returns their first nodes, and the
 /// Gauss point.
 pub fn part_at_rest(
     model: &Model,
@@ -207,7 +207,7 @@ pub fn parted<'a>(model: &'a Model, states: &'a [FibreState]) -> impl Iterator<I
     })
 }
 
-/// What an element of fibres stores where the state stands.
+/// Stored energy of a fibre element in the current state.
 pub fn energies(
     state: &State,
     (span, fibres): (&Span, &SpanFibres),
@@ -218,8 +218,8 @@ pub fn energies(
     state.fibres_of(fibres, k).energies(table, &gauss_strains(table, span.measure, u))
 }
 
-/// Elastic strains that go with the forces of an element of fibres where the state stands: membrane strains at the sampling points,
-/// bending strains at the Gauss points.
+/// Elastic strains for the forces of a fibre element in the current state: membrane strains at the sampling points, bending strains at the Gauss
+/// points.
 pub fn equivalent_strains(state: &State, span: &Span, k: usize) -> Option<GaussStrains> {
     let fibres = span.fibres.as_ref()?;
     let (table, a) = (span.table(k), span.nodes.start + k);

@@ -1,4 +1,4 @@
-//! Flows of a solved step: what loads, supports, damping and impacts brought and took.
+//! Flows of a solved step: energy and momentum of loads, supports, damping and impacts.
 
 mod reactions;
 
@@ -25,7 +25,7 @@ use crate::settings::Scheme;
 use crate::state::{Instant, State};
 use reactions::{average_reactions, instant, supports_so_far};
 
-/// Enters the step from `state` that stands solved in `work`.
+/// Enters the step from `state` that is solved in `work`.
 pub fn enter(
     model: &Model,
     state: &mut State,
@@ -62,7 +62,7 @@ pub fn enter(
     state.ledger.put_on(so_far);
 }
 
-/// Reactions at the start of a step, of which `work` holds the residual; those kept by multipliers are the step's.
+/// Reactions at the start of a step, whose residual is in `work`; those of multipliers are the step's.
 pub fn reactions_at_start(
     model: &Model,
     state: &State,
@@ -105,7 +105,7 @@ impl Entry<'_> {
         own[2] += h * moment;
     }
 
-    /// Reactions at nodes are what the residual leaves at held components.
+    /// Reactions at nodes are the residual at fixed components.
     fn prescribed(&mut self) {
         let (model, work) = (self.model, self.work);
         for dofs in &model.prescribed {
@@ -147,7 +147,7 @@ impl Entry<'_> {
         let (model, work, forcing) = (self.model, self.work, self.forcing);
         for (i, c) in model.connectors.iter().enumerate() {
             if !forcing.connected[i] {
-                // A support that lets go takes the energy of its springs with it.
+                // A released support takes the energy of its springs with it.
                 self.state.ledger.work_supports -=
                     c.potential(self.state.coordinates[i], &self.state.memories);
                 continue;
@@ -216,7 +216,7 @@ impl Entry<'_> {
         damping.rotation(&slopes, &ElementValues::new(&d[a], &d[a + 1]), sum);
     }
 
-    /// What viscous damping takes of an element, but for the factor `tau/h`, strains changing as the scheme has it.
+    /// Viscous dissipation of an element, without the factor `tau/h`, for the changes of strain in the scheme.
     fn viscous_loss(&self, span: &Span, k: usize) -> f64 {
         let (a, table) = (span.nodes.start + k, span.table(k));
         let (u, d) = (&self.state.displacement, &self.work.increment);
@@ -286,7 +286,7 @@ impl Entry<'_> {
         let c = row.at(node);
         let arm = [0, 1].map(|i| data.position[i] - self.model.nodes[node].position[i]);
         let own = self.state.reaction_mut(data.support);
-        // What it gives is the opposite of what it takes.
+        // The impulse on one body is opposite to that on the other.
         own[0] -= impulse * c[0];
         own[1] -= impulse * c[1];
         own[2] -= impulse * (c[2] - cross(arm, [c[0], c[1]]));

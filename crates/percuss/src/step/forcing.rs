@@ -1,4 +1,4 @@
-//! What acts from outside over a step, known before it is solved: factors of loads, prescribed motions, what holds.
+//! External actions over a step, known before it is solved: factors of loads, prescribed motions, active supports.
 
 use crate::model::Model;
 use crate::model::frozen::{Drive, LoadAction, LoadData};
@@ -14,7 +14,7 @@ pub struct Forcing {
     pub factors: Vec<f64>,
     /// Increments of the prescribed motions' time functions, shape (motions) \[-\].
     moved: Vec<f64>,
-    /// What the time functions had moved by at the start, shape (motions) \[-\].
+    /// Values of the motions' time functions at the start, shape (motions) \[-\].
     started: Vec<f64>,
     /// Derivatives of the time functions at the end, from the left, shape (motions) \[1/s\].
     rates: Vec<f64>,
@@ -26,14 +26,14 @@ pub struct Forcing {
     pub connected: Vec<bool>,
 }
 
-/// Parts of a step below this share of it take the increments of motions from their rates: differences of values would be
-/// round-off, and round-off over so short a time a velocity. What they leave out or add the next longer part makes good.
+/// Parts of a step below this share of it take the increments of motions from their rates: differences of values would be round-off, which in such
+/// a short time is a velocity. The next longer part corrects the difference.
 const SHORT: f64 = 1e-3;
 /// Derivatives of motions given as code are taken over this share of a step.
 pub(crate) const WIDTH: f64 = 0.02;
 
 impl Forcing {
-    /// Room for the loads and motions of `model`.
+    /// Memory for the loads and motions of `model`.
     pub fn new(model: &Model) -> Self {
         Self {
             gravity: [0.0; 2],
@@ -47,12 +47,11 @@ impl Forcing {
         }
     }
 
-    /// Sets what acts over the part `[start, start + h]` of a step of size `step`, motions followed to the values and rates
-    /// `reached`.
+    /// Sets the actions over the part `[start, start + h]` of a step of size `step`, with motions followed to the values and rates `reached`.
     ///
-    /// Loads act with their mean over a time h about the instant at which forces balance, `theta` of the way: in the middle of the step
-    /// it is the step itself. About any instant the impulse of all steps is that of the load, also of one that begins between two
-    /// of them, and the order of a scheme of second order is kept.
+    /// Loads act with their mean over a time h about the instant at which forces balance, at the share `theta`: in the middle of the step it is the
+    /// step itself. For any instant the impulse of all steps is that of the load, also of one that begins between two of them, and the order of a
+    /// scheme of second order is preserved.
     pub fn set(
         &mut self,
         model: &Model,
@@ -72,7 +71,7 @@ impl Forcing {
         }
     }
 
-    /// Sets the motions alone; with `after`, a jump of a rate at the end of the part has been made there.
+    /// Sets the motions only; with `after`, a jump of a rate at the end of the part has been made there.
     pub fn set_motions(
         &mut self,
         model: &Model,
@@ -102,7 +101,7 @@ impl Forcing {
         }
     }
 
-    /// Sets a share of what acts at time zero.
+    /// Sets a share of the actions at time zero.
     pub fn set_static(&mut self, model: &Model, share: f64) {
         self.set_factors(model, |load| share * load.factor_at_start());
         for (i, function) in model.motions.iter().enumerate() {
@@ -113,8 +112,7 @@ impl Forcing {
         self.connected.fill(true);
     }
 
-    /// Leaves supports as a run has that ended at a time: motions stand where they were followed to, and what was to hold until an
-    /// earlier time holds no more.
+    /// Sets supports to their state after a run that ended at a time: motions have their last values, and supports whose time has ended are inactive.
     pub fn leave(&mut self, model: &Model, time: f64, reached: &[Followed]) {
         for (started, reached) in self.started.iter_mut().zip(reached) {
             *started = reached.value - reached.origin;
@@ -138,14 +136,14 @@ impl Forcing {
         }
     }
 
-    /// Takes what motions have brought as their start: nothing moves any further.
+    /// Makes the current values of the motions their start: the motions end.
     pub fn hold_motions(&mut self) {
         for (started, moved) in self.started.iter_mut().zip(&mut self.moved) {
             *started += std::mem::take(moved);
         }
     }
 
-    /// Takes the increments and rates of the motions into those `reached`.
+    /// Adds the increments and rates of the motions to those `reached`.
     pub fn follow(&self, reached: &mut [Followed]) {
         for (i, reached) in reached.iter_mut().enumerate() {
             reached.value += self.moved[i];

@@ -27,7 +27,7 @@ impl StepProblem<'_> {
         }
     }
 
-    /// Impulses of the active contacts from the Delassus operator of the factored tangent, and what they change.
+    /// Impulses of the active contacts from the Delassus operator of the factored tangent, and their effect.
     pub(super) fn impact(&self, work: &mut Workspace) -> Result<(), Failure> {
         let n = self.active.len();
         if n == 0 {
@@ -95,7 +95,7 @@ impl StepProblem<'_> {
             if self.law == ImpulseLaw::Mean
                 && matches!(contact.phase, Phase::PlasticPostStep { .. })
             {
-                // A mean of the sliding velocity that is zero takes no friction back that was carried.
+                // A zero mean sliding velocity does not cancel previous friction.
                 condition.friction = 0.0;
             }
             let sliding = rows.tangent.on(&self.state.velocity);
@@ -108,12 +108,12 @@ impl StepProblem<'_> {
         }
     }
 
-    /// Least rate at the end of the step of a contact that stays closed.
+    /// Least rate at the end of the step of a contact that remains closed.
     ///
-    /// On its guide a projectile's gap is linear: the rate vanishes, or, where the contact happens to open as the step begins, its
-    /// mean, so that the impulse gives no energy. Elsewhere the mean rate is what closes the gap left over: it neither drifts nor
-    /// gives energy, however the normal turns. In steps as short as an impact a gap left over would be a velocity, and one of round-off would be
-    /// in any step: twice the gap over the step, which grows in the flight that follows into a larger gap.
+    /// The gap of a guided projectile is linear: the rate vanishes, or, if the contact opens at the start of the step, its mean, so that the
+    /// impulse does not create energy. For other contacts the mean rate closes the remaining gap: the gap neither drifts nor creates energy, for
+    /// any rotation of the normal. In steps as short as an impact interval a remaining gap would be a velocity, and one of round-off would be in
+    /// any step: twice the gap over the step, which grows in the following free motion into a larger gap.
     fn resting_bound(&self, contact: &ActiveContact, before: f64, gap: f64) -> f64 {
         let guided = matches!(self.model.pairs[contact.pair].target, Target::Guided { .. });
         if guided || self.feedback < IMPULSIVE {

@@ -1,4 +1,4 @@
-//! What a scheme makes of the increment of a step.
+//! Evaluation of the increment of a step in a scheme.
 
 use crate::settings::Scheme;
 
@@ -7,7 +7,7 @@ use crate::settings::Scheme;
 pub struct Integration {
     /// Step size \[s\].
     pub h: f64,
-    /// Which forces act between the ends of the step.
+    /// Instant of the acting forces between the ends of the step.
     pub rule: Rule,
 }
 
@@ -76,8 +76,8 @@ impl Integration {
 
     /// The same where forces balance at the start of the step, for schemes that advance accelerations.
     ///
-    /// What such a scheme carries from step to step are accelerations `alpha_f - alpha_m` of a step before (Arnold, Bruels 2007); at
-    /// the start of a run they are those of that instant.
+    /// Such a scheme carries the accelerations `alpha_f - alpha_m` of a step before (Arnold, Bruels 2007) from step to step; at the start of a run
+    /// they are those of that instant.
     pub fn at_start(&self, of_run: bool) -> Option<Self> {
         let Rule::Alpha(w) = self.rule else { return None };
         let alpha_m = if of_run { 1.0 } else { 1.0 + w.alpha_m - w.alpha_f };
@@ -98,7 +98,7 @@ impl Integration {
         }
     }
 
-    /// Increment if nothing accelerates further.
+    /// Increment for zero acceleration.
     pub fn predict(&self, v0: f64, a0: f64) -> f64 {
         match self.rule {
             Rule::Midpoint(_) | Rule::Static => self.h * v0,
@@ -110,7 +110,7 @@ impl Integration {
     /// \[m/s, 1/s, rad/s\] and \[m/s^2, 1/s^2, rad/s^2\], make their increments.
     pub fn predict_all(&self, v0: &[[f64; 4]], a0: &[[f64; 4]], increment: &mut [[f64; 4]]) {
         let none = [0.0; 4];
-        // The rule is looked at once: nodes then go through vector registers.
+        // The rule is selected once: nodes then use vector registers.
         if let Rule::Midpoint(_) = self.rule {
             for (d, v0) in increment.iter_mut().zip(v0) {
                 *d = v0.map(|v0| self.h * v0);
@@ -184,7 +184,7 @@ impl Integration {
         }
     }
 
-    /// A time over the step size; zero in statics, where nothing has a rate.
+    /// A time over the step size; zero in statics, which has no rates.
     pub fn lag(&self, time: f64) -> f64 {
         match self.rule {
             Rule::Midpoint(_) => time / self.h,

@@ -1,4 +1,4 @@
-//! What joints of a given strength carry over a step.
+//! Loads of joints of a given strength over a step.
 
 use super::constraint::ConstraintStep;
 use super::forcing::Forcing;
@@ -6,7 +6,7 @@ use crate::math::vec2::norm;
 use crate::model::Model;
 use crate::model::frozen::{ConstraintKind, JointLoad};
 
-/// What the joints of a strength carry by the multipliers of their constraints, in the order of the model, shape (such joints).
+/// Loads of the joints with a strength from the multipliers of their constraints, in the order of the model, shape (such joints).
 pub fn loads(
     model: &Model,
     step: &ConstraintStep,
@@ -30,7 +30,7 @@ pub fn loads(
 }
 
 impl Forcing {
-    /// Lets go the constraints of joints that have parted.
+    /// Releases the constraints of failed joints.
     pub fn part(&mut self, model: &Model, parted: &[bool]) {
         for (flag, c) in self.constrained.iter_mut().zip(&model.constraints) {
             *flag &= !c.joint.is_some_and(|joint| parted[joint]);

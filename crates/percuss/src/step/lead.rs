@@ -1,10 +1,10 @@
-//! Prescribed velocities: what a motion holds has the velocity of the motion itself.
+//! Prescribed velocities: fixed components have the velocity of their motion.
 //!
-//! A scheme makes the velocity at the end of a step of the increment and of the velocity at its start. For what is held, all three
-//! are prescribed and agree to second order only; taken from the scheme, the difference would alternate from step to step and
-//! never fade. So the end of a step is given the prescribed velocity (and acceleration), and the lead it takes over that of the scheme
-//! enters the inertia of its neighbours: masses see the increment `d + h c/2` with the lead c. Work and angular momentum
-//! of the difference are the support's, and enter the ledger as such.
+//! A scheme computes the velocity at the end of a step from the increment and the velocity at its start. For fixed components, all three are
+//! prescribed and agree to second order only; with the velocity of the scheme, the difference would alternate from step to step without decay.
+//! Therefore the end of a step has the prescribed velocity (and acceleration), and its lead over that of the scheme enters the inertia of its
+//! neighbours: masses have the increment `d + h c/2` with the lead c. Work and angular momentum of the difference belong to the support, and enter
+//! the ledger as such.
 
 mod middle;
 
@@ -18,22 +18,22 @@ use crate::model::frozen::{ConstraintKind, MaterialPoint};
 use crate::state::State;
 use middle::{Middle, times_mass};
 
-/// By how much prescribed velocities and accelerations at the end of a step lead those of the scheme.
+/// Lead of prescribed velocities and accelerations at the end of a step over those of the scheme.
 #[derive(Clone, Debug)]
 pub struct Lead {
     /// Nodes that can lead, shape (such nodes) \[index of a node\].
     nodes: Vec<usize>,
     /// First nodes of the elements next to them, shape (such elements) \[index of a node\].
     elements: Vec<usize>,
-    /// Whether no element spans from a node to the next one, as the state says, shape (beam nodes), or empty \[-\].
+    /// Whether no element connects a node to the next one, from the state, shape (beam nodes), or empty \[-\].
     parted: Vec<bool>,
-    /// Lead in velocity, shape (nodes, 4), empty if nothing is driven \[m/s, 1/s\].
+    /// Lead in velocity, shape (nodes, 4), empty without prescribed motions \[m/s, 1/s\].
     pub velocity: Vec<[f64; 4]>,
     /// Lead in acceleration, likewise, shape (nodes, 4) \[m/s^2, 1/s^2\].
     pub acceleration: Vec<[f64; 4]>,
 }
 
-/// What the lead adds to the ledger of a step.
+/// Contribution of the lead to the ledger of a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LeadWork {
     /// Work of the supports beyond reaction times increment \[J\].
@@ -57,8 +57,8 @@ struct PrescribedStep {
 impl PrescribedStep {
     /// Lead in velocity and acceleration.
     ///
-    /// The accelerations that generalized-alpha advances lag behind those of the motion (Arnold, Bruels 2007): weighed by its
-    /// `alpha_m` they are the true ones weighed by its `alpha_f`, and so the inertia of what is held is that of its motion.
+    /// The accelerations of generalized-alpha lag behind those of the motion (Arnold, Bruels 2007): weighted by its `alpha_m` they are the true
+    /// ones weighted by its `alpha_f`, and so the inertia of fixed components is that of their motion.
     fn lead(&self, rule: &Integration) -> [f64; 2] {
         let (d, [v0, a0], [b0, b1]) = (self.increment, self.start, self.second_rates);
         let a1 = match rule.rule {
@@ -93,12 +93,12 @@ impl Lead {
         Self { nodes, elements, parted, velocity: none.clone(), acceleration: none }
     }
 
-    /// Whether nothing is driven.
+    /// Whether there are no prescribed motions.
     pub fn is_empty(&self) -> bool {
         self.nodes.is_empty()
     }
 
-    /// Finds the lead in a step from `state`.
+    /// Computes the lead in a step from `state`.
     pub fn set(&mut self, model: &Model, state: &State, rule: &Integration, forcing: &Forcing) {
         for n in &self.nodes {
             (self.velocity[*n], self.acceleration[*n]) = ([0.0; 4], [0.0; 4]);
@@ -131,7 +131,7 @@ impl Lead {
         self.set_constraints(model, state, rule, forcing);
     }
 
-    /// Lead at supports that are kept by multipliers.
+    /// Lead at supports with multipliers.
     fn set_constraints(
         &mut self,
         model: &Model,
@@ -244,7 +244,7 @@ impl Lead {
         }
     }
 
-    /// Adds what the lead turns to the spins at the end of the step.
+    /// Adds the rotation by the lead to the spins at the end of the step.
     pub fn add_spins(
         &self,
         model: &Model,

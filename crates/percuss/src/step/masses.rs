@@ -52,7 +52,7 @@ pub fn inertia(
     [0, 1].map(|k| mass.mass * (rule.inertia(d[k], v[k], a[k]) - gravity[k]))
 }
 
-/// What the rotary inertia of the mass of number `i` exerts along its tangent \[N m\], if it has any.
+/// Inertia moment along its tangent of the mass of number `i` \[N m\], if it has rotary inertia.
 pub fn turning(
     mass: &MassData,
     state: &State,

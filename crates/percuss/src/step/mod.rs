@@ -1,11 +1,10 @@
 //! One step: predict, iterate, commit, measure.
 //!
-//! [`integration`] says what a scheme makes of an increment, [`assemble`] sums residual and tangent ([`sweep`]: elements side by side), [`tangent`]
-//! factors and solves them with what ties beams together ([`constraint`], [`connectors`]), [`newton`] iterates
-//! ([`contacts`] couples projectiles in, [`convergence`] says when to stop), [`commit`] is the only writer of
-//! [`State`](crate::state::State).
+//! [`integration`] evaluates an increment in a scheme, [`assemble`] sums residual and tangent ([`sweep`]: elements in lanes), [`tangent`] factors
+//! and solves them with the connections of beams ([`constraint`], [`connectors`]), [`newton`] iterates ([`contacts`] couples projectiles,
+//! [`convergence`] decides when to stop), [`commit`] is the only writer of [`State`](crate::state::State).
 
-// Without a word to all that `internals` alone reaches.
+// Items that only `internals` re-exports have no documentation.
 #[allow(missing_docs)]
 pub mod assemble;
 #[allow(missing_docs)]

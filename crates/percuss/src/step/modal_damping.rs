@@ -1,8 +1,8 @@
 //! Damping of the modes of a linearised structure.
 //!
-//! With modes phi of unit modal mass about the configuration at the start the damping matrix is `sum 2 zeta omega (M phi)(M phi)^T`.
-//! It acts on motion relative to the rigid motion of each body and to supports that move. A body is what elements, joints and springs
-//! hold together. Over a step from x0 to x1 = x0 + d, in its middle x_m:
+//! With modes phi of unit modal mass about the configuration at the start the damping matrix is `sum 2 zeta omega (M phi)(M phi)^T`. It acts on
+//! motion relative to the rigid motion of each body and to moving supports. A body is a set of parts connected by elements, joints and springs.
+//! Over a step from x0 to x1 = x0 + d, in its middle x_m:
 //!
 //! ```text
 //! rigid motions      R y = (a + w J x_m, w J g_m), y = (a, w): all increments d of a body that stays as it is have this form
@@ -11,7 +11,7 @@
 //! forces             -P^T Q M phi (2 zeta omega / h) (Q M phi)^T q,  Q the rotation of the body since the start
 //! ```
 //!
-//! They have no resultant and no moment against the rigid motions that supports leave free, and take energy or none, never give any.
+//! They have no resultant and no moment against the rigid motions that supports leave free, and never create energy.
 
 mod bodies;
 mod ground;
@@ -29,8 +29,8 @@ pub struct ModalDamping {
     pub vectors: Vec<Vec<[f64; 4]>>,
     /// `2 zeta omega`, shape (modes) \[1/s\].
     pub rates: Vec<f64>,
-    /// What each mode's coordinate moves by where the ground of a tie moves by one and the structure follows as it does at rest,
-    /// shape (modes, ties to the ground) \[kg^(1/2), kg^(1/2) m\].
+    /// Change of each mode's coordinate for a unit motion of the ground of a tie that the structure follows statically, shape (modes, ties to the
+    /// ground) \[kg^(1/2), kg^(1/2) m\].
     pub followed: Vec<Vec<f64>>,
     /// Positions and tangents of the beams' nodes at the start, shape (nodes of beams, 4) \[m, -\].
     pub start: Vec<[f64; 4]>,
@@ -41,7 +41,7 @@ pub struct ModalDamping {
 }
 
 impl ModalDamping {
-    /// Whether nothing is damped.
+    /// Whether no mode is damped.
     pub fn is_empty(&self) -> bool {
         self.vectors.is_empty()
     }

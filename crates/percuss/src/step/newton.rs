@@ -1,7 +1,7 @@
 //! Newton's iteration for the increment of a step.
 //!
-//! The tangent is factored at the predictor and kept while the iteration contracts well with it; unbalanced forces are
-//! always those of the current increment, so the result does not depend on how often the tangent was renewed.
+//! The tangent is factored at the predictor and kept while the iteration contracts well with it; unbalanced forces are always those of the current
+//! increment, so the result does not depend on the number of factorisations.
 
 mod balance;
 mod contacts;
@@ -26,7 +26,7 @@ use crate::state::{PairState, State};
 /// A step to be solved: from `state`, by `integration`, with the `active` contacts.
 #[derive(Clone, Copy, Debug)]
 pub struct StepProblem<'a> {
-    /// What moves.
+    /// The model.
     pub model: &'a Model,
     /// Start of the step.
     pub state: &'a State,
@@ -38,26 +38,26 @@ pub struct StepProblem<'a> {
     pub damping: &'a ModalDamping,
     /// Size of the structure \[m\].
     pub size: f64,
-    /// What positions are as large as \[m\].
+    /// Scale of positions \[m\].
     pub positions: f64,
-    /// Pairs near enough to touch, shape (such pairs) \[index of a pair\].
+    /// Pairs that are close enough to touch, shape (such pairs) \[index of a pair\].
     pub near: &'a [usize],
-    /// Pairs seen otherwise than the state knows them, in their order, shape (such pairs) \[index of a pair\].
+    /// Pairs whose evaluation differs from the state, in their order, shape (such pairs) \[index of a pair\].
     pub sights: &'a [(usize, PairState)],
     /// Rigid contacts that may carry an impulse, shape (active contacts).
     pub active: &'a [ActiveContact],
-    /// How impulses follow from velocities.
+    /// Relation of impulses to velocities.
     pub law: ImpulseLaw,
-    /// Share of the given step size that this step is: so much of the constraints' round-off it takes back.
+    /// Size of this step as a share of the given step size: the same share of the constraints' round-off is compensated in it.
     pub feedback: f64,
-    /// Length that no element of a beam exceeds at the start, one a beam, shape (beams) \[m\]; empty if nothing is near a face.
+    /// Upper bound of element lengths at the start, one per beam, shape (beams) \[m\]; empty if no pair is near a face.
     pub arcs: &'a [f64],
-    /// Where the closest points of smooth contacts at the end of the step are looked for. In the neighbourhood of the last ones is enough
-    /// unless something else has come nearer, which only a look at the solved step can tell.
+    /// Region of the search for closest points of smooth contacts at the end of the step. The neighbourhood of the last ones is enough unless
+    /// another point has come closer, which only an evaluation of the solved step shows.
     pub reach: Reach,
 }
 
-/// A pair as it was seen last: among the `sights`, or by the state.
+/// Last evaluation of a pair: among the `sights`, or in the state.
 pub fn seen<'a>(state: &'a State, sights: &'a [(usize, PairState)], pair: usize) -> &'a PairState {
     match sights.binary_search_by_key(&pair, |sight| sight.0) {
         Ok(k) => &sights[k].1,
@@ -65,7 +65,7 @@ pub fn seen<'a>(state: &'a State, sights: &'a [(usize, PairState)], pair: usize)
     }
 }
 
-/// What an iteration took.
+/// Counts of an iteration.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Effort {
     /// Corrections computed.
@@ -74,7 +74,7 @@ pub struct Effort {
     pub factorizations: usize,
 }
 
-/// Why a step has no solution (yet).
+/// Reason why a step has no solution (yet).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Failure {
     /// The iteration did not converge.
@@ -88,7 +88,7 @@ pub enum Failure {
     Singular(Singular),
     /// The impact problem stalled.
     Impact,
-    /// Two things passed through each other unseen.
+    /// Bodies passed through each other without detection.
     Passed,
     /// The parts of a step would not end.
     Endless,
@@ -115,27 +115,27 @@ struct Correction {
     work: f64,
 }
 
-/// Most corrections before a step counts as failed, and where they still shrink steadily: at contacts whose closest point slides fast or
-/// leaps, and in collapsing beams, the iteration comes nearer by a constant factor only.
+/// Largest number of corrections before a step counts as failed, and that for steadily decreasing ones: at contacts whose closest point slides fast
+/// or jumps, and in collapsing beams, the iteration converges only linearly.
 pub const MOST_ITERATIONS: usize = 24;
 const MOST_STEADY: usize = 250;
 /// Corrections from this one on are compared with the one before.
 const SWINGS_FROM: usize = 5;
-/// Corrections below this share of the largest are nothing: ahead of a wave the solution falls off exponentially, into numbers
-/// so small that processors take a hundred times as long for them.
+/// Corrections below this share of the largest are set to zero: ahead of a wave the solution decays exponentially, into numbers so small that
+/// processors take a hundred times as long for them.
 const QUIET: f64 = 1e-120;
 /// Unbalanced impulse of an accepted step, relative to the momentum scale.
 pub const IMPULSE_TOLERANCE: f64 = 1e-15;
-/// Impulses times what their forms have turned by with the last correction, of an accepted step, relative likewise.
+/// Impulses times the rotation of their forms by the last correction, of an accepted step, relative likewise.
 const TURNED_TOLERANCE: f64 = 1e-14;
 /// Unbalanced impulse that may pass for round-off, relative to the momentum scale.
 pub const MOST_IMPULSE: f64 = 1e-10;
 
 impl StepProblem<'_> {
-    /// Finds the increment; it and its residual stand in `work` afterwards.
+    /// Solves for the increment, which is in `work` afterwards with its residual.
     ///
     /// # Errors
-    /// Why there is none; `work` then holds rubbish, the state is untouched.
+    /// The reason why there is none; the content of `work` is then invalid, the state is unchanged.
     pub fn solve(&self, work: &mut Workspace, effort: &mut Effort) -> Result<(), Failure> {
         let found = self.iterate(work, effort);
         self.measure_arcs(work);
@@ -170,7 +170,7 @@ impl StepProblem<'_> {
             }
             let correction = self.correct(work, iteration)?;
             effort.iterations += 1;
-            // What a step brings in by itself, or supports by moving, is known no better than its increment.
+            // Work supplied by a step itself, or by moving supports, has the accuracy of its increment.
             let moves = !self.model.motions.is_empty();
             if iteration == 0 || moves || convergence.energy > self.state.ledger.energy_scale {
                 convergence.play(self.energy_in_play(work, correction.work));
@@ -209,7 +209,7 @@ impl StepProblem<'_> {
         }
     }
 
-    /// A pair as it was seen last.
+    /// Last evaluation of a pair.
     pub(super) fn seen(&self, pair: usize) -> &PairState {
         seen(self.state, self.sights, pair)
     }
@@ -219,7 +219,7 @@ impl StepProblem<'_> {
         self.residual(work, false);
     }
 
-    /// Residual at the current increment, and the assembled tangent if asked for.
+    /// Residual at the current increment, and the assembled tangent if requested.
     fn residual(&self, work: &mut Workspace, tangent: bool) {
         if tangent { self.residual_with::<true>(work) } else { self.residual_with::<false>(work) }
     }
@@ -256,7 +256,7 @@ impl StepProblem<'_> {
         self.rigid_contacts(work);
     }
 
-    /// The step as constraints see it.
+    /// The step for constraints.
     pub(super) fn constraint_step<'b>(&'b self, increment: &'b [[f64; 4]]) -> ConstraintStep<'b> {
         let start = &self.state.displacement;
         ConstraintStep { start, increment, forcing: self.forcing, share: 0.5 }
@@ -299,8 +299,8 @@ impl StepProblem<'_> {
     }
 }
 
-/// Share of a correction to be taken: half of one that takes back most of the one before, for that overshot. Where a closest point moves
-/// far for a small increment, friction would else turn round in every correction.
+/// Applied share of a correction: half of one that reverses most of the previous one, which overshot. If a closest point moves far for a small
+/// increment, friction would otherwise reverse in every correction.
 fn share_taken(work: &mut Workspace) -> f64 {
     let Workspace { correction, correction_before: before, .. } = work;
     let on = |a: &[[f64; 4]], b: &[[f64; 4]]| -> f64 {
@@ -312,7 +312,7 @@ fn share_taken(work: &mut Workspace) -> f64 {
     if swings { 0.5 } else { 1.0 }
 }
 
-/// Sets held components to their prescribed increments.
+/// Sets fixed components to their prescribed increments.
 pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
     for dofs in &model.prescribed {
         let x = &mut increment[dofs.node];
@@ -327,11 +327,10 @@ pub fn prescribe(model: &Model, forcing: &Forcing, increment: &mut [[f64; 4]]) {
     }
 }
 
-/// Magnitude of the largest component \[m\]; slopes and angles count times a length, the structure's size, so that a scene in
-/// millimetres takes the same iterations as one in kilometres.
+/// Magnitude of the largest component \[m\]; slopes and angles are multiplied by a length, the structure's size, so that a scene in millimetres
+/// needs the same iterations as one in kilometres.
 fn largest(nodal: &[[f64; 4]], length: f64) -> f64 {
-    // Components apart: so they go through vector registers. One comparison each: `f64::max` would look for NaN as well, which no comparison
-    // finds larger.
+    // Separate components use vector registers. One comparison each: `f64::max` would test for NaN as well, which no comparison finds larger.
     let mut most = [0.0_f64; 4];
     for x in nodal {
         for i in 0..4 {

@@ -1,4 +1,4 @@
-//! Components held at nodes, projected out of vectors and blocks.
+//! Fixed components of nodes, projected out of vectors and blocks.
 
 use crate::linalg::block::{Block, IDENTITY, mul};
 use crate::linalg::chain::Chain;
@@ -7,7 +7,7 @@ use crate::model::Model;
 use crate::model::frozen::PrescribedDofs;
 use crate::scalar::Number;
 
-/// Removes the held components of nodal values.
+/// Removes the fixed components of nodal values.
 pub fn project(model: &Model, nodal: &mut [[f64; 4]]) {
     project_held(&model.prescribed, nodal);
 }
@@ -21,7 +21,7 @@ pub fn project_held<S: Number>(prescribed: &[PrescribedDofs<S>], nodal: &mut [[S
 }
 
 impl<S: Number> PrescribedDofs<S> {
-    /// Removes the held components of the node's values: `P x`.
+    /// Removes the fixed components of the node's values: `P x`.
     #[inline(always)]
     pub fn project(&self, x: &mut [S; 4]) {
         let Some(held) = self.components else {
@@ -40,7 +40,7 @@ impl<S: Number> PrescribedDofs<S> {
         }
     }
 
-    /// Removes the rows of held components: `P A`.
+    /// Removes the rows of fixed components: `P A`.
     #[inline(always)]
     pub fn project_rows(&self, block: &mut Block<S>) {
         let Some(held) = self.components else {
@@ -54,7 +54,7 @@ impl<S: Number> PrescribedDofs<S> {
         }
     }
 
-    /// Removes the columns of held components: `A P`.
+    /// Removes the columns of fixed components: `A P`.
     #[inline(always)]
     pub fn project_columns(&self, block: &mut Block<S>) {
         let Some(held) = self.components else {
@@ -70,10 +70,10 @@ impl<S: Number> PrescribedDofs<S> {
         }
     }
 
-    /// Replaces the rows and columns of held components in the node's own block: `P A P + s N N^T` with the scale s of the block.
+    /// Replaces the rows and columns of fixed components in the node's own block: `P A P + s N N^T` with the scale s of the block.
     #[inline(always)]
     fn hold_block(&self, block: &mut Block<S>) {
-        // Held directions weigh as much as the others, or round-off in them would move.
+        // Fixed directions have the scale of the others, or round-off in them would be amplified.
         let mut scale = block[0][0].constant(1e-300);
         for k in 0..4 {
             scale = scale.max(block[k][k].abs());
@@ -117,7 +117,7 @@ impl<S: Number> PrescribedDofs<S> {
     }
 }
 
-/// Replaces the rows and columns of held components.
+/// Replaces the rows and columns of fixed components.
 pub fn prescribe_block(chain: &mut Chain, dofs: &PrescribedDofs, linked: &[bool]) {
     let i = dofs.node;
     if dofs.is_whole() && !linked[i] && (i == 0 || !linked[i - 1]) {
@@ -127,7 +127,7 @@ pub fn prescribe_block(chain: &mut Chain, dofs: &PrescribedDofs, linked: &[bool]
     dofs.hold_in([&mut chain.diag, &mut chain.upper, &mut chain.lower], |i| linked[i]);
 }
 
-/// Removes held components from a block between two nodes.
+/// Removes fixed components from a block between two nodes.
 pub fn project_coupling(model: &Model, a: usize, b: usize, block: &mut Block) {
     if let Some(dofs) = model.dofs_at(a) {
         dofs.project_rows(block);

@@ -1,5 +1,4 @@
-//! The tangent of a step: the band of the beams with the components held at nodes, what ties it together, and the low-rank
-//! part of modal damping.
+//! The tangent of a step: the band of the beams with the fixed components at nodes, the couplings beyond it, and the low-rank part of modal damping.
 
 mod low_rank;
 
@@ -22,12 +21,11 @@ pub struct Tangent {
     matrix: Condensed,
     /// Whether the band links a node to the next one, shape (nodes).
     linked: Vec<bool>,
-    /// Couplings of contacts, as they come and go: (row node, column node, block), shape (couplings, 4, 4)
-    /// \[index of a node, index of a node, N/m, N, N m\].
+    /// Couplings of contacts, which vary: (row node, column node, block), shape (couplings, 4, 4) \[index of a node, index of a node, N/m, N, N m\].
     contacts: Vec<(usize, usize, Block)>,
     /// Bodies that touch one element only, eliminated first.
     condensed_bodies: CondensedBodies,
-    /// Number of couplings that are always there; those of contacts that no condensed body took follow.
+    /// Number of permanent couplings; those of contacts without a condensed body follow.
     permanent: usize,
     /// Number of the first coupling of each connector, shape (connectors) \[index of a coupling\].
     of_connector: Vec<usize>,
@@ -38,16 +36,16 @@ pub struct Tangent {
     low_rank: LowRank,
 }
 
-/// Why a tangent cannot be factored.
+/// Reason why a tangent cannot be factored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Singular {
     /// At a node.
     Node(usize),
-    /// Where beams are tied together.
+    /// Connections of beams.
     Constraints,
 }
 
-/// Nodes of a point that its shape functions or their slopes know.
+/// Nodes with a share in a point or its slope.
 fn nodes_of(point: &MaterialPoint, gradient: bool) -> Vec<usize> {
     let n = if gradient { &point.slope } else { &point.shape };
     let known = |k: usize| n[k] != 0.0 || n[k + 1] != 0.0;
@@ -58,14 +56,14 @@ fn nodes_of(point: &MaterialPoint, gradient: bool) -> Vec<usize> {
         .collect()
 }
 
-/// Pairs of nodes tied by two points, both ways.
+/// Pairs of nodes connected by two points, in both orders.
 fn pairs(a: (&MaterialPoint, bool), b: (&MaterialPoint, bool)) -> Vec<(usize, usize)> {
     let (a, b) = (nodes_of(a.0, a.1), nodes_of(b.0, b.1));
     a.iter().flat_map(|i| b.iter().flat_map(move |j| [(*i, *j), (*j, *i)])).collect()
 }
 
 impl Tangent {
-    /// Room for the tangent of `model`.
+    /// Memory for the tangent of `model`.
     pub fn new(model: &Model) -> Self {
         let mut couplings = Vec::new();
         let (mut of_connector, mut of_constraint) = (Vec::new(), Vec::new());
@@ -104,13 +102,13 @@ impl Tangent {
         }
     }
 
-    /// Nodes that contacts tie together in the pattern at hand, which outlasts the contacts: the order of elimination follows from
-    /// it, and the last bits of a solution from that.
+    /// Nodes connected by contacts in the current pattern, which outlasts the contacts: the order of elimination follows from it, and the last bits
+    /// of a solution from that.
     pub fn ties(&self) -> Vec<(usize, usize)> {
         self.matrix.couplings[self.permanent..].iter().map(|c| (c.0, c.1)).collect()
     }
 
-    /// Takes over a pattern as [`Tangent::ties`] tells of it.
+    /// Adopts a pattern as given by [`Tangent::ties`].
     pub fn tie(&mut self, model: &Model, ties: &[(usize, usize)]) {
         let permanent = self.matrix.couplings[..self.permanent].iter().map(|c| (c.0, c.1));
         let places: Vec<(usize, usize)> = permanent.chain(ties.iter().copied()).collect();
@@ -122,7 +120,7 @@ impl Tangent {
         &mut self.matrix.chain
     }
 
-    /// Clears what is not the band.
+    /// Clears all parts except the band.
     pub fn clear_ties(&mut self) {
         self.contacts.clear();
         for coupling in &mut self.matrix.couplings {
@@ -212,7 +210,7 @@ impl Tangent {
         }
     }
 
-    /// Leaves the couplings of contacts to condensed bodies and, those that no condensed body took, to the condensed matrix.
+    /// Passes the couplings of contacts to condensed bodies and, those without a condensed body, to the condensed matrix.
     fn place_contacts(&mut self, model: &Model) -> Result<(), Singular> {
         self.condensed_bodies.clear();
         if self.contacts.is_empty() {
@@ -243,7 +241,7 @@ impl Tangent {
         Ok(())
     }
 
-    /// A new order and pattern for contacts that tie nodes together; those of the last one are kept while they are few.
+    /// A new order and pattern for contacts that connect nodes; those of the last one are kept while they are few.
     fn widen(&mut self, model: &Model) {
         let old = &self.matrix.couplings;
         let keep = if old.len() - self.permanent > 4 * self.contacts.len() + 16 {
@@ -265,8 +263,8 @@ impl Tangent {
         self.matrix = wider;
     }
 
-    /// Factors the assembled tangent with its held components; border columns are the constraint gradients where their forces
-    /// act, rows those at the end of the step.
+    /// Factors the assembled tangent with its fixed components; border columns are the constraint gradients at the forces, rows those at the end of
+    /// the step.
     ///
     /// # Errors
     /// Where it is singular.
@@ -319,9 +317,8 @@ impl Tangent {
 
     /// Solves `A x + C^T dl = x_given`, `C x = -c` in place and adds dl to `multiplier`.
     ///
-    /// c is the change of each constraint over the step plus a share `feedback` of what it was at the start, or zero without
-    /// feedback. The share is that of the step in the given step size: round-off of positions, taken back within a very
-    /// short step, would be a velocity.
+    /// c is the change of each constraint over the step plus a share `feedback` of its value at the start, or zero without feedback. The share is
+    /// that of the step in the given step size: round-off of positions, compensated within a very short step, would be a velocity.
     pub fn solve(
         &mut self,
         model: &Model,

@@ -1,4 +1,4 @@
-//! Scratch of a step; may be dropped and rebuilt without changing a result by more than round-off, and by nothing if the tangent keeps
+//! Scratch data of a step; may be dropped and rebuilt without changing a result by more than round-off, and without any change if the tangent keeps
 //! its pattern.
 
 use super::contacts::{RigidContact, SmoothContact};
@@ -9,7 +9,7 @@ use super::tangent::Tangent;
 use crate::contact::impact::ImpactProblem;
 use crate::model::Model;
 
-/// Scratch of a step: the increment sought and what is needed to find it.
+/// Scratch data of a step: the increment and the data for its solution.
 #[derive(Clone, Debug)]
 pub struct Workspace {
     /// Increment of the nodal displacements over the step, shape (nodes, 4) \[m, -, rad\].
@@ -24,17 +24,17 @@ pub struct Workspace {
     pub arcs: Vec<f64>,
     /// Active rigid contacts in the step, in the order of the problem's, shape (active rigid contacts).
     pub rigid: Vec<RigidContact>,
-    /// What their forms have turned by with the last correction, times their impulses \[N s\].
+    /// Rotation of their forms by the last correction, times their impulses \[N s\].
     pub turned: f64,
     /// Their pairs, shape (active rigid contacts) \[index of a pair\].
     pub rigid_pairs: Vec<usize>,
     /// Residual `M a + f_int - f_ext` of the nodes with everything in it, supports' reactions left over, shape (nodes, 4) \[N, N m\].
     pub residual: Vec<[f64; 4]>,
-    /// What acts on the elements.
+    /// Forces on the elements.
     pub beams: EndForces,
     /// Right-hand side, then correction, shape (nodes, 4) \[N, N m, then m, -, rad\].
     pub correction: Vec<[f64; 4]>,
-    /// The correction before, in iterations that take long, shape (nodes, 4) \[m, -, rad\].
+    /// The previous correction, in iterations that take long, shape (nodes, 4) \[m, -, rad\].
     pub correction_before: Vec<[f64; 4]>,
     /// Modal damping in the middle of the step.
     pub modal: MovingModes,

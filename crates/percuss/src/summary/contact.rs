@@ -1,4 +1,4 @@
-//! What the summary tells of contacts.
+//! Results of contacts in the summary.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::state::PairState;
 use crate::step::effective_mass::EffectiveMass;
 
-/// Where two things touch.
+/// Place of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ContactPlace {
     /// Arc length along the first partner, if it is a beam; else NaN \[m\].
@@ -24,23 +24,23 @@ impl Default for ContactPlace {
     }
 }
 
-/// What a contact did to the energies of the two that touch, over an interval or in an impact.
+/// Energy split of a contact between its partners, over an interval or in an impact.
 ///
 /// `given[0] + given[1] + lost + stored + scheme` is zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct EnergySplit {
-    /// Work of the contact on either partner, shape (2) \[J\]: what goes into a beam runs on as waves.
+    /// Work of the contact on either partner, shape (2) \[J\]: energy that enters a beam propagates as waves.
     pub given: [f64; 2],
     /// Energy lost in the contact \[J\].
     pub lost: f64,
-    /// Energy that the contact's own spring holds more than at the start; zero once it is open again \[J\].
+    /// Increase of the energy in the contact's own spring since the start; zero once it is open again \[J\].
     pub stored: f64,
-    /// What the force of a scheme without exact energies takes out of the contact (negative: brings in); round-off of the others \[J\].
+    /// Energy taken from the contact by the force of a scheme without exact energies (negative: supplied); round-off of the others \[J\].
     pub scheme: f64,
 }
 
 impl EnergySplit {
-    /// Leaves to the scheme what is missing.
+    /// Assigns the missing energy to the scheme.
     #[doc(hidden)]
     pub fn balance(&mut self) {
         self.scheme = 0.0 - (self.given[0] + self.given[1] + self.lost + self.stored);
@@ -54,17 +54,17 @@ pub struct ContactInterval {
     pub start: f64,
     /// End \[s\]; NaN if still closed at the end of the run.
     pub end: f64,
-    /// Impulse handed over in it by all points, along their normals \[N s\].
+    /// Normal impulse of all points in it \[N s\].
     pub impulse: f64,
-    /// Impulse of friction in it, along the tangent; NaN under a smooth law, which knows none \[N s\].
+    /// Tangential impulse of friction in it; NaN under a smooth law, which has no friction \[N s\].
     pub tangential_impulse: f64,
     /// Largest force of a smooth contact in it, summed over its points; unset for persistent contact of rigid bodies, which has
     /// none but means over steps.
     pub peak_force: Peak,
     /// Relative velocity at the start, of the point that touches first, positive when approaching \[m/s\].
     pub approach_velocity: f64,
-    /// Relative velocity at the end, of the point that leaves last, positive when separating; NaN if still closed, or if the step
-    /// does not resolve how it parted \[m/s\].
+    /// Relative velocity at the end, of the last separating point, positive when separating; NaN if still closed, or if the step does not resolve
+    /// the separation \[m/s\].
     pub separation_velocity: f64,
     /// Steps in which it was closed, in part or throughout.
     pub steps: usize,
@@ -72,22 +72,22 @@ pub struct ContactInterval {
     pub steady: bool,
     /// Whether the point that touched first is the one that left last: velocities of two points make no coefficient.
     pub one_point: bool,
-    /// Where it closed first.
+    /// Place of the first closing.
     pub place: ContactPlace,
-    /// Where it opened last, or was last closed.
+    /// Place of the last opening, or last closed place.
     pub place_end: ContactPlace,
     /// Energies.
     pub energy: EnergySplit,
 }
 
-/// Why a touch has no coefficient of restitution.
+/// Reason why an interval has no coefficient of restitution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum NoRestitution {
     /// It is still closed at the end of the run.
     Closed,
-    /// Persistent contact, to which rigid things come by being at rest against each other.
+    /// Persistent contact of rigid bodies at rest relative to each other.
     Persistent,
-    /// Nothing approached.
+    /// There was no approach.
     NoApproach,
     /// It lasted for this number of steps, too few to follow it.
     Steps(usize),
@@ -114,7 +114,7 @@ impl std::fmt::Display for NoRestitution {
 }
 
 impl ContactInterval {
-    /// An interval of fewer steps than this is not resolved: its beginning and its end are half of what is known of it.
+    /// An interval of fewer steps than this is not resolved: its start and its end are a large share of it.
     pub const RESOLVED: usize = 4;
 
     /// Apparent coefficient of restitution: velocity of separation over that of approach.
@@ -155,9 +155,9 @@ fn quotient_derivative(coefficient: f64, approach: f64, by: [f64; 2]) -> f64 {
     (by[1] - coefficient * by[0]) / approach
 }
 
-/// Separation over approach, where something approached; what is left of a plastic impact by round-off is none.
+/// Ratio of separation to approach velocity, if there was an approach; round-off after a plastic impact counts as zero.
 fn quotient(approach: f64, separation: f64) -> Result<f64, NoRestitution> {
-    // What comes to rest and is thrown off later has approached by round-off.
+    // The approach of a contact that rests first and separates later is round-off.
     let approached = approach > 1e-9 * separation.abs();
     let coefficient = separation / approach;
     let plain = if coefficient.abs() < 1e-8 { 0.0 } else { coefficient };
@@ -179,7 +179,7 @@ pub struct Impact {
     pub approach_velocity: f64,
     /// Relative velocity of the same point after, positive when separating \[m/s\].
     pub separation_velocity: f64,
-    /// Where that point struck.
+    /// Place of the impact of that point.
     pub place: ContactPlace,
     /// Energies.
     pub energy: EnergySplit,
@@ -206,7 +206,7 @@ impl Impact {
     }
 }
 
-/// What happened between two things that can touch.
+/// Results of the contact of two partners.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ContactRecord {
     /// Under a smooth law.
@@ -220,24 +220,24 @@ pub enum ContactRecord {
     Nonsmooth {
         /// Impacts, in order, shape (impacts); the first [`ContactRecord::IMPACTS_KEPT`] of them.
         impacts: Vec<Impact>,
-        /// Number of impacts, kept or not.
+        /// Number of impacts, stored or not.
         impact_count: usize,
         /// Impacts in which Newton's law would have given energy, so that Moreau's was used.
         fallback_count: usize,
         /// Impulse of all impacts and of persistent contact \[N s\].
         impulse_total: f64,
-        /// Impulse of persistent contact alone \[N s\].
+        /// Impulse of persistent contact only \[N s\].
         impulse_resting: f64,
         /// Intervals in which the contact stayed closed (persistent contact), shape (intervals); impulse included.
         intervals: Vec<ContactInterval>,
-        /// How deep one thing was inside the other at most \[m\]: next to nothing where impacts are located, the way of a step
-        /// where time steps over them, or what impulses could not hold. Zero has no time.
+        /// Largest penetration \[m\]: negligible for located impacts, the travel in a step for time stepping over impacts, or a remainder that
+        /// impulses could not prevent. Zero has no time.
         penetration: Peak,
     },
 }
 
 impl ContactRecord {
-    /// So many impacts (or intervals) of one contact are kept in the summary, so that memory does not grow with the run.
+    /// Limit of the impacts (or intervals) of one contact stored in the summary, so that memory does not grow with the run.
     pub const IMPACTS_KEPT: usize = 10_000;
 
     /// Times in which it stayed closed, in the order they began.
@@ -254,30 +254,29 @@ impl ContactRecord {
     }
 }
 
-/// A contact: that of a guided projectile with the point it strikes, or one between two things that can touch.
+/// A contact: that of a guided projectile with its struck point, or one between two partners.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ContactSummary {
     /// The projectile's or the contact's name.
     pub name: String,
     /// Names of the two partners, shape (2); of a guided projectile's contact, the label of the struck point and the projectile.
     pub between: [String; 2],
-    /// Effective mass of what a guided projectile strikes; under a rigid law, of the beams of any other contact where and when it
-    /// first struck.
+    /// Effective mass of a guided projectile's struck point; under a rigid law, that of the beams of any other contact at the place and time of its
+    /// first impact.
     pub effective_mass: Option<EffectiveMass>,
-    /// What stays pushed in at the end where it is deepest, of a law that crushes \[m\].
+    /// Largest permanent indentation at the end, for a law with crushing \[m\].
     pub permanent_penetration: Option<f64>,
-    /// What a source of it, while it pressed, took along from where it had pushed a face in to where that is whole, if its force was
-    /// more than a tenth too small for it.
+    /// Indentation carried along by a loaded body from an indented to an undamaged part of a face, if its force was too small by more than a tenth.
     pub carried_crush: Option<CarriedCrush>,
-    /// When a compliant contact was pressed in deepest, held against what touches; none of guided projectiles and of half-planes.
+    /// Largest penetration of a compliant contact, compared with the size of its partners; `None` for guided projectiles and half-planes.
     pub pressed_in: Option<PressedIn>,
     /// How far the two slid on each other, of a contact with friction.
     pub sliding: Option<Sliding>,
-    /// Static force that does what the impacts did at most, where nothing but a weight at rest acts on the structure as well.
+    /// Equivalent static force of the impacts, if only weight at rest acts on the structure as well.
     pub equivalent_force: Option<EquivalentForce>,
-    /// Why there is none, of a guided projectile.
+    /// Reason why there is none, for a guided projectile.
     pub no_equivalent_force: Option<&'static str>,
-    /// What happened.
+    /// Record.
     pub record: ContactRecord,
 }
 
@@ -291,23 +290,22 @@ pub struct Sliding {
     pub work: f64,
 }
 
-/// How deep one thing was pressed into another under a compliant law.
+/// Penetration under a compliant law.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PressedIn {
-    /// Penetration at the end of a step, less what stays pushed in of a law that crushes \[m\].
+    /// Penetration at the end of a step, less the permanent indentation of a law with crushing \[m\].
     pub penetration: f64,
-    /// The penetration at which the middle of what touches, its centre or axis, would meet that of what it touches \[m\]: radii and half depths
-    /// of both.
+    /// Penetration at which the centre or axis of one partner would reach that of the other \[m\]: radii and half depths of both.
     pub through: f64,
     /// Time \[s\].
     pub time: f64,
 }
 
 impl PressedIn {
-    /// Share of the way to the middle from which on it is deep: the half depth, where two beams of one depth touch.
+    /// Share of the distance to the middle from which on it is large: the half depth, for two beams of equal depth.
     const DEEP: f64 = 0.5;
 
-    /// Of a pair that is seen so at a time; `None` if it is open, or touches what has no middle.
+    /// For a pair in this state at a time; `None` if it is open, or its target has no centre or axis.
     pub(crate) fn of(model: &Model, i: usize, seen: &PairState, time: f64) -> Option<Self> {
         let pair = &model.pairs[i];
         let law = model.contacts[pair.contact].law.smooth()?;
@@ -319,7 +317,7 @@ impl PressedIn {
         (pressed.penetration > 0.0 && through > 0.0).then_some(pressed)
     }
 
-    /// Share of the way to the middle.
+    /// Share of the distance to the middle.
     pub fn share(&self) -> f64 {
         self.penetration / self.through
     }
@@ -330,19 +328,19 @@ impl PressedIn {
     }
 }
 
-/// Static force at the struck point along the line of flight, beside the weight if there is any, that does by linear elasticity to the
-/// structure what a run did at most.
+/// Static force at the struck point along the line of flight, in addition to weight, with the same peak effect on the linear elastic structure as
+/// the run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EquivalentForce {
-    /// The one that bends the struck beam by the same largest moment \[N\].
+    /// Force with the same largest moment in the struck beam \[N\].
     pub moment: f64,
-    /// The one that deflects the struck point as far along the line of flight \[N\]; none where that is not recorded.
+    /// Force with the same deflection of the struck point along the line of flight \[N\]; `None` if that is not recorded.
     pub deflection: Option<f64>,
-    /// Whether something yielded in the run: then it is the force on the same structure as if that stayed elastic.
+    /// Whether the structure yielded in the run: then it is the force on the same structure, assumed elastic.
     pub as_if_elastic: bool,
 }
 
-/// Impacts at which several touching bodies were struck at once, so that the impact law shared the blow among them.
+/// Impacts on several touching bodies at once, for which the impact law determined all impulses together.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SharedBlows {
     /// Their number.
@@ -370,8 +368,8 @@ impl Default for SharedBlows {
 }
 
 impl ContactSummary {
-    /// When it closed for the last time \[s\], if it is still closed at the end of the run: its duration is not known then, its impulse goes on,
-    /// and velocities of what it touches are not yet those after it.
+    /// Time of the last closing \[s\], if it is still closed at the end of the run: its duration is not known then, its impulse is incomplete, and
+    /// velocities of its partners are not yet those after it.
     pub fn closed_since(&self) -> Option<f64> {
         let open_ended = self.record.intervals().iter().rev().find(|one| one.end.is_nan());
         open_ended.map(|one| one.start)

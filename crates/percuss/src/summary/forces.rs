@@ -1,4 +1,4 @@
-//! What the summary tells of points, section forces and supports.
+//! Results of points, section forces and supports in the summary.
 
 use serde::{Deserialize, Serialize};
 
@@ -47,7 +47,7 @@ impl SectionRange {
         if self.min.value.abs() > self.max.value.abs() { self.min } else { self.max }
     }
 
-    /// Takes in a value.
+    /// Enters a value.
     #[doc(hidden)]
     pub fn take(&mut self, value: f64, s: f64, time: f64) {
         if value > self.max.value || self.max.value.is_nan() {
@@ -76,9 +76,8 @@ pub struct Envelope {
 
 /// Section forces of a beam: extremes over its length and over time.
 ///
-/// True resultants, along and across the deformed tangent, from the balance of each element with the forces on its ends, its loads and
-/// its inertia: they agree with reactions, and jump only where something acts. Those of a step are its mean; steps with impacts
-/// are left out.
+/// True resultants, along and across the deformed tangent, from the balance of each element with the forces on its ends, its loads and its inertia:
+/// they agree with reactions, and jump only at points of action. Those of a step are its mean; steps with impacts are omitted.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SectionForceSummary {
     /// The beam's name.
@@ -109,7 +108,7 @@ pub struct Range {
 }
 
 impl Range {
-    /// Takes in a value.
+    /// Enters a value.
     #[doc(hidden)]
     pub fn take(&mut self, value: f64, time: f64) {
         if value > self.max.value || self.max.value.is_nan() {
@@ -133,14 +132,14 @@ pub struct SupportSummary {
     /// Sums of its impulses, beyond those of forces, in impacts and where prescribed velocities jump: components, and moment about its
     /// point, shape (3) \[N s, N m s\].
     pub impulse: [f64; 3],
-    /// When it pressed, in the order of time, shape (touches); of a stop alone.
+    /// Intervals of contact, in the order of time, shape (touches); of a stop only.
     pub touches: Option<Vec<StopTouch>>,
 }
 
 /// A time in which a stop pressed, resolved to the steps.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StopTouch {
-    /// Start of the first step in which it gave a force \[s\].
+    /// Start of the first step with a force \[s\].
     pub start: f64,
     /// End of the last such step \[s\]; none while it presses.
     pub end: Option<f64>,
@@ -151,6 +150,6 @@ pub struct StopTouch {
 }
 
 impl StopTouch {
-    /// Touches of a stop that are kept.
+    /// Stored contact intervals of a stop.
     pub const KEPT: usize = 10_000;
 }

@@ -1,4 +1,4 @@
-//! What became of joints of a given strength.
+//! Results of joints of a given strength.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +7,7 @@ use super::peak::Peak;
 /// A joint that parted.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointParting {
-    /// End of the step after which it holds no longer; the start of a run from an equilibrium in which it is torn \[s\].
+    /// End of the step of its failure; the start of a run from an equilibrium in which it is torn \[s\].
     pub time: f64,
     /// Size of the force that it carried over that step, the mean; NaN at the start \[N\].
     pub force: f64,
@@ -15,7 +15,7 @@ pub struct JointParting {
     pub moment: f64,
 }
 
-/// What became of a joint of a given strength.
+/// Result of a joint of a given strength.
 #[derive(Clone, Debug, PartialEq)]
 pub struct JointSummary {
     /// Its name.
@@ -24,6 +24,6 @@ pub struct JointSummary {
     pub force_max: Peak,
     /// Largest moment likewise; zero of a hinge \[N m\].
     pub moment_max: Peak,
-    /// When it parted, and under what, if it did.
+    /// Time and load of its failure, if it failed.
     pub parted: Option<JointParting>,
 }

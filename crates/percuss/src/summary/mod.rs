@@ -1,4 +1,4 @@
-//! What a run amounts to. Unset results are NaN.
+//! Results of a run. Unset results are NaN.
 
 mod contact;
 mod forces;
@@ -16,7 +16,7 @@ pub use step_control::*;
 
 use crate::error::Error;
 
-/// How a run ended.
+/// Termination of a run.
 #[derive(Debug, Default)]
 pub enum Termination {
     /// Not run yet.
@@ -29,7 +29,7 @@ pub enum Termination {
         /// Time reached \[s\].
         time: f64,
     },
-    /// Gave up; everything up to the last accepted step is recorded.
+    /// No convergence; all steps up to the last accepted one are recorded.
     Failed(Error),
 }
 
@@ -46,9 +46,9 @@ pub struct EnergySummary {
     pub work_supports: f64,
     /// Energy lost in impacts.
     pub loss_impacts: f64,
-    /// Energy taken by damping and in smooth contacts that dissipate; [`RunSummary::loss_contacts`] tells the two apart.
+    /// Energy dissipated by damping and in smooth contacts; [`RunSummary::loss_contacts`] separates the two.
     pub loss_damping: f64,
-    /// Energy dissipated by plastic flow in the run, what a preload dissipated before it left out.
+    /// Energy dissipated by plastic flow in the run, without the dissipation in the static start.
     pub plastic: f64,
     /// Energy that hardening has stored.
     pub hardening: f64,
@@ -73,7 +73,7 @@ pub struct MomentumSummary {
     pub angular_residual_max: f64,
 }
 
-/// What the scheme carries beside the motion of the nodes, and how far the two have come apart.
+/// Quantities that the scheme carries in addition to the motion of the nodes, and their drift.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AuditSummary {
     /// Largest distance of the stored bending strain from that of the configuration, zero but for the strain-rate scheme \[1/m\].
@@ -86,11 +86,11 @@ pub struct AuditSummary {
 }
 
 impl AuditSummary {
-    /// Where [`Self::angular_rate_drift_max`] is more than this, the step does not resolve the motion.
+    /// If [`Self::angular_rate_drift_max`] is more than this, the step does not resolve the motion.
     pub const UNRESOLVED: f64 = 0.01;
 }
 
-/// What became of a projectile, guided or free.
+/// Results of a projectile, guided or free.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProjectileSummary {
     /// The user's name for it.
@@ -103,20 +103,20 @@ pub struct ProjectileSummary {
     pub velocity_final: [f64; 2],
     /// Angular velocity at the end \[rad/s\]; zero for a guided one.
     pub spin_final: f64,
-    /// Impulse that it gave to others through its contacts, along its line of flight or its initial velocity: what it lost to them, loads
-    /// left out. Of a free body at rest at the start the magnitude, negative: it can only receive \[N s\].
+    /// Momentum transferred to others through its contacts, along its line of flight or its initial velocity, without the effect of loads. For a
+    /// free body at rest at the start the magnitude, negative: it can only receive momentum \[N s\].
     pub momentum_transferred: f64,
-    /// Energy that its contacts took from it, negative if they gave it some; loads and losses inside it left out \[J\].
+    /// Energy transferred by its contacts, negative if it received energy; without loads and internal losses \[J\].
     pub energy_given: f64,
-    /// Work that these contacts did on whatever it touched \[J\]: less than what it gave by what was lost in them, and by what their springs
-    /// still hold.
+    /// Work of these contacts on its partners \[J\]: less than the transferred energy by the dissipation in them, and by the energy stored in their
+    /// springs.
     pub energy_received_by_others: f64,
 }
 
 /// The result of a run.
 #[derive(Debug)]
 pub struct RunSummary {
-    /// How it ended.
+    /// Termination.
     pub termination: Termination,
     /// Time reached \[s\].
     pub time: f64,
@@ -126,15 +126,15 @@ pub struct RunSummary {
     pub solver_steps: usize,
     /// Times a step was cut because Newton's iteration failed.
     pub step_cuts: usize,
-    /// Steps with more impacts than are followed one by one: in the rest of each, what struck did so without restitution.
+    /// Steps at the Zeno limit: the remaining impacts of each are plastic.
     pub accumulated_steps: usize,
-    /// Newton iterations. Runs side by side need others than runs alone: these two tell of the solver, not of the run.
+    /// Newton iterations. Runs in lanes need other numbers than single runs: these two describe the solver, not the run.
     pub newton_iterations: usize,
     /// Factorisations of the tangent.
     pub factorizations: usize,
     /// Rows recorded.
     pub rows: usize,
-    /// Sizes of steps, where an accuracy was asked for in place of one.
+    /// Sizes of steps, for a requested accuracy in place of a step.
     pub step_control: Option<StepControl>,
     /// Energies.
     pub energy: EnergySummary,
@@ -148,7 +148,7 @@ pub struct RunSummary {
     pub contacts: Vec<ContactSummary>,
     /// Largest violation of the contacts' complementarity conditions, as a velocity relative to the largest one \[-\].
     pub contact_residual_max: f64,
-    /// Blows that several touching bodies shared.
+    /// Impacts on several touching bodies at once.
     pub shared_blows: SharedBlows,
     /// One entry a recorded point, shape (recorded points).
     pub points: Vec<PointSummary>,
@@ -165,8 +165,8 @@ pub struct RunSummary {
 }
 
 impl RunSummary {
-    /// Energy that smooth contacts took, by their dissipation and by what crushed in them: a part of [`EnergySummary::loss_damping`]
-    /// \[J\]. Of a contact with more than [`ContactRecord::IMPACTS_KEPT`] intervals it is that of the intervals kept.
+    /// Energy dissipated in smooth contacts, by their damping and by crushing: a part of [`EnergySummary::loss_damping`] \[J\]. For a contact with
+    /// more than [`ContactRecord::IMPACTS_KEPT`] intervals it is that of the stored intervals.
     pub fn loss_contacts(&self) -> f64 {
         let smooth = self.contacts.iter().filter_map(|contact| match &contact.record {
             ContactRecord::Smooth { intervals, .. } => Some(intervals),
@@ -177,8 +177,7 @@ impl RunSummary {
 }
 
 impl RunSummary {
-    /// Names of the contacts of something that are still closed at the end of the run: those that carry its name, and those that it takes
-    /// part in.
+    /// Names of the contacts of a body or beam that are still closed at the end of the run: those with its name, and those in which it is a partner.
     pub fn still_touches<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a str> {
         let of = move |contact: &&ContactSummary| {
             contact.name == name || contact.between.iter().any(|one| one == name)

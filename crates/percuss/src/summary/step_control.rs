@@ -1,16 +1,16 @@
-//! What was done where an accuracy was asked for in place of a step.
+//! Choice of steps for a requested accuracy in place of a step.
 
 use serde::{Deserialize, Serialize};
 
 /// Sizes of the steps of a run, chosen for an accuracy.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StepControl {
-    /// The accuracy asked for.
+    /// The requested accuracy.
     pub accuracy: f64,
     /// Largest estimate of the error of an accepted step, on the scale of the accuracy: above it only where steps were not made any
     /// smaller.
     pub estimate: f64,
-    /// Smallest step; the last one of a run is as short as what was left \[s\].
+    /// Smallest step; the last one of a run has the remaining time \[s\].
     pub smallest: f64,
     /// Largest step \[s\].
     pub largest: f64,

@@ -1,4 +1,4 @@
-//! Steps chosen for an accuracy: what is asked for is reached, the balances close as with steps of one size.
+//! Steps chosen for an accuracy: the requested accuracy is reached, and balance errors are those of constant steps.
 
 use crate::common;
 
@@ -63,7 +63,7 @@ fn peaks_of_an_elastic_impact_are_as_accurate_as_asked_for() {
         let summary = run(&model, &accurate(&model, 0.15, accuracy));
         let errors = [off(peak_force(&summary), force), off(deflection(&summary), way)];
         assert!(errors.iter().all(|e| *e <= accuracy), "{errors:?} at {accuracy}");
-        // Half of it asked for, less is off.
+        // For half the accuracy the error is smaller.
         assert!(errors[0] < before, "{errors:?} after {before} at {accuracy}");
         before = errors[0];
         let control = summary.step_control.unwrap();
@@ -119,7 +119,7 @@ fn a_run_that_goes_on_from_a_checkpoint_takes_the_same_steps() {
         let end = resumed.run(&mut NoRecorder);
         assert_eq!(end.step_control, first.step_control);
         assert_eq!(end.points, first.points);
-        // Steps of one size cannot go on from it.
+        // Steps of one size cannot continue from it.
         let given = Settings { accuracy: None, ..settings };
         let foreign = Simulation::resume(&model, &given, part.checkpoint());
         assert_eq!(foreign.err(), Some(ResumeError::Foreign));

@@ -68,7 +68,7 @@ fn kinetic(state: &State) -> [f64; 2] {
     [both, nodes]
 }
 
-/// Largest drift over a run, by the summary; checked against what velocities and rates of every step come to.
+/// Largest drift over a run, from the summary; compared with velocities and rates of every step.
 fn drift(settings: &Settings) -> f64 {
     let model = thrown();
     let mut simulation = Simulation::new(&model, settings).unwrap();

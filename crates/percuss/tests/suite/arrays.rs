@@ -1,13 +1,13 @@
-//! The documentation of a field that holds an array says the array's shape and the unit of its entries.
+//! The documentation of an array field states the array's shape and the unit of its entries.
 //!
-//! It says them as `shape (nodes, 4) \[m, -\]`: for each index, the outermost first, the number of its values or what it counts, and
-//! behind that the unit of an entry, or units where entries are of several kinds. Entries without unit have `\[-\]` or `\[-\]`; indices
-//! and counts say there of what they are, as `\[index of a beam\]`. Truth values, names and types of this crate need no unit: those of a
-//! type stand at its own fields. Matrices stored one row after the other have two indices, so an index more than the type is no fault.
+//! The form is `shape (nodes, 4) \[m, -\]`: for each index, the outermost first, the number of its values or the counted items, followed by the
+//! unit of an entry, or units for entries of several kinds. Entries without unit have `\[-\]` or `\[-\]`; indices and counts name their items, as
+//! `\[index of a beam\]`. Truth values, names and types of this crate need no unit: units of a type are given at its own fields. Matrices stored
+//! row by row have two indices, so an index more than the type is valid.
 //!
-//! Arrays are Vec, slices and arrays, matrices and vectors of nalgebra, the crate's columns, other names for these, and what
-//! contains one of them, as Option or Box do. What a command documents as its argument is left out.
-//! An unnamed field may leave it to the documentation of its type or variant.
+//! Arrays are Vec, slices and arrays, matrices and vectors of nalgebra, the crate's columns, other names for these, and types that contain one of
+//! them, such as Option or Box. The documentation of a command's argument is exempt. For an unnamed field the documentation of its type or variant
+//! may be used.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -45,7 +45,7 @@ const NUMBERS: [&str; 18] = [
     "Complex", "Wide", "Lanes", "Dual", "Derived",
 ];
 
-/// What a type contains, however deep.
+/// Types inside a type, at any depth.
 #[derive(Clone, Copy, Default)]
 struct Contents {
     /// Indices of the array with most of them; zero if there is none.
@@ -117,14 +117,14 @@ fn documentation(attributes: &[syn::Attribute]) -> String {
     lines.join(" ")
 }
 
-/// What lies between an opening and the closing behind it, and what follows.
+/// Text between an opening and its closing bracket, and the rest.
 fn between<'a>(text: &'a str, open: &str, close: &str) -> Option<(&'a str, &'a str)> {
     let (_, rest) = text.split_once(open)?;
     let (inner, rest) = rest.split_once(close)?;
     (!inner.trim().is_empty()).then_some((inner, rest))
 }
 
-/// What a documentation does not say of an array.
+/// Missing parts in the documentation of an array.
 fn missing(text: &str, of: Contents) -> Option<&'static str> {
     let Some((shape, rest)) = between(text, "shape (", ")") else {
         return Some("no shape");
@@ -151,18 +151,17 @@ impl<'ast> Visit<'ast> for Names<'_> {
     }
 }
 
-/// Fields of arrays in one file, and what their documentation lacks.
+/// Array fields in one file, and the missing parts of their documentation.
 struct Fields<'a> {
     text: &'a str,
     aliases: &'a Aliases,
     /// How many fields of arrays were found.
     found: usize,
-    /// Lines, fields and what they lack, shape (number of faults).
+    /// Lines, fields and missing parts, shape (number of faults).
     faults: Vec<(usize, String, &'static str)>,
 }
 
-/// Line, counted from one, where the last of some words begins a line or stands behind its visibility; each is looked for behind the one
-/// before.
+/// Line, counted from one, at which the last of several words begins a line or follows its visibility; each is searched after the previous one.
 fn line_of(text: &str, words: &[String]) -> usize {
     let mut words = words.iter();
     let mut next = words.next();
@@ -186,7 +185,7 @@ fn line_of(text: &str, words: &[String]) -> usize {
 }
 
 impl Fields<'_> {
-    /// Takes in the fields of a type or variant, with its own documentation and the words that declare it.
+    /// Adds the fields of a type or variant, with its own documentation and the words that declare it.
     fn take(&mut self, at: &[String], attributes: &[syn::Attribute], fields: &syn::Fields) {
         for (number, field) in fields.iter().enumerate() {
             let of = contents(&field.ty, self.aliases);
@@ -231,7 +230,7 @@ impl<'ast> Visit<'ast> for Fields<'_> {
     }
 }
 
-/// How many fields of arrays a source has, and lines, names and what they lack of those that lack something.
+/// Number of array fields in a source, and lines, names and missing parts of those with faults.
 fn faults_of(text: &str, aliases: &Aliases) -> (usize, Vec<(usize, String, &'static str)>) {
     let mut fields = Fields { text, aliases, found: 0, faults: Vec::new() };
     fields.visit_file(&syn::parse_file(text).unwrap());
@@ -276,7 +275,7 @@ fn fields_of_arrays_say_shape_and_unit() {
     assert!(faults.is_empty(), "{} of {found} fields:\n{}", faults.len(), faults.join("\n"));
 }
 
-/// Every kind of field is seen, and what lacks is named with its line; what is no array or is said is left alone.
+/// Every kind of field is checked, and missing parts are reported with their line; other fields and complete ones are not reported.
 #[test]
 fn arrays_without_shape_or_unit_are_found() {
     let mut aliases = Aliases::new();

@@ -1,4 +1,4 @@
-//! What residuals of the balances are relative to.
+//! Reference values of the residuals of balances.
 
 use crate::common;
 
@@ -20,8 +20,8 @@ fn cantilever(b: &mut ModelBuilder, from: [f64; 2], to: [f64; 2]) -> BeamId {
 
 #[test]
 fn motion_towards_the_origin_has_a_scale_of_angular_momentum() {
-    // A bar along the first axis, pulled along itself: no part of it has an angular momentum about the origin, of a mass of 20 kg that
-    // moves at 0.1 m/s half a metre away from it.
+    // A bar along the first axis, pulled axially: no part of it has an angular momentum about the origin, unlike a mass of 20 kg that moves at 0.1
+    // m/s at a distance of half a metre.
     let mut b = ModelBuilder::new();
     let beam = cantilever(&mut b, [0.0, 0.0], [1.0, 0.0]);
     let tip = at("tip", beam, 1.0);
@@ -57,7 +57,7 @@ fn a_structure_at_rest_closes_its_balances() {
 
 #[test]
 fn momentum_passed_through_is_a_scale() {
-    // A cantilever that rests under its weight: no momentum, and weight and clamp give and take as much in each step.
+    // A cantilever at rest under its weight: no momentum, and weight and clamp have opposite impulses in each step.
     let mut b = ModelBuilder::new();
     let _ = cantilever(&mut b, [0.0, 0.0], [1.0, 0.0]);
     b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));

@@ -6,7 +6,7 @@ use common::{at, beam, disc};
 use percuss::*;
 use std::f64::consts::PI;
 
-/// Numbers between -1 and 1 that look random and are the same in every run.
+/// Pseudo-random numbers between -1 and 1, the same in every run.
 struct Dice(u64);
 
 impl Dice {
@@ -67,7 +67,7 @@ fn touched(summary: &RunSummary) -> bool {
     }
 }
 
-/// Scenes thrown under each law, each with its own dice; how many touched, what went wrong.
+/// Random scenes under each law, each with its own numbers; counts of contacts and errors.
 fn throws(count: u64, laws: &[TouchLaw], scene: fn(&mut Dice, TouchLaw) -> ModelBuilder, end: f64) {
     let mut wrong = Vec::new();
     let mut hits = 0;
@@ -167,8 +167,8 @@ fn a_stiff_bar_turns_after_a_blow_on_its_corner_as_a_rigid_one() {
     );
 }
 
-/// A disc that slides slowly off the end of a level beam that is held at both ends turns about its corner, as a point on a
-/// circle of its radius R does: it leaves where the cosine of the angle is c = (2 + v^2/(g R))/3, and flies on with sqrt(g R) c^1.5.
+/// A disc that slides slowly off the end of a level beam supported at both ends rotates about its corner, like a point on a circle of its radius R:
+/// it separates where the cosine of the angle is c = (2 + v^2/(g R))/3, and continues with sqrt(g R) c^1.5.
 #[test]
 fn a_disc_that_slides_over_an_end_turns_about_the_corner() {
     let (radius, speed, gravity) = (0.1, 0.2, 9.81);
@@ -190,8 +190,8 @@ fn a_disc_that_slides_over_an_end_turns_about_the_corner() {
         let c = (2.0 + speed * speed / (gravity * radius)) / 3.0;
         let expected = (gravity * radius).sqrt() * c.powf(1.5);
         let found = summary.projectiles[0].velocity_final[0];
-        // Rigid contact is looked at in steps of 0.1 ms, in which it turns by half a milliradian; the compliant one sinks in by
-        // a micrometre.
+        // Rigid contact is evaluated in steps of 0.1 ms, in which it rotates by half a milliradian; the penetration of the compliant one is a
+        // micrometre.
         assert!((found / expected - 1.0).abs() < 2e-3, "{found} {expected}");
     }
 }
@@ -245,13 +245,13 @@ fn round_ends_stay_within_the_length() {
     // Upright, either touches where it ends.
     close(first(Ends::Flat, 0.5 * PI, 0.05), 0.05);
     close(first(Ends::Round, 0.5 * PI, 0.05), 0.05);
-    // Under an angle, the corner, or the circle of half the depth about a point as far from the end.
+    // Inclined, the corner, or the circle of half the depth about a point at this distance from the end.
     let (sine, cosine) = (PI / 4.0).sin_cos();
     close(first(Ends::Flat, PI / 4.0, 0.1), 0.1 - 0.05 * cosine);
     close(first(Ends::Round, PI / 4.0, 0.1), 0.1 + 0.05 * sine - 0.05);
 }
 
-/// Half circles from face to face need a beam as long as it is deep; what is shorter is refused, what is longer ends in one arc.
+/// Half circles from face to face need a beam as long as its depth; a shorter one is rejected, a longer one ends in one arc.
 #[test]
 fn round_ends_are_whole_half_circles_or_refused() {
     let made = |length: f64| {
@@ -287,7 +287,7 @@ fn a_bar_hardly_longer_than_deep_touches_with_one_point() {
         let ContactRecord::Nonsmooth { impacts, .. } = &summary.contacts[0].record else {
             panic!()
         };
-        // The circle of the lower end stands half a depth along the axis; its lowest point is the first to touch.
+        // The circle of the lower end is half a depth along the axis; its lowest point touches first.
         let low = 0.08 + 0.05 * angle.sin() - 0.05;
         assert!(
             (10.0 * impacts[0].time - low).abs() < 1e-8,
@@ -456,7 +456,7 @@ fn equal_bars_that_meet_end_on_press_with_their_whole_ends() {
         };
         assert!((first - 1e-3).abs() < 1e-8, "{first}");
         let moved = column("point.mid.displacement_1").last().copied().unwrap_or_default();
-        // A wave of 5 m/s passes the middle, and after its way to the far end and back another one; ringing is what is left.
+        // A wave of 5 m/s passes the middle, and after its travel to the far end and back another one; the rest is ringing.
         let transit = 1.0 / (2e9_f64 / 1e3).sqrt();
         let expected = -5.0 * transit - 10.0 * (4e-3 - 1e-3 - 1.5 * transit);
         assert!((moved / expected - 1.0).abs() < 0.01, "{moved} {expected}");
@@ -555,7 +555,7 @@ fn a_round_end_meets_a_node_head_on_with_one_force() {
 
 #[test]
 fn a_stiff_block_that_rocks_on_its_corner_takes_few_iterations() {
-    // Its section turns by much and strains by next to nothing: the form of the gap of its corner must be that of the turn.
+    // Its section has a large rotation and negligible strain: the form of the gap of its corner must follow the rotation.
     let mut b = ModelBuilder::new();
     let material = b.material(Material { retardation: 2e-5, ..Material::new("m", 3e11, 2e3) });
     let section = b.section(Section::rectangle("s", 0.3, 0.2));

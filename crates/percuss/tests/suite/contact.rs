@@ -1,4 +1,4 @@
-//! Discs, obstacles and beams that touch: balances that close while contact slides, opens and closes; nothing passes through.
+//! Contact of discs, obstacles and beams: energy and momentum balances for sliding, opening and closing contacts, and no passing through.
 
 use crate::common;
 
@@ -366,7 +366,7 @@ fn a_moving_wall_does_its_work_on_the_balance() {
         let v = summary.projectiles[0].velocity_final;
         assert!((v[0] - 4.0).abs() < 1e-6 && v[1].abs() < 1e-12, "{v:?}");
         assert!((summary.energy.work_supports - 8.0).abs() < 1e-5);
-        // The reaction of the wall on what it struck.
+        // The reaction of the wall on the striking body.
         assert_eq!(summary.supports[0].name, "wall");
     }
 }
@@ -406,7 +406,7 @@ fn a_stop_gives_what_it_was_given_and_nothing_before_and_after() {
 
 #[test]
 fn a_beam_that_is_folded_onto_itself_stops_at_its_own_face() {
-    // A hairpin whose arms swing together: each arm stops the other.
+    // A hairpin whose arms oscillate in phase: each arm stops the other.
     let closest = |touches: bool| {
         let mut b = ModelBuilder::new();
         let material = b.material(Material::new("soft", 2e8, 1e3));

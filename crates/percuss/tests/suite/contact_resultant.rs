@@ -1,4 +1,4 @@
-//! A contact of many points: what is told of it is told of their resultant.
+//! A contact of many points: the resultant is reported.
 
 use crate::common;
 
@@ -74,8 +74,8 @@ fn the_largest_force_is_that_of_all_points_together() {
     }
 }
 
-/// An interval lasts from when the first point closes until the last opens, so intervals of a contact never overlap, are as many
-/// as the curve of its force has humps, and hand over what the columns of the history do.
+/// An interval lasts from the closing of the first point until the opening of the last, so intervals of a contact never overlap, their number is
+/// that of the humps of its force curve, and their impulse is that of the columns of the history.
 #[test]
 fn intervals_are_those_of_the_contact() {
     for points in [1, 4] {

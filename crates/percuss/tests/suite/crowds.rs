@@ -1,4 +1,4 @@
-//! Many contacts, wild contacts: nothing passes through, friction gives no energy, conditions are met.
+//! Many contacts, extreme contacts: no passing through, no energy from friction, satisfied conditions.
 
 use crate::common;
 
@@ -199,7 +199,7 @@ fn nothing_passes_through_however_large_the_step() {
         for _ in 0..20 {
             simulation.advance(&mut NoRecorder).unwrap_or_else(|e| panic!("scene {scene}: {e}"));
             let ball = simulation.state().projectile(&model, 0).unwrap().position;
-            // Where the beam stands beneath the ball, by straight lines between its nodes.
+            // Position of the beam below the ball, by straight lines between its nodes.
             let nodes = model.beam_nodes("girder").unwrap();
             let place = |n: usize| {
                 let (x, u) = (nodes[n], simulation.state().displacement[n]);
@@ -303,7 +303,7 @@ fn a_moving_pile_with_friction_runs_through() {
         let model = b.build().unwrap();
         let run = simulate(&model, &Settings::new(0.3, 1e-3), &mut NoRecorder).unwrap();
         assert!(matches!(run.termination, Termination::Completed), "{:?}", run.termination);
-        // What is accepted where round-off decides what a redundant contact does; 9e-8 and 1e-13 were seen.
+        // Tolerance for redundant contacts whose states depend on round-off; 9e-8 and 1e-13 were observed.
         assert!(run.contact_residual_max < 1e-6, "{:e}", run.contact_residual_max);
         assert!(run.energy.residual_max < 1e-11, "{:e}", run.energy.residual_max);
     }

@@ -81,7 +81,7 @@ fn a_mass_on_a_floor_comes_back_as_the_two_stiffnesses_tell() {
     let energy = 0.5 * MASS * SPEED * SPEED;
     near(interval.energy.lost, energy * (1.0 - restitution * restitution), 1e-5, "lost");
     near(summary.energy.loss_damping, interval.energy.lost, 1e-12, "lost of the balance");
-    // A quarter of a period on each line: contact ends where the force does, not where the gap opens.
+    // A quarter of a period on each line: contact ends with zero force, not with an open gap.
     let quarter = |k: f64| 0.5 * std::f64::consts::PI * (MASS / k).sqrt();
     near(interval.end - interval.start, quarter(loading) + quarter(unloading), 1e-4, "duration");
 }
@@ -126,7 +126,7 @@ fn a_resting_weight_has_crushed_the_contact_to_its_static_depth() {
     let deep = MASS * gravity / loading;
     assert!((-found.contacts[0].gap / deep - 1.0).abs() < 1e-9, "{:?}", found.contacts);
     assert!((found.state.pairs[0].deepest / deep - 1.0).abs() < 1e-9);
-    // Started at rest there and left alone it stays; nothing crushes further.
+    // Started at rest there without loads it remains; no further crushing.
     let settings = Settings { start: Start::Static, ..Settings::new(0.1, 1e-4) };
     let summary = simulate(&model, &settings, &mut NoRecorder).unwrap();
     let permanent = summary.contacts[0].permanent_penetration.unwrap();
@@ -182,7 +182,7 @@ fn laws_that_would_give_energy_are_refused() {
 /// Loading and unloading [N/m]: half the speed comes back.
 const STIFFNESSES: [f64; 2] = [1e6, 4e6];
 
-/// A disc that flies to and fro between a floor and a ceiling, both of which crush, along them with the given velocity.
+/// A disc that moves between a floor and a ceiling, both with crushing, tangentially with the given velocity.
 fn between_planes(along: f64) -> RunSummary {
     let law = crushing(STIFFNESSES[0], STIFFNESSES[1]);
     let ball = disc("ball", MASS, RADIUS, [0.0, 0.051], [along, -SPEED]);
@@ -207,7 +207,7 @@ fn dents_are_found_again_where_they_were_made_only() {
     assert!(second.place.position[0] - first.place.position[0] > 0.03);
     near(second.peak_force.value, speed * (MASS * loading).sqrt(), "a whole floor");
     near(second.separation_velocity, 0.5 * speed, "a whole floor");
-    // What is deepest is told, wherever that is.
+    // The deepest indentation is reported, at any place.
     let deepest = SPEED * (MASS / loading).sqrt();
     let left = elsewhere.contacts[0].permanent_penetration.unwrap();
     near(left, deepest * (1.0 - loading / unloading), "the first dent");
@@ -249,8 +249,8 @@ fn dents_belong_to_places_of_a_beam() {
     }
 }
 
-/// Let go on the floor it is pressed in twice as deep as it would rest, and slides on from there: as deep as its floor is only where it
-/// was pressed in.
+/// Released on the floor its penetration is twice the static one, and it slides on from there: the indentation of the floor exists only at its
+/// initial place.
 #[test]
 fn a_sliding_contact_carries_its_dent_along() {
     let (loading, unloading, gravity) = (1e5, 9e5, 9.81);

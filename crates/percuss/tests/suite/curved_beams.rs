@@ -6,7 +6,7 @@ use common::numbers::Numbers;
 use common::*;
 use percuss::*;
 
-/// What is drawn at random of a scene; all lengths are multiplied by a factor, times too, so that stresses and strains stay.
+/// Random values of a scene; all lengths are multiplied by a factor, times too, so that stresses and strains do not change.
 struct Scene {
     curve: Curve,
     points: Vec<[f64; 2]>,
@@ -47,7 +47,7 @@ impl Scene {
         }
     }
 
-    /// The scene so many times as large, moved; lengths and times scale alike, gravity inversely, so that strains stay.
+    /// The scaled and moved scene; lengths and times scale alike, gravity inversely, so that strains do not change.
     fn model(&self, scale: f64, shift: f64) -> Model {
         let mut b = ModelBuilder::new();
         let strain =
@@ -99,7 +99,7 @@ fn a_scene_of_any_size_at_any_place_takes_the_same_iterations() {
     for number in 0..12 {
         let scene = Scene::random(r);
         let plain = scene.run(1.0, 0.0);
-        // Powers of two, by which nothing rounds but the lengths of curves, which are found by iteration.
+        // Powers of two, which cause no rounding except in the lengths of curves, which are found by iteration.
         for scale in [1024.0, 1.0 / 1024.0] {
             let scaled = scene.run(scale, 0.0);
             let more = scaled.newton_iterations.abs_diff(plain.newton_iterations);
@@ -157,7 +157,7 @@ fn a_disc_on_the_circle_of_an_arc_touches_without_overlap() {
             }
         }
     }
-    // Some overlaps are smaller than what the cubics lie beside their arc: 1.6 times here.
+    // Some overlaps are smaller than the distance of the cubics from their arc: 1.6 times here.
     assert!(nearest < 1.6, "{nearest}");
 }
 

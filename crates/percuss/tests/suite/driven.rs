@@ -158,7 +158,7 @@ fn reactions_of_driven_supports_converge_at_second_order() {
             let [coarse, fine] =
                 [500, 1000].map(|n| error_of_reactions(&model, &course, *scheme, n));
             let told = format!("{function:?} {scheme:?} {until}: {coarse:?} {fine:?}");
-            // A ratio of four, less what terms of third order leave at these steps.
+            // A ratio of four, less the terms of third order at these steps.
             assert!(coarse[1] / fine[1] > 3.5 && fine[1] < 1e-3, "{told}");
             // Generalized-alpha carries accelerations of a little before the jump: the one step that begins there has a reaction of first
             // order.
@@ -169,7 +169,7 @@ fn reactions_of_driven_supports_converge_at_second_order() {
     }
 }
 
-/// A body as heavy as 5 kg on a clamp moved by 1 mm at 10 Hz takes m w^2 A, not what a velocity that jumps to and fro takes.
+/// A body of 5 kg on a clamp moved by 1 mm at 10 Hz needs m w^2 A, not the force of an alternating velocity.
 #[test]
 fn a_shaken_mass_pulls_with_mass_times_acceleration() {
     for step in [1e-4, 5e-5] {
@@ -198,7 +198,7 @@ fn a_shaken_mass_pulls_with_mass_times_acceleration() {
     }
 }
 
-/// A rigid projectile at rest on the way of a point driven at 1 m/s leaves it at 2 m/s, whatever the standoff.
+/// A rigid projectile at rest in front of a point driven at 1 m/s separates from it at 2 m/s, for any standoff.
 #[test]
 fn a_driven_point_throws_at_twice_its_velocity() {
     for standoff in [0.01, 0.0123, 0.01505] {
@@ -264,7 +264,7 @@ fn balances_close_where_supports_are_driven() {
     }
 }
 
-/// Sum over rows of what a support's columns say it gave: force times time plus impulse, and the same of moments.
+/// Total impulse of a support from its columns, summed over rows: force times time plus impulse, and the same of moments.
 fn given_by(rows: &Rows, support: &str, n: usize) -> [f64; 3] {
     let time = rows.column("time");
     let pairs = [("force_1", "impulse_1"), ("force_2", "impulse_2"), ("moment", "impulse_moment")];
@@ -275,8 +275,8 @@ fn given_by(rows: &Rows, support: &str, n: usize) -> [f64; 3] {
     })
 }
 
-/// Whether the momenta of every row follow from forces and impulses of the supports (of which `places` tells the points, NaN of obstacles)
-/// and from the weight.
+/// Whether the momenta of every row follow from forces and impulses of the supports (with their points in `places`, NaN for obstacles) and from the
+/// weight.
 fn momentum_closes(rows: &Rows, places: &[(&str, [f64; 2])], weight: [f64; 2]) {
     let time = rows.column("time");
     let momentum =
@@ -347,7 +347,7 @@ fn momentum_closes_from_the_columns() {
     let mass = 1.0 + 3e3 * 0.1;
     let nowhere = [f64::NAN; 2];
     momentum_closes(&rows, &[("far", nowhere), ("floor", nowhere)], [0.0, -9.81 * mass]);
-    // What contact gave, gravity left out: the sum of the impulses, up and along, on the line of its first velocity.
+    // Contact impulse without gravity: the sum of the impulses, upwards and along, on the line of its first velocity.
     let sum = |name: &str| rows.column(name).iter().sum::<f64>();
     let (up, along) = (sum("contact.bounce.impulse"), sum("contact.bounce.friction_impulse"));
     let ball = &summary.projectiles[0];
@@ -359,7 +359,7 @@ fn momentum_closes_from_the_columns() {
         "{} {given}",
         ball.momentum_transferred
     );
-    // The floor stands: no work is done on it, all is lost in the contact.
+    // The floor is fixed: no work is done on it, all energy is dissipated in the contact.
     let loss = summary.energy.loss_impacts;
     assert!((ball.energy_given - loss).abs() < 1e-9, "{} {loss}", ball.energy_given);
     assert!(ball.energy_received_by_others.abs() < 1e-9);
@@ -390,8 +390,8 @@ fn crests_are_told_where_steps_resolve_them() {
     }
 }
 
-/// A load that comes at once moves the end of a bar by no more than twice its static displacement, and a step that does not resolve the
-/// bar's waves tells no more; one that does, finds it.
+/// A sudden load moves the end of a bar by at most twice its static displacement, and a step that does not resolve the bar's waves reports no more;
+/// one that resolves them finds it.
 #[test]
 fn a_sudden_load_moves_a_bar_by_twice_its_static_displacement_at_most() {
     let mut b = ModelBuilder::new();
@@ -415,7 +415,7 @@ fn a_sudden_load_moves_a_bar_by_twice_its_static_displacement_at_most() {
     }
 }
 
-/// Extremes of reactions take in the first row.
+/// Extremes of reactions include the first row.
 #[test]
 fn extremes_of_reactions_hold_every_row() {
     let mut b = ModelBuilder::new();
@@ -432,7 +432,7 @@ fn extremes_of_reactions_hold_every_row() {
     }
 }
 
-/// Where a contact's energy went adds up under every scheme: what the scheme itself takes is told.
+/// The energy split of a contact is complete under every scheme, including the energy of the scheme itself.
 #[test]
 fn the_energy_of_a_contact_adds_up_under_every_scheme() {
     for scheme in [Scheme::EnergyMomentum, Scheme::Newmark] {
@@ -453,8 +453,8 @@ fn the_energy_of_a_contact_adds_up_under_every_scheme() {
     }
 }
 
-/// What supports give beyond their forces is bounded by what contacts gave: parts of a step as short as the instant of an event tell no
-/// forces, by which anything could be multiplied.
+/// Additional impulses of supports are bounded by those of contacts: parts of a step as short as the instant of an event have no forces, whose
+/// products could be large.
 #[test]
 fn a_bar_that_comes_to_rest_gives_its_floor_no_impulse_beyond_those_of_its_contact() {
     let mut b = ModelBuilder::new();
@@ -478,11 +478,12 @@ fn a_bar_that_comes_to_rest_gives_its_floor_no_impulse_beyond_those_of_its_conta
     let sum = |name: &str| rows.column(name).iter().sum::<f64>();
     let gave = sum("contact.c.impulse");
     assert!((gave - impulse_total).abs() < 1e-9 * impulse_total);
-    // What forces bring in a thousandth of a step is left out of impulses: so much less than the contact's they may be, or turned round.
+    // Impulses of forces in a thousandth of a step are not counted: the additional impulses may be less than the contact's by this amount, or of
+    // opposite sign.
     let slack = 1e-3 * impulse_total;
     assert!(up > -slack && up < impulse_total + slack, "{up} of {impulse_total}");
     assert!(along.abs() < 0.3 * impulse_total + slack, "{along} of {impulse_total}");
-    // Forces and impulses of the rows make what the contact gave.
+    // Forces and impulses of the rows add up to the contact's impulse.
     let (time, force) = (rows.column("time"), rows.column("support.floor.force_2"));
     let forces: f64 = (1..time.len()).map(|k| (time[k] - time[k - 1]) * force[k]).sum();
     let total = forces + sum("support.floor.impulse_2");

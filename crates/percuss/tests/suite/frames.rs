@@ -1,4 +1,4 @@
-//! Frames and the scene: what drawings are made of agrees with what the run tells otherwise.
+//! Frames and the scene: data of drawings agree with the other results of the run.
 
 use crate::common;
 
@@ -80,7 +80,7 @@ fn frames_hold_the_impulses_of_the_impacts() {
     let shown: Vec<&Shown> = frames.frames.iter().filter(|f| f.impulsive).collect();
     assert_eq!(shown.len(), impacts.len());
     let scene = b.scene(&model);
-    // On the second partner: the hammer flies down, so that a push on it points up.
+    // On the second partner: the hammer moves down, so that a force on it points up.
     let sign = if scene.contacts[0].between[1] == "hammer" { 1.0 } else { -1.0 };
     for (frame, impact) in shown.iter().zip(impacts) {
         let [force] = frame.contact_forces[..] else { panic!("not one force") };
@@ -88,7 +88,7 @@ fn frames_hold_the_impulses_of_the_impacts() {
         assert!((sign * force.force[1] - impact.impulse).abs() < 1e-12 * impact.impulse);
         assert!((force.position[0] - 1.5).abs() < 1e-9);
     }
-    // Before it first strikes nothing touches, not even where the impact interval begins.
+    // Before its first impact there is no contact, not even at the start of the impact interval.
     let before = frames.frames.iter().filter(|f| f.time < impacts[0].time);
     assert!(before.clone().count() > 1);
     assert!(before.clone().all(|f| !f.impulsive && f.contact_forces.is_empty()));

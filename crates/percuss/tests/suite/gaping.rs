@@ -1,4 +1,4 @@
-//! Materials that bear stress of one sign only and yield under it: concrete and masonry in compression, straps in tension.
+//! Materials with stress of one sign only that yield under it: concrete and masonry in compression, straps in tension.
 
 use crate::common;
 

@@ -30,7 +30,7 @@ fn weight(b: &mut ModelBuilder) {
 fn run(name: &str, model: &Model, end: f64, step: f64) -> RunSummary {
     let summary = simulate(model, &Settings::new(end, step), &mut NoRecorder).unwrap();
     assert_balances(name, &summary);
-    // Locating an impact takes a handful of trial steps, and few steps have more than some impacts.
+    // Locating an impact takes several trial steps, and few steps have more than a few impacts.
     let most = 200 * summary.steps + 2000;
     assert!(summary.solver_steps < most, "{name}: {} solver steps", summary.solver_steps);
     summary
@@ -216,7 +216,7 @@ mod random {
                 shot.mass = *mass;
                 b.projectile(shot);
             }
-            // How many steps the solver takes is not limited here: some scenes chatter.
+            // The number of steps of the solver is not limited here: some scenes chatter.
             let model = b.build().unwrap();
             let settings = Settings::new(0.01, 5e-5);
             assert_balances("a random scene", &simulate(&model, &settings, &mut NoRecorder).unwrap());
@@ -226,7 +226,7 @@ mod random {
 
 #[test]
 fn impacts_seen_late_give_no_energy() {
-    // Steps so long that a projectile may be inside the beam and on its way out again at their end.
+    // Steps so long that a projectile may be inside the beam and already separating at their end.
     for step in [0.3, 0.1, 0.03] {
         for speed in [0.4, 1.0, 3.0] {
             for restitution in [1.0, 0.6, 0.0] {

@@ -1,4 +1,4 @@
-//! What is told of contacts: velocities whatever the step, depths, gaps; and what is no start of a run.
+//! Results of contacts: velocities for any step, penetrations, gaps; and invalid starts of a run.
 
 use crate::common;
 
@@ -19,7 +19,7 @@ fn held(b: &mut ModelBuilder, girder: BeamId) {
     }
 }
 
-/// A rigid disc on its way in the neighbourhood of a plank.
+/// A rigid disc that moves near a plank.
 fn with_disc(radius: f64, position: [f64; 2], velocity: [f64; 2]) -> Model {
     let mut b = ModelBuilder::new();
     let girder = plank(&mut b, 7);
@@ -293,7 +293,7 @@ impl Recorder for Gaps {
 
 #[test]
 fn a_source_at_the_other_face_is_not_inside() {
-    // A free plank turns once and a half in front of a disc that stands above its middle: it shows it both faces.
+    // A free plank rotates one and a half times in front of a disc above its middle: both faces turn towards it.
     let mut b = ModelBuilder::new();
     let girder = plank(&mut b, 7);
     b.initial_motion(InitialMotion { spin: 30.0, about: [0.35, 0.0], ..InitialMotion::default() });
@@ -318,7 +318,7 @@ fn a_source_at_the_other_face_is_not_inside() {
 
 #[test]
 fn depths_are_told() {
-    // Time-stepping looks once a step, and stops what it finds inside over the next: a disc goes in by its way in both at most.
+    // Time stepping evaluates contacts once per step, and stops penetrations over the next: a disc penetrates by at most its travel in both.
     let model = with_disc(0.01, [0.2, 0.02], [0.0, -2.0]);
     let located = Settings::new(4e-3, 1e-4);
     let stepped = ImpactResolution::TimeStepping { closed_tolerance: 0.0 };
@@ -352,7 +352,7 @@ fn parts_that_move_against_each_other_have_a_scale_of_momentum() {
     assert!(momentum.angular_residual_max < 1e-12, "{momentum:?}");
 }
 
-/// A disc that flies past a wall at an angle and strikes it under a smooth law.
+/// A disc that moves obliquely past a wall and strikes it under a smooth law.
 fn oblique(stiffness: f64, step: f64) -> RunSummary {
     let mut b = ModelBuilder::new();
     let ball = b.disc(disc("ball", 0.01, 0.02, [0.1, 0.05], [7.0, -3.0]));
@@ -369,14 +369,14 @@ fn oblique(stiffness: f64, step: f64) -> RunSummary {
 
 #[test]
 fn a_contact_begins_where_it_closed_whatever_the_step() {
-    // The gap of 26 mm closes at 3 m/s; along the plank the disc goes on at 7 m/s.
+    // The gap of 26 mm closes at 3 m/s; along the plank the disc moves at 7 m/s.
     let (time, s) = (0.026 / 3.0, 0.1 + 7.0 * 0.026 / 3.0);
     for step in [5e-4, 1e-4, 1e-5] {
         let run = oblique(1e4, step);
         let first = &intervals(&run)[0];
         assert!((first.start - time).abs() < 1e-12, "{step}: {first:?}");
-        // What the plank has given way by the end of the step leans its face, by next to nothing within it; the end of the step
-        // lies up to 3.5 mm farther along.
+        // The deflection of the plank at the end of the step inclines its face, negligibly within it; the end of the step is up to 3.5 mm farther
+        // along.
         assert!((first.place.s - s).abs() < 1e-6, "{step}: {:?} {s}", first.place);
         assert!((first.place.position[1] - 0.004).abs() < 1e-5, "{step}: {:?}", first.place);
         // It leaves farther along, and not later than it has flown by then.
@@ -397,7 +397,7 @@ fn a_contact_that_the_step_does_not_resolve_has_no_restitution() {
     assert!(found.is_ok_and(|e| e > 0.0 && e < 1.0), "{first:?}");
     let (found, first) = restitution(1e6, 2.5e-4);
     assert!(matches!(found, Err(NoRestitution::Steps(1..=3))), "{first:?}");
-    // Wherever a number is told, it is one that can be.
+    // Every reported number is a possible one.
     for stiffness in [1e4, 1e5, 1e6, 1e7, 1e8] {
         for step in [5e-4, 2e-4, 1e-4, 5e-5] {
             for interval in intervals(&oblique(stiffness, step)) {

@@ -178,7 +178,8 @@ fn the_summary_names_the_line_of_flight_and_the_struck_point_also_of_a_projectil
 
 #[test]
 fn energy_given_by_a_projectile_is_told_apart_from_that_received() {
-    // A free beam with a local mass of 20 kg at the struck point: 1 kg at 10 m/s gives nearly all of its 50 J, most of which the impact takes.
+    // A free beam with an added mass of 20 kg at the struck point: 1 kg at 10 m/s transfers nearly all of its 50 J, most of which is dissipated in
+    // the impact.
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("steel", 2.1e11, 7850.0));
     let section = b.section(Section::rectangle("s", 0.04, 0.05));
@@ -190,7 +191,7 @@ fn energy_given_by_a_projectile_is_told_apart_from_that_received() {
     let (p, energy) = (&summary.projectiles[0], &summary.energy);
     let left = 0.5 * p.velocity_final[1] * p.velocity_final[1];
     assert!((p.energy_given - (50.0 - left)).abs() < 1e-9, "{}", p.energy_given);
-    // Nothing else acts: what the structure has, it has received.
+    // Without other actions the momentum of the structure is the transferred one.
     let structure = energy.final_ - left;
     assert!(
         (p.energy_received_by_others - structure).abs() < 1e-9,
@@ -221,8 +222,8 @@ fn mirrored(restitution: f64, friction: f64) -> Model {
     b.build().unwrap()
 }
 
-/// Which of two mirrored contacts closes first is a matter of round-off: they close together, and gaps of round-off are no velocities.
-/// What is symmetric so stays so through hundreds of impacts that accumulate, come to rest and begin anew.
+/// Round-off would decide which of two mirrored contacts closes first: they close together, and gaps of round-off are no velocities. Symmetry is
+/// therefore preserved through hundreds of impacts that accumulate, come to rest and start again.
 #[test]
 fn mirrored_discs_stay_mirrored_through_accumulation() {
     let cases = [(0.5, 0.0), (0.5, 0.3), (0.2, 0.0), (0.0, 0.0)];

@@ -10,16 +10,16 @@ use super::layers::is_test;
 /// The path of a module from the root of its crate.
 type At = Vec<String>;
 
-/// What a module declares, one inside a file included.
+/// Declarations of a module, including one inside a file.
 #[derive(Default)]
 struct Module {
-    /// File it stands in, index of it.
+    /// Index of its file.
     file: usize,
     /// Names of items.
     items: BTreeSet<String>,
-    /// Paths of names that it takes from elsewhere, by the name.
+    /// Paths of imported names, by the name.
     names: BTreeMap<String, Vec<Vec<String>>>,
-    /// Modules all of whose names it takes.
+    /// Modules imported with all their names.
     globs: Vec<Vec<String>>,
 }
 
@@ -31,7 +31,7 @@ struct Crate {
 }
 
 impl Crate {
-    /// Index of the file that declares what a path written in a module means; none for modules, what is local and other crates.
+    /// Index of the file that declares a path in a module; `None` for modules, local names and other crates.
     fn home(&self, from: &[String], path: &[String], depth: usize) -> Option<usize> {
         let (first, rest) = path.split_first()?;
         match first.as_str() {
@@ -63,12 +63,12 @@ impl Crate {
         let named = module.names.get(first).into_iter().flatten();
         let all = named.map(|path| [path, rest].concat());
         let globs = module.globs.iter().map(|glob| [glob, path].concat());
-        // A name taken from a module of the same name would be looked up in itself.
+        // A name imported from a module of the same name would be resolved in itself.
         all.chain(globs).find_map(|path| self.home(at, &path, deeper))
     }
 }
 
-/// Paths of a tree of names, each with the name that it has here; `*` stands for all.
+/// Paths of a tree of names, each with its name here; `*` for all.
 fn paths(tree: &syn::UseTree, before: &[String], all: &mut Vec<(String, Vec<String>)>) {
     let with = |ident: &syn::Ident| [before, &[ident.to_string()]].concat();
     match tree {
@@ -121,7 +121,7 @@ fn attributes(item: &syn::Item) -> &[syn::Attribute] {
     }
 }
 
-/// Collects what the modules of one file declare.
+/// Collects the declarations of the modules of one file.
 struct Declared<'a> {
     here: At,
     file: usize,
@@ -271,7 +271,7 @@ fn module_of(file: &Path) -> At {
     here
 }
 
-/// Names that each file of a crate takes from each other one, by their indices, and the files.
+/// Names that each file of a crate imports from each other one, by their indices, and the files.
 pub fn imports(
     texts: &[(PathBuf, String)],
 ) -> (Vec<PathBuf>, Vec<BTreeMap<usize, BTreeSet<String>>>) {

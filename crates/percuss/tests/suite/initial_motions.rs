@@ -52,14 +52,14 @@ fn a_point_mass_starts_by_itself() {
     };
     let own = 0.5 * 50.0 * 4.0;
     let drags = [scene(4) - own, scene(8) - own];
-    // What is dragged along is a share of one element (13/35 of its mass), and its turning, which does not shrink with it.
+    // The additional mass is a share of one element (13/35 of its mass), and its rotation, which does not decrease with it.
     let share = [13.0 / 35.0 * 150.0, 13.0 / 35.0 * 75.0];
     assert!(drags[1] > 0.0 && drags[0] > drags[1], "{drags:?}");
     assert!((0..2).all(|k| (1.0..1.2).contains(&(drags[k] / share[k]))), "{drags:?}");
 }
 
-/// A plank that moves, hinged to one that rests: what is lost is what the impulse in the hinge takes, never more than there was,
-/// and both move alike where they are joined.
+/// A moving plank, hinged to one at rest: the lost energy is the dissipation of the impulse in the hinge, never more than the initial energy, and
+/// both have the same velocity at the hinge.
 #[test]
 fn joined_beams_take_the_nearest_motions_that_their_joint_allows() {
     let mut b = ModelBuilder::new();
@@ -77,7 +77,7 @@ fn joined_beams_take_the_nearest_motions_that_their_joint_allows() {
     assert!((momentum[1] - 300.0).abs() < 1e-9, "{momentum:?}");
 }
 
-/// The velocity of a place is told once: a mass on a beam, or two masses at one place, contradict each other in no part of it.
+/// The velocity of a place is unique: contradicting motions of a mass and its beam, or of two masses at one place, are rejected.
 #[test]
 fn motions_that_contradict_each_other_at_a_mass_are_refused() {
     let built = |of_mass: InitialMotion, beam_too: bool, masses: usize| {

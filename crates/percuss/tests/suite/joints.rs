@@ -1,4 +1,4 @@
-//! Beams joined: what a joint keeps, and that it does no work.
+//! Connected beams: the conditions of a joint, and its zero work.
 
 use crate::common;
 
@@ -14,7 +14,7 @@ fn corner(kind: JointKind, angle: f64) -> Model {
     let girder = b.beam(beam("girder", [0.0, 3.0], tip, 4, material, section));
     b.support(Support::new("foot", at("column.start", column, 0.0), SupportKind::Clamp));
     if kind == JointKind::Hinge {
-        // A girder on a hinge alone would swing about it: hold its tip sideways.
+        // A girder on a hinge alone would rotate about it: its tip is supported sideways.
         b.support(Support::new(
             "tip",
             at("girder.end", girder, 1.0),
@@ -106,7 +106,7 @@ fn two_beams_joined_in_line_move_as_one() {
         assert!(worst(&summary) < 1e-10);
         summary.projectiles[0].velocity_final[1]
     };
-    // A joint leaves the stretch free to jump, which one beam does not: close, not equal.
+    // A joint allows a jump of the stretch, a single beam does not: close, not equal.
     for elements in [4, 8, 16, 32] {
         let (joined, whole) = (rebound(true, elements), rebound(false, elements));
         assert!((joined - whole).abs() < 1e-6 * whole.abs(), "{elements}: {joined} {whole}");
@@ -138,7 +138,7 @@ fn beams_apart_do_not_feel_each_other() {
     }
 }
 
-/// A corner whose joint bears so much, struck so fast.
+/// A corner whose joint has the given strength, with the given impact velocity.
 fn brittle(kind: JointKind, strength: JointStrength, speed: f64) -> Model {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
@@ -174,10 +174,10 @@ fn a_joint_tears_beyond_its_strength_and_balances_stay_closed() {
         let most = [strength.force, strength.moment].map(|limit| limit.unwrap_or(f64::INFINITY));
         assert!(parted.force > most[0] || parted.moment > most[1], "{parted:?}");
         assert_eq!(torn.contacts[0].equivalent_force, None);
-        // What it carried before is no more than that, and it carries nothing after.
+        // Its load before failure does not exceed that, and it has no load afterwards.
         assert!(torn.joints[0].force_max.time <= parted.time);
         assert!(torn.joints[0].moment_max.time <= parted.time || kind == JointKind::Hinge);
-        // Beyond what it carries it holds, and the run is that of a joint without a strength.
+        // With a larger strength it does not fail, and the run is that of a joint without a strength.
         let more = bears(strength.force.map_or(0.0, |_| 1e9), strength.moment.map_or(0.0, |_| 1e9));
         let held = simulate(&brittle(kind, more, 20.0), &settings, &mut NoRecorder).unwrap();
         assert_eq!(held.joints[0].parted, None);
@@ -242,7 +242,7 @@ fn a_path_ends_where_a_joint_would_tear() {
     assert!(strong.reached && strong.torn.is_none());
 }
 
-/// Beams spring back by what still holds them: a joint that has torn does not, and the girder rests where a damped run leaves it.
+/// The elastic recovery of beams follows the remaining connections: not a torn joint, and the girder rests at the end of a damped run.
 #[test]
 fn a_joint_that_has_torn_holds_no_set() {
     let run = |limit: f64| {

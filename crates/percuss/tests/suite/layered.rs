@@ -1,4 +1,4 @@
-//! Sections given fibre by fibre, of several materials: what follows from the fibres, balances, faults.
+//! Sections given by fibres of several materials: consequences for forces, balances, faults.
 
 use crate::common;
 
@@ -175,7 +175,7 @@ fn every_fault_of_fibres_is_told_once() {
         Section::of_fibres("s", vec![plain(-0.01, 1e-4), bar])
     };
     told(faults(two), "-9.047619e-3 m added to each");
-    // Fibres that strain by another measure, or are damped otherwise, would not be what their material says.
+    // Fibres with another strain measure, or another damping, would differ from their material.
     let mut b = ModelBuilder::new();
     let own = b.material(Material::new("own", 1e10, 1000.0));
     let damped = b.material(Material { mass_damping: 5.0, ..Material::new("damped", 1e10, 1e3) });

@@ -35,12 +35,12 @@ struct Imports<'a> {
     modules: &'a [String],
     /// Path of the module that is read, from the root of the crate.
     here: Vec<String>,
-    /// What is imported: a module, or a name of the root, which hides the module it comes from.
+    /// Imported modules, or names of the root, which hide their module.
     found: Vec<String>,
 }
 
 impl Imports<'_> {
-    /// Takes in a path; one that does not lead through the root of the crate imports nothing.
+    /// Adds a path; one that does not lead through the root of the crate imports nothing.
     fn take(&mut self, path: &[String]) {
         let ups = path.iter().take_while(|part| *part == "super").count();
         let from_root = match path.first().map(String::as_str) {
@@ -120,7 +120,7 @@ impl<'ast> Visit<'ast> for Imports<'_> {
     fn visit_visibility(&mut self, _: &'ast syn::Visibility) {}
 }
 
-/// What is wrong with the imports of one file, whose path is given from `src`.
+/// Errors in the imports of one file, whose path is given from `src`.
 fn faults_of(file: &Path, text: &str, modules: &[String]) -> Vec<String> {
     let parts = file.with_extension("");
     let mut here: Vec<String> =
@@ -172,7 +172,7 @@ fn modules_use_those_above_them_in_the_architecture_only() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// Every way in which a file can import against the order is seen; tests and comments are left alone.
+/// Every form of import against the order is detected; tests and comments are ignored.
 #[test]
 fn imports_against_the_order_are_found() {
     let modules = ["math", "model", "step"].map(str::to_owned);

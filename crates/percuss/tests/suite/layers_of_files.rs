@@ -1,8 +1,8 @@
 //! Files of a crate import one way: none imports, by however many others, from one that imports from it.
 //!
-//! A file imports from the file in which a name that it uses is declared, wherever it takes it from: a module that makes it public
-//! again is passed through, and such a declaration of a parent is no import of its own. So a parent that declares its children and
-//! gives out their names stands in no circle; one that uses what a child declares while the child uses what it declares does.
+//! A file imports from the file that declares a name, whatever path it uses: a module that re-exports the name is passed through, and a re-export
+//! in a parent is no import of its own. A parent that declares its children and re-exports their names is therefore in no circle; one that uses
+//! declarations of a child while the child uses its own is.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -32,7 +32,7 @@ fn circles(leads: &[BTreeMap<usize, BTreeSet<String>>]) -> Vec<Vec<usize>> {
     all
 }
 
-/// Circles of a crate's files: each file with what it takes from others of its circle.
+/// Circles of a crate's files: each file with its imports from others of its circle.
 fn faults_of(texts: &[(PathBuf, String)]) -> Vec<BTreeMap<PathBuf, Vec<String>>> {
     let (files, used) = imports(texts);
     let told = |circle: Vec<usize>| {
@@ -84,7 +84,7 @@ fn files_of_a_crate_stand_in_no_circle() {
     assert!(faults.is_empty(), "{faults}");
 }
 
-/// Every way in which a file can import from another one is seen; what a parent gives out of its children is none.
+/// Every form of import from another file is detected; re-exports of children by a parent are not.
 #[test]
 fn circles_of_files_are_found() {
     let circles = |texts: &[(&str, &str)]| {
@@ -115,7 +115,7 @@ fn circles_of_files_are_found() {
     assert!(circles(&[root, ("a.rs", parent), child, b]).is_empty());
     let used = format!("{parent} fn f(x: Child) {{}}");
     assert_eq!(circles(&[root, ("a.rs", &used), child, b]).len(), 1);
-    // What tests import is no matter, nor are words in texts and fields behind dots.
+    // Imports of tests are ignored, as are words in texts and fields after dots.
     for free in [
         "pub struct A; #[cfg(test)] mod tests { use crate::b::B; }",
         "pub struct A; fn f() { println!(\"crate::b::B\"); }",

@@ -49,11 +49,11 @@ fn momenta_of_a_free_body_are_kept_and_its_vibration_dies() {
         let off = (end.linear[i] - start.linear[i]).abs();
         assert!(off <= 1e-12 * start.linear_size, "{off} of {}", start.linear_size);
     }
-    // About the origin, from which the body flies away.
+    // About the origin, from which the body moves away.
     let off = (end.angular - start.angular).abs();
     assert!(off <= 1e-12 * start.linear_size * 4.0, "{off} of {}", start.angular);
     assert!(ledger.impulse_damping.iter().all(|p| p.abs() <= 1e-12 * start.linear_size));
-    // What is left is flight and spin: L^2 / 2I about the centre of mass.
+    // The rest is translation and spin: L^2 / 2I about the centre of mass.
     let mass = 60.0;
     let velocity = end.linear.map(|p| p / mass);
     let centre = [1.0 + velocity[0] * 1.5, velocity[1] * 1.5];
@@ -89,7 +89,7 @@ fn modes_of_a_body_that_has_turned_die_out_by_their_ratio() {
         let start = simulation.measures().total() - rigid(simulation.measures());
         run(&mut simulation);
         let m = simulation.measures();
-        // The mass's centre stands still: nothing gives the bar momentum.
+        // The mass's centre is at rest: the bar receives no momentum.
         ((m.total() - rigid(m)) / start).sqrt()
     };
     let expected = (-20.0 * std::f64::consts::PI * zeta).exp();
@@ -124,7 +124,7 @@ fn a_pendulum_swings_undamped() {
     assert!(loss < 1.0, "{loss}");
 }
 
-/// A mast whose foot moves along as a time function says, in metres.
+/// A mast whose foot moves according to a time function, in metres.
 fn on_a_sledge(function: &TimeFunction, initial: f64, ratio: f64) -> Model {
     beam(8, |b, beam| {
         let mut root = Support::new("root", at("root", beam, 0.0), SupportKind::Clamp);
@@ -139,7 +139,7 @@ fn on_a_sledge(function: &TimeFunction, initial: f64, ratio: f64) -> Model {
 
 #[test]
 fn a_support_that_moves_steadily_brakes_nothing() {
-    // A table that goes on at 2 m/s, as the structure does.
+    // A table that continues at 2 m/s, like the structure.
     let table =
         |values: Vec<f64>| TimeFunction::Table { times: vec![0.0, 100.0], values, smooth: false };
     let model = on_a_sledge(&table(vec![0.0, 200.0]), 2.0, 0.5);
@@ -200,7 +200,7 @@ fn a_blade_on_a_hub_that_turns_steadily_is_not_braked() {
 
 #[test]
 fn supports_that_move_slowly_against_each_other_are_followed() {
-    // A beam clamped at both ends; one of them goes up by 20 mm in 2 s, evenly after a soft start.
+    // A beam clamped at both ends; one of them moves up by 20 mm in 2 s, uniformly after a soft start.
     let model = beam(8, |b, beam| {
         clamp(b, beam);
         let mut end = Support::new("end", at("end", beam, 1.0), SupportKind::Clamp);
@@ -215,11 +215,11 @@ fn supports_that_move_slowly_against_each_other_are_followed() {
     });
     let mut simulation = Simulation::new(&model, &Settings::new(2.0, 1e-3)).unwrap();
     run(&mut simulation);
-    // Dampers to the ground would hold back: with omega = 144 /s, a generalized mass of about 24 kg and 12 mm/s they would take
-    // 2 x 0.9 x 144 x 24 x (6 mm/s)^2 x 2 s = 0.4 J and more.
+    // Dampers to the ground would resist: with omega = 144 /s, a generalized mass of about 24 kg and 12 mm/s they would dissipate 2 x 0.9 x 144 x
+    // 24 x (6 mm/s)^2 x 2 s = 0.4 J and more.
     let loss = simulation.state().ledger.loss_damping;
     assert!(loss < 4e-3, "{loss}");
-    // In the middle as a beam at rest: half of what the end has moved.
+    // In the middle as in a static beam: half of the motion of the end.
     let middle = simulation.state().displacement[4];
     assert!((middle[1] - 0.01).abs() < 2e-5, "{middle:?}");
 }

@@ -1,11 +1,11 @@
-//! Several touching bodies struck at once: shared by the impact law, or passed on from one to the next.
+//! Impact on several touching bodies: simultaneous, or one after another.
 
 use crate::common;
 
 use common::disc;
 use percuss::*;
 
-/// Balls of the given masses in a row, the first `flying` of them on their way to the others.
+/// Balls of the given masses in a row, the first `flying` of them moving towards the others.
 fn row(masses: &[f64], flying: usize, law: RigidLaw) -> Model {
     let mut b = ModelBuilder::new();
     let mut balls = Vec::new();
@@ -38,7 +38,7 @@ fn near(found: &[f64], expected: &[f64]) {
     assert!(found.len() == expected.len() && off < 1e-12, "{found:?} {expected:?}");
 }
 
-/// Newton's cradle: as many balls leave as came.
+/// Newton's cradle: the numbers of incoming and leaving balls are equal.
 #[test]
 fn a_cradle_sends_out_as_many_as_came_in() {
     for balls in 1..5 {
@@ -72,19 +72,19 @@ fn a_blow_is_passed_on_through_unequal_balls() {
     }
 }
 
-/// Without restitution touching balls go on together, one after another or at once.
+/// Without restitution touching balls move on together, for both laws.
 #[test]
 fn a_plastic_blow_takes_the_row_along() {
     for how in [MultipleImpacts::Simultaneous, MultipleImpacts::Sequential] {
         let found = run(&row(&[1.0; 5], 1, RigidLaw::frictionless(0.0)), how);
         let off = speeds(&found).iter().map(|v| (v - 0.2).abs()).fold(0.0, f64::max);
-        // A sequence ends where nothing approaches faster than a millionth of the blow, and the rest is settled at once.
+        // A sequence ends when no approach is faster than a millionth of the impact velocity, and the rest is concluded by a simultaneous impact.
         assert!(off < 1e-12, "{how:?} {:?}", speeds(&found));
         assert_eq!(found.shared_blows.count, 0, "nothing bounces: both laws say the same");
     }
 }
 
-/// Newton's law at once shares the blow: (-1/2, 1/2, 1/2, 1/2) for three balls at rest. The summary says so.
+/// Newton's law for a simultaneous impact: (-1/2, 1/2, 1/2, 1/2) for three balls at rest. The summary reports it.
 #[test]
 fn a_shared_blow_is_told() {
     let model = row(&[1.0; 4], 1, RigidLaw::frictionless(1.0));
@@ -93,7 +93,7 @@ fn a_shared_blow_is_told() {
     let shared = found.shared_blows;
     assert_eq!((shared.count, shared.contacts), (1, [0, 1]), "{shared:?}");
     assert!((shared.first - 0.01).abs() < 1e-8, "{shared:?}");
-    // Struck one by one, nothing is shared.
+    // With one impact after another there is no simultaneous impact.
     let alone = run(&row(&[1.0; 2], 1, RigidLaw::frictionless(1.0)), MultipleImpacts::Simultaneous);
     assert_eq!(alone.shared_blows.count, 0);
 }
@@ -138,7 +138,7 @@ fn sequences_with_friction_and_weight_keep_their_balances() {
     assert!(order.is_sorted() && order[3] > 1.0, "{order:?}");
 }
 
-/// Contacts that approach equally fast share an impact of the sequence: a ball that falls between two equal ones is thrown back the way it came.
+/// Contacts with equal approach share an impact of the sequence: a ball that falls between two equal ones rebounds in the opposite direction.
 #[test]
 fn a_ball_that_falls_between_two_equal_ones_goes_back_straight() {
     for e in [1.0, 0.5] {
@@ -171,8 +171,8 @@ fn sequences_need_the_instant_of_contact() {
     assert!(faults[0].to_string().contains("time.multiple_impacts"), "{}", faults[0]);
 }
 
-/// A stiff stick that falls askew on a floor without losses: its mesh answers with far more than a slender beam's own mass, so that
-/// what follows is a property of the mesh. Told in the summary.
+/// A stiff stick that falls obliquely on a floor without losses: the effective mass of its mesh is far larger than that of a slender beam, so that
+/// the motion depends on the mesh. The summary reports it.
 #[test]
 fn the_effective_mass_of_a_stick_on_a_floor_is_in_the_summary() {
     let mut b = ModelBuilder::new();
@@ -197,7 +197,7 @@ fn the_effective_mass_of_a_stick_on_a_floor_is_in_the_summary() {
     let found = simulate(&model, &settings, &mut NoRecorder).unwrap();
     let mass = found.contacts[0].effective_mass.unwrap();
     assert!(mass.depends_on_mesh(), "{mass:?}");
-    // The first impact hands over (1 + e) m v.
+    // The impulse of the first impact is (1 + e) m v.
     let ContactRecord::Nonsmooth { impacts, .. } = &found.contacts[0].record else { panic!() };
     let first = impacts[0];
     let expected = 2.0 * mass.on_mesh * first.approach_velocity;

@@ -1,4 +1,4 @@
-//! Beams that part: what is released, what goes on, what can still be touched.
+//! Fracture of beams: released energy, subsequent motion, remaining contact.
 
 use crate::common;
 
@@ -28,7 +28,7 @@ fn assert_balances(summary: &RunSummary) {
     assert!(worst < 1e-10, "{m:?}");
 }
 
-/// A strip of 10 mm between clamps at both ends, struck off its middle by a disc that flies on.
+/// A strip of 10 mm clamped at both ends, struck eccentrically by a disc that moves on.
 fn struck(speed: f64, law: TouchLaw) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(metal(0.08));
@@ -53,7 +53,7 @@ fn run(model: &Model, settings: &Settings) -> (RunSummary, MemoryRecorder) {
     (summary, rows)
 }
 
-/// The strip parts beneath the disc, by whichever law it presses: the disc flies through the gap, and nothing pulls it back.
+/// The strip fractures below the disc, for any contact law: the disc passes through the gap, and no force pulls it back.
 #[test]
 fn a_disc_flies_through_the_strip_that_it_has_broken() {
     for law in [spring(), TouchLaw::Rigid(RigidLaw::frictionless(0.3))] {
@@ -62,7 +62,7 @@ fn a_disc_flies_through_the_strip_that_it_has_broken() {
         assert_balances(&summary);
         let strip = &summary.plastic[0];
         assert!(!strip.parted.is_empty(), "{strip:?}");
-        // Stubs are clamped and spring back alone; what has come off between two places has no place to.
+        // Stubs are clamped and recover separately; a piece between two fractures has no place.
         match strip.permanent_set {
             Ok(set) => assert!(set.displacement[1] < 0.0 && strip.parted.len() == 1, "{strip:?}"),
             Err(reason) => {
@@ -72,7 +72,7 @@ fn a_disc_flies_through_the_strip_that_it_has_broken() {
         }
         let heights = rows.column("projectile.ball.position_2").unwrap();
         assert!(*heights.last().unwrap() < -0.1, "{:?}", heights.last());
-        // Long after it has gone through it flies on evenly.
+        // Long after its passage it moves uniformly.
         let speeds = rows.column("projectile.ball.velocity_2").unwrap();
         let late = &speeds[3 * speeds.len() / 4..];
         assert!(late.iter().all(|v| (v - late[0]).abs() < 1e-9 * late[0].abs()), "{late:?}");
@@ -81,7 +81,7 @@ fn a_disc_flies_through_the_strip_that_it_has_broken() {
     }
 }
 
-/// What a place released is no more than all that failed, and each is told once, in the order of time.
+/// The energy released at a place does not exceed that of all failures, and each is reported once, in the order of time.
 #[test]
 fn each_place_is_told_once() {
     let model = struck(80.0, spring());
@@ -98,7 +98,7 @@ fn each_place_is_told_once() {
     assert!(released > 0.0 && released <= summary.energy.failure * (1.0 + 1e-12));
 }
 
-/// A free bar whose halves fly apart: it parts, and both momenta and the energy of motion stay what they were.
+/// A free bar whose halves separate: it fractures, and both momenta and the kinetic energy do not change.
 #[test]
 fn a_free_bar_keeps_its_momenta_as_it_parts() {
     let mut b = ModelBuilder::new();
@@ -121,7 +121,7 @@ fn a_free_bar_keeps_its_momenta_as_it_parts() {
     assert!(*column("energy.failure").last().unwrap() > 0.0);
 }
 
-/// Stopped between two steps and gone on, before a place has parted and after: the same to the last bit.
+/// Stopped between two steps and resumed, before and after a fracture: the same to the last bit.
 #[test]
 fn a_run_that_goes_on_from_a_checkpoint_remembers_its_gaps() {
     let model = struck(80.0, spring());
@@ -145,8 +145,8 @@ fn a_run_that_goes_on_from_a_checkpoint_remembers_its_gaps() {
     }
 }
 
-/// A bar of one element between two masses that fly apart: what it dissipates, what it releases and what the masses keep. Hardening keeps
-/// its strain even.
+/// A bar of one element between two separating masses: dissipation, released energy and remaining energy of the masses. Hardening keeps its strain
+/// uniform.
 #[test]
 fn a_bar_between_two_masses_releases_what_it_stored() {
     let (area, length, mass, speed, limit) = (4e-4, 0.5, 20.0, 6.0, 0.01);
@@ -176,7 +176,7 @@ fn a_bar_between_two_masses_releases_what_it_stored() {
     let last = stress + modulus * plastic;
     let stored = volume * (0.5 * last * last / young + 0.5 * modulus * plastic * plastic);
     let flowed = volume * stress * plastic;
-    // It fails at the end of the step in which it passes its limit: strain is beyond it by what a step brings, at most.
+    // It fails at the end of the step in which it passes its limit: the strain exceeds it by at most the increment of a step.
     let within = 2.0 * speed * step / length / limit;
     for (found, expected) in [
         (parted[0].energy, stored),

@@ -1,4 +1,4 @@
-//! Parts of steps by themselves, which runs take where nothing simpler will do.
+//! Single parts of steps, which runs use only if no simpler part is possible.
 
 use percuss::internals::step::newton::Failure;
 use percuss::internals::step::tangent::Singular;
@@ -6,7 +6,7 @@ use percuss::*;
 
 #[test]
 fn a_singular_tangent_has_its_code() {
-    // No model that is accepted is known to have one: what is said of it is looked at alone.
+    // No accepted model is known to have one: only its message is tested.
     let mut b = ModelBuilder::new();
     b.disc(Disc {
         name: "ball".into(),
@@ -57,7 +57,7 @@ fn a_ball_comes_to_rest_on_what_it_would_have_sunk_into() {
         let beyond = simulation.state().time / h - 1.0;
         assert!(beyond > 0.0 && beyond < 1e-5, "{beyond}");
         let pair = &simulation.state().pairs[0];
-        // The impact interval takes a millionth of the step, in which it leaves by up to a nanometre.
+        // The impact interval takes a millionth of the step, in which it separates by up to a nanometre.
         assert!(pair.gap.abs() < 1e-9 && pair.rate.abs() < 1e-14 && pair.closed, "{pair:?}");
         let velocity = simulation.state().velocity[model.body_node(0)];
         // Coulomb on the whole impulse of 6 N s; a full disc that comes to roll keeps two thirds. The lever

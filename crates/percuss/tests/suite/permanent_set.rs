@@ -1,4 +1,4 @@
-//! Permanent sets: what stays of displacements is where a damped run comes to rest, whatever still holds then.
+//! Permanent deflection: that of the rest position of a damped run, with the remaining connections.
 
 use crate::common;
 
@@ -16,7 +16,7 @@ fn steel(b: &mut ModelBuilder, damping: f64) -> MaterialId {
     b.material(Material {
         strain: StrainMeasure::Engineering,
         mass_damping: damping,
-        // What oscillates faster than steps follow is damped by the rate of its strain alone.
+        // Oscillations that steps do not resolve are damped only by stiffness-proportional damping.
         retardation: 1e-7 * damping,
         inelasticity: Some(Inelasticity::Plastic(plasticity)),
         ..Material::new("steel", 205e9, 7850.0)
@@ -56,7 +56,7 @@ fn assert_near(found: [f64; 2], right: [f64; 2], share: f64, what: &str) {
     assert!(off <= share * size, "{what}: {found:?} {right:?}");
 }
 
-/// A beam between two clamps of which one lets go 5 ms after the blow: it rests as a cantilever, not bent back by a clamp that is gone.
+/// A beam between two clamps of which one is released 5 ms after the impact: it rests as a cantilever, not bent back by the released clamp.
 #[test]
 fn a_clamp_that_has_let_go_does_not_bend_the_set_back() {
     let mut b = ModelBuilder::new();
@@ -74,8 +74,8 @@ fn a_clamp_that_has_let_go_does_not_bend_the_set_back() {
     assert_near(set.displacement, rest, 1e-6, "the end");
 }
 
-/// A cantilever whose clamp is thrown aside and turned: what stays is counted from where it would be unstrained, whether the clamp holds a
-/// node for ever or holds for a time.
+/// A cantilever with a displaced and rotated clamp: the deflection is relative to the position without plastic strains, for permanent and temporary
+/// clamps.
 #[test]
 fn a_moved_support_is_no_set() {
     for (until, turned) in [(f64::INFINITY, 0.0), (10.0, 0.0), (f64::INFINITY, 0.05), (10.0, 0.05)]
@@ -98,7 +98,7 @@ fn a_moved_support_is_no_set() {
     }
 }
 
-/// One body is held and another one flies: the first has a set, the same as alone, the second has none.
+/// One body is supported and another one free: the first has a permanent deflection, the same as alone, the second has none.
 #[test]
 fn a_body_that_flies_takes_no_set_from_one_that_is_held() {
     let build = |flies: bool| {
@@ -122,7 +122,7 @@ fn a_body_that_flies_takes_no_set_from_one_that_is_held() {
     assert_eq!(both.plastic[1].permanent_set, Err(NoPermanentSet::NotHeld));
 }
 
-/// Nothing that is held and has not yielded stays anywhere, so that a mean over runs counts it; what nothing holds has no place.
+/// A supported body without yielding has zero permanent deflection, so that a mean over runs includes it; an unsupported one has no place.
 #[test]
 fn a_run_without_yield_has_a_set_of_zero() {
     let set = |held: bool| {
@@ -142,7 +142,7 @@ fn a_run_without_yield_has_a_set_of_zero() {
     assert_eq!(set(false), Err(NoPermanentSet::NotHeld));
 }
 
-/// A bar that stays elastic on a hinge that yields: unloaded it is straight, turned by what of the rotation is plastic.
+/// An elastic bar on a hinge that yields: unloaded it is straight, rotated by the plastic rotation.
 #[test]
 fn a_hinge_that_yields_has_the_set_of_the_beams_it_ties() {
     let mut b = ModelBuilder::new();

@@ -1,4 +1,4 @@
-//! Reactions and impulses of supports: those of the summary and those of the rows are of one kind, and nothing is told twice.
+//! Reactions and impulses of supports: summary and rows have the same definition, without double counting.
 
 use crate::common;
 
@@ -7,7 +7,7 @@ use percuss::*;
 
 #[test]
 fn impulses_of_the_summary_are_those_of_the_rows() {
-    // A clamp under a blow that bounces many times within a step.
+    // A clamp under an impact with many rebounds within a step.
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("m", 2e11, 8e3));
     let section = b.section(Section::rectangle("s", 0.02, 0.04));
@@ -85,7 +85,7 @@ fn rows_after_many_short_parts_of_a_step_tell_no_larger_reaction_than_the_steps_
 
 #[test]
 fn a_resting_contact_parts_with_the_velocity_of_its_gap() {
-    // A mass without bounce on a springy beam: it comes to rest on it and is let go many times.
+    // A mass without restitution on a flexible beam: it comes to rest on it and separates many times.
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("m", 7e10, 3e3));
     let section = b.section(Section::rectangle("s", 0.05, 0.02));
@@ -116,7 +116,7 @@ fn a_resting_contact_parts_with_the_velocity_of_its_gap() {
             continue;
         }
         assert!(one.separation_velocity >= 0.0, "{one:?}");
-        // Where it let go with a whole step to come: the way of the gap over that step.
+        // At a separation with a whole step left: the travel of the gap over that step.
         let Some(k) = time.iter().position(|t| (t - one.end).abs() < 1e-12) else { continue };
         if k + 1 < time.len() && (time[k + 1] - time[k] - h).abs() < 1e-12 {
             let mean = (gap[k + 1] - gap[k]) / h;

@@ -1,4 +1,4 @@
-//! Round ends pressed deep into another beam: what passes from the cap to the faces beside it finds no leap of the gap.
+//! Round ends with a deep penetration of another beam: a source that moves from the cap to the adjacent faces has a continuous gap.
 
 use crate::common;
 

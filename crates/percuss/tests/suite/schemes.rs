@@ -1,4 +1,4 @@
-//! Every scheme, both strain measures: what it keeps and what it does not; supports; loads; cut steps.
+//! Every scheme, both strain measures: conserved quantities; supports; loads; step cuts.
 
 use crate::common;
 

@@ -53,9 +53,9 @@ fn forces_at_a_support_are_its_reactions_under_a_distributed_load() {
         let (shear, moment) = (forces.shear.largest(), forces.moment.largest());
         assert!(close(shear.value.abs(), root[1].abs(), 1e3) && shear.s == 0.0, "{shear:?}");
         assert!(close(moment.value.abs(), root[2].abs(), 1e3) && moment.s == 0.0, "{moment:?}");
-        // The deflection of such a stiff beam changes nothing in nine digits.
+        // The deflection of such a stiff beam has no effect in nine digits.
         assert!(close(shear.value.abs(), 1e3, 1e3) && close(moment.value.abs(), 500.0, 1e3));
-        // Nothing at the free end.
+        // Zero at the free end.
         let e = &forces.envelope;
         let last = e.s.len() - 1;
         assert!(close(e.shear[1][last], 0.0, 1e3) && close(e.moment[1][last], 0.0, 1e3));
@@ -139,7 +139,7 @@ fn forces_of_a_large_deflection_are_those_of_its_ends_along_the_deformed_tangent
 
 #[test]
 fn stress_vanishes_where_the_moment_changes_its_sign_inside_an_element() {
-    // 100 N m at both ends the same way round: M = 100 at one end, -100 at the other, nothing in the middle.
+    // 100 N m at both ends with the same sign: M = 100 at one end, -100 at the other, zero in the middle.
     let mut b = ModelBuilder::new();
     let (m, s) = stiff(&mut b);
     let girder = b.beam(beam("b", [0.0, 0.0], [1.0, 0.0], 3, m, s));
@@ -237,7 +237,7 @@ fn a_point_at_a_change_of_section_has_the_stress_of_the_weaker_side() {
 
 #[test]
 fn viscous_stresses_are_part_of_the_section_forces() {
-    // Kelvin-Voigt bar pulled by 1000 N at once: what it carries at its support is the reaction, at every instant.
+    // Kelvin-Voigt bar under a sudden force of 1000 N: the force at its support is the reaction, at every instant.
     let mut b = ModelBuilder::new();
     let material = Material { retardation: 0.2, ..Material::new("m", 1e9, 1e-3) };
     let m = b.material(material);
@@ -253,7 +253,7 @@ fn viscous_stresses_are_part_of_the_section_forces() {
     for (n, f) in axial.iter().zip(&force).skip(1) {
         assert!((n + f).abs() < 1e-6 * 1e3, "{n} {f}");
     }
-    // It is overdamped and light: the load has gone all the way.
+    // It is overdamped and light: the whole load has arrived.
     assert!((axial[50] - 1e3).abs() < 1.0, "{}", axial[50]);
     let summary = simulate(&model, &Settings::new(0.3, 1e-3), &mut Columns::default()).unwrap();
     let most = summary.section_forces[0].axial.max.value;
@@ -308,7 +308,7 @@ fn forces_at_supports_are_their_reactions_in_motion_under_every_scheme() {
         for (own, of_support, sign) in AT_THE_START {
             let own = log.of(&format!("section.root.{own}"));
             let reaction = log.of(&format!("support.root.{of_support}"));
-            // Newmark has its balance at the end of a step, and reactions are told as means: those of both ends.
+            // Newmark has its balance at the end of a step, and reactions are reported as means: those of both ends.
             let of_step = |k: usize| match scheme {
                 Scheme::Newmark => 0.5 * (own[k - 1] + own[k]),
                 _ => own[k],
@@ -321,7 +321,7 @@ fn forces_at_supports_are_their_reactions_in_motion_under_every_scheme() {
                 assert!(apart.abs() < tolerance * peak, "{scheme:?} {of_support} {k}: {a} {b}");
             }
         }
-        // The contact did act, between nodes.
+        // The contact was active, between nodes.
         assert!(peak > 500.0, "{peak}");
     }
 }
@@ -419,7 +419,7 @@ fn forces_of_a_beam_that_spins_are_those_that_keep_its_parts_on_their_circles() 
 
 #[test]
 fn nothing_of_an_impulse_enters_forces_at_any_step() {
-    // A plank struck by a rigid mass: forces right after the blow do not grow as the step shrinks.
+    // A plank struck by a rigid mass: forces right after the impact do not grow with decreasing step.
     let shear = |step: f64, impacts: ImpactResolution| {
         let mut b = ModelBuilder::new();
         let m = b.material(Material::new("stiff", 0.2e12, 3e3));
@@ -431,7 +431,7 @@ fn nothing_of_an_impulse_enters_forces_at_any_step() {
         b.record_point(at("mid", girder, 0.5));
         let model = b.build().unwrap();
         let mut log = Columns::default();
-        // Until two steps after the blow.
+        // Until two steps after the impact.
         let blow = 0.02 / 40.0;
         let settings = Settings { impacts, ..Settings::new(blow + 2.5 * step, step) };
         let run = simulate(&model, &settings, &mut log).unwrap();
@@ -498,8 +498,8 @@ fn a_clamp_or_a_joint_within_an_element_parts_the_beam_there() {
     assert!(close(force.moment.largest().value.abs(), reaction[2].abs(), 1e3));
 }
 
-/// The forces at both ends of a beam against the reactions of its supports, in random scenes with weights that hang inside elements,
-/// loads and contacts: every row of every scheme whose reactions are those of the instant of its section forces.
+/// The forces at both ends of a beam compared with the reactions of its supports, in random scenes with masses inside elements, loads and contacts:
+/// every row of every scheme whose reactions are those of the instant of its section forces.
 #[test]
 fn forces_at_supports_are_reactions_in_random_scenes() {
     for seed in 0..12 {
@@ -562,13 +562,13 @@ fn forces_at_supports_are_reactions_in_random_scenes() {
     }
 }
 
-/// A half-sine of a distributed load on a beam of few elements makes shear and axial forces that are largest between nodes and middles:
-/// the peaks told are those of a close look along the beam.
+/// A half-sine of a distributed load on a beam of few elements has its largest shear and axial forces between nodes and middles: the reported peaks
+/// are those of a fine evaluation along the beam.
 #[test]
 fn peaks_of_axial_and_shear_force_are_found_between_nodes() {
     let mut b = ModelBuilder::new();
     let m = b.material(Material::new("m", 2e11, 7850.0));
-    // A section without a depth goes element beside element, one with a depth one by one.
+    // Sections without a depth are evaluated in lanes, those with a depth one by one.
     for (name, section) in [
         ("plain", Section::new("plain", 1e-3, 1e-7)),
         ("deep", Section::rectangle("deep", 0.02, 0.05)),
@@ -599,7 +599,7 @@ fn peaks_of_axial_and_shear_force_are_found_between_nodes() {
                 }
             }
             let size = most.max(-least);
-            // Points stand a 200th of an element apart and tell no more than that they cannot exceed the peaks.
+            // Points are a 200th of an element apart and only show that they do not exceed the peaks.
             assert!(
                 range.max.value >= most - 1e-9 * size,
                 "{} {what}: {most} {range:?}",

@@ -9,7 +9,7 @@ const YOUNG: f64 = 100e9;
 const DENSITY: f64 = 7850.0;
 const GRAVITY: f64 = 9.81;
 
-/// A material that bears tension alone.
+/// A tension-only material.
 fn rope(b: &mut ModelBuilder, density: f64) -> MaterialId {
     b.material(Material {
         strain: StrainMeasure::Engineering,
@@ -81,12 +81,12 @@ fn a_sagging_rope_finds_its_catenary() {
     let (pull, expected) = (found.reactions[1].1[0], catenary(length, 10.0));
     assert!((pull / expected - 1.0).abs() < 2e-3, "{pull} {expected}");
     let weight = DENSITY * 1e-4 * GRAVITY * length;
-    // What is left unbalanced is some 3e-8 of the weight: strains of slack fibres round at the size of slopes.
+    // The unbalanced force is about 3e-8 of the weight: strains of slack fibres round at the size of slopes.
     let up = sum(&found)[1];
     assert!((up / weight - 1.0).abs() < 1e-7, "{up} {weight}");
 }
 
-/// A mast on a pin between two stays under 45 degrees, pushed at its top by 1 kN: one stay carries `F / cos 45`, the other is slack.
+/// A mast on a pin between two stays under 45 degrees, with a force of 1 kN at its top: one stay carries `F / cos 45`, the other is slack.
 fn mast(density: f64) -> Model {
     let mut b = ModelBuilder::new();
     let steel = b.material(Material {
@@ -148,7 +148,7 @@ fn the_leeward_stay_of_a_mast_goes_slack() {
             assert!((windward[0] + 1000.0).abs() < 1.0, "{windward:?}");
             assert!(leeward[0].abs() < 1e-6 && leeward[1].abs() < 1e-6, "{leeward:?}");
         } else {
-            // It hangs, and pulls by its weight.
+            // It is in tension under its weight.
             assert!(-windward[0] > 3.0 * leeward[0].abs(), "{windward:?} {leeward:?}");
         }
     }

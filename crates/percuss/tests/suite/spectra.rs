@@ -24,7 +24,7 @@ fn bending() -> f64 {
     YOUNG * SIDE.powi(4) / 12.0
 }
 
-/// A straight beam of 3 m along the first axis, with what `build` adds.
+/// A straight beam of 3 m along the first axis, with the additions of `build`.
 fn straight(elements: usize, density: f64, build: impl FnOnce(&mut ModelBuilder, BeamId)) -> Model {
     let mut b = ModelBuilder::new();
     let (material, section) = steel(&mut b, density);
@@ -88,7 +88,7 @@ fn meshes_of_any_fineness_have_the_same_ten_lowest_modes() {
             let mut expected: Vec<f64> = across.chain(quarters.map(|q| q * wave)).collect();
             expected.sort_by(f64::total_cmp);
             for (f, expected) in found[rigid..].iter().zip(expected) {
-                // 300 elements err by (beta h)^4 / 720 = 2e-7 in the tenth, 100 000 by nothing but round-off.
+                // 300 elements have an error of (beta h)^4 / 720 = 2e-7 in the tenth, 100 000 only round-off.
                 close(*f, expected, 1e-6);
             }
         }
@@ -187,7 +187,7 @@ fn becks_column_flutters_at_20_05_and_never_diverges() {
 
 #[test]
 fn linear_buckling_of_forces_that_follow_is_refused_and_flutter_found() {
-    // The last load is some hundred times that of flutter: the first factor looked at is beyond.
+    // The last load is some hundred times that of flutter: it is below the first factor of the search.
     for (elements, push) in [(4, 1000.0), (24, 1000.0), (24, 3e5), (24, 3e7)] {
         let model = straight(elements, 7850.0, |b, beam| {
             clamp(b, beam, 0.0);
@@ -241,7 +241,7 @@ fn negative_factors_hide_no_positive_one() {
         // The strain of Euler's load, (pi k)^2 I / (A L^2) = 2.3e-4 k^2, and 16 elements.
         close(mode.factor, 6.0 * f64::from(k * k), 1e-3 * f64::from(k * k));
     }
-    // Alone in tension nothing buckles, and that is proven.
+    // In tension alone there is no buckling, which is proven.
     let pulled = buckling(&column_and_ties(0, -euler), 3);
     assert!(pulled.modes.is_empty());
     assert!(matches!(pulled.outcome, BucklingOutcome::Never { .. }), "{:?}", pulled.outcome);

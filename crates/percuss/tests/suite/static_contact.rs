@@ -151,7 +151,7 @@ fn a_strip_lies_down_on_a_floor_as_the_heavy_elastica_does() {
     let found =
         equilibrium(&Strip { elements: 200, height, law: rigid_law(), tip: 0.0 }.model()).unwrap();
     let [_, clamp, moment] = reaction(&found, "root");
-    // Candidates for contact are 5 mm apart: the place of the touch-down is known no better, its force goes with it.
+    // Candidates for contact are 5 mm apart: this is the accuracy of the touch-down point, and of its force.
     assert!((clamp / exact.force - 1.0).abs() < 2e-3, "{clamp} for {}", exact.force);
     assert!((moment / -exact.moment - 1.0).abs() < 2e-3, "{moment} for {}", exact.moment);
     assert!((point(&found, "near")[1] - exact.shoot(0.4)[1]).abs() < 1e-3 * height);
@@ -159,8 +159,8 @@ fn a_strip_lies_down_on_a_floor_as_the_heavy_elastica_does() {
     let contact = &found.contacts[0];
     assert!((contact.s[0] - exact.free).abs() < 0.011, "{contact:?} for {}", exact.free);
     assert!(contact.gap.abs() < 1e-14 && contact.s[1] == LENGTH && found.stable);
-    // What the clamp does not carry the floor does, to the round-off of some thousand forces.
-    // As the reaction of a support, that of the floor is the force on what it holds.
+    // The floor carries the force that the clamp does not carry, to the round-off of some thousand forces. Like the reaction of a support, that of
+    // the floor is the force on the structure.
     let floor = reaction(&found, "floor")[1];
     assert!((clamp + contact.force - WEIGHT * LENGTH).abs() < 1e-9, "{contact:?}");
     assert!((floor - contact.force).abs() < 1e-9, "{floor} {contact:?}");
@@ -428,7 +428,7 @@ fn the_equilibria_of_a_path_are_offered_without_changing_it() {
     assert!(down.windows(2).all(|w| w[1] <= w[0] + 1e-12), "the top goes down all the way");
 }
 
-/// What a clamp and a roller hold at the end of a beam, the roller with a motion.
+/// A clamp and a roller at the end of a beam, the roller with a prescribed motion.
 fn torn(function: TimeFunction, displacement: [f64; 2], both: bool) -> Result<Model, Vec<Fault>> {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
@@ -452,7 +452,7 @@ fn supports_that_prescribe_different_motions_of_the_same_are_refused() {
         let faults = torn(function.clone(), up, false).unwrap_err();
         let text = faults[0].to_string();
         assert!(text.contains("`first`") && text.contains("`second`"), "{text}");
-        // The same motion of both is redundant, one across what the other holds is none of its business.
+        // The same motion of both is redundant, one across the fixed direction of the other is independent.
         assert!(torn(function.clone(), up, true).is_ok());
         assert!(torn(function, [0.0, 0.0], false).is_ok());
     }

@@ -1,4 +1,4 @@
-//! Rigid contact at rest over long stretches, and of beams that nothing but contact holds.
+//! Rigid contact at rest over long regions, and of beams supported only by contact.
 
 use crate::common;
 
@@ -15,7 +15,7 @@ fn rigid() -> TouchLaw {
     TouchLaw::Rigid(RigidLaw::frictionless(0.0))
 }
 
-/// A steel strip of 10 x 2 mm on the x axis, 2 m long, bent about its small side, that can lie down on what is added.
+/// A steel strip of 10 x 2 mm on the x axis, 2 m long, with its smaller bending stiffness, on the added obstacles.
 fn strip(b: &mut ModelBuilder, elements: usize) -> BeamId {
     let material = b.material(Material::new("steel", 2.1e11, 7850.0));
     let section = Section { depth: Some(2e-3), ..Section::new("strip", 2e-5, 0.01 * 8e-9 / 12.0) };
@@ -176,7 +176,7 @@ fn a_bar_stands_on_its_end_until_its_weight_is_beside_it() {
 
 #[test]
 fn a_free_strip_slides_on_two_stones_to_where_each_carries_half() {
-    // Near its ends it sags into a valley, wherever it is put down. Further in its ends droop, and what slides goes on sliding.
+    // Near its ends it sags into a valley, for any initial position. Further in its ends droop, and a sliding strip continues to slide.
     for (left, right, stays) in [(0.15, 1.85, true), (0.12, 1.8, true), (0.5, 1.5, false)] {
         let mut b = ModelBuilder::new();
         let beam = strip(&mut b, 40);
@@ -197,8 +197,8 @@ fn a_free_strip_slides_on_two_stones_to_where_each_carries_half() {
 
 #[test]
 fn closed_contacts_hold_what_buckles_and_what_vibrates() {
-    // A pinned column with a stop at mid-height, pushed onto it by a force, at a tenth of its buckling load:
-    // Euler's column of half the length, 4 pi^2 EI / L^2; its second mode of vibration is the lowest.
+    // A pinned column with a stop at mid-height, in contact under a lateral force, at a tenth of its buckling load: Euler's column of half the
+    // length, 4 pi^2 EI / L^2; its second mode of vibration is the lowest.
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("steel", 2.1e11, 7850.0));
     let section = Section { depth: Some(0.01), ..Section::new("bar", 1e-4, 1e-8 / 12.0) };
@@ -236,12 +236,12 @@ fn closed_contacts_hold_what_buckles_and_what_vibrates() {
 
 #[test]
 fn a_beam_that_nothing_holds_is_named() {
-    // Above nothing: there is no contact that could hold it.
+    // Without an obstacle below: no contact could support it.
     let mut b = ModelBuilder::new();
     strip(&mut b, 10);
     let faults = mechanisms(&b.build().unwrap());
     assert!(faults[0].to_string().contains("`strip`"), "{faults:?}");
-    // Pushed along a floor.
+    // With a force along a floor.
     let mut b = ModelBuilder::new();
     let beam = strip(&mut b, 10);
     lies_on(&mut b, beam, "floor", floor(0.0));

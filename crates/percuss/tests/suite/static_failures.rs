@@ -1,5 +1,4 @@
-//! What fails for good while loads on a structure at rest grow: at the load factor at which it bears its strength, and the rest is in
-//! equilibrium or there is none.
+//! Failure under growing static loads: at the load factor of full strength, with or without an equilibrium of the rest.
 
 use crate::common;
 
@@ -110,7 +109,7 @@ fn a_spring_that_fails_leaves_the_load_to_the_rest() {
         let [with, without] = [&found, &alone].map(|f| f.points[0].1[i]);
         assert!((with / without - 1.0).abs() < 1e-9, "{with} {without}");
     }
-    // The load that a step puts on has no part in where it fails.
+    // The load of a step has no influence on the point of failure.
     for step in [0.03, 1.0] {
         let other = equilibrium_in(&helped(load, Some(extension)), step).unwrap();
         assert!((other.failures[0].factor / failure.factor - 1.0).abs() < 1e-9, "{other:?}");
@@ -141,7 +140,7 @@ fn joined(strength: Option<f64>) -> Model {
 
 #[test]
 fn a_joint_tears_at_its_strength_and_lets_its_load_go() {
-    // Tips of 3 EI / l^3 each share the load: the second, half as long, takes eight ninths.
+    // Tips of 3 EI / l^3 each share the load: the second, half as long, carries eight ninths.
     let found = equilibrium(&joined(Some(10.0))).unwrap();
     let [failure] = &found.failures[..] else { panic!("{:?}", found.failures) };
     assert_eq!((failure.name.as_str(), failure.kind), ("joint.pin", FailureKind::Torn));
@@ -185,7 +184,7 @@ fn a_path_ends_its_arcs_where_a_spring_fails_and_agrees_with_statics() {
         }
         assert!(path.points.iter().all(|p| p.stable) && path.end.stable && at_rest.stable);
     }
-    // With the displacement held the load drops by what the spring gave.
+    // With constant displacement the load decreases by the force of the spring.
     let path = equilibrium_path(&model, &to_displacement(2, -0.06, 0.05)).unwrap();
     let drop = path.points.windows(2).map(|w| w[0].factor - w[1].factor).fold(0.0, f64::max);
     assert!(path.reached && (drop * load / 3e3 - 1.0).abs() < 0.02, "{drop}");
@@ -221,7 +220,7 @@ fn a_bar_that_hardens_is_pulled_to_its_load_with_long_arcs() {
     assert!(found.stable && path.end.stable);
 }
 
-/// A column of 1 m that is pushed down by 80 kN and to the side by a share of that.
+/// A column of 1 m under an axial force of 80 kN and a lateral share of it.
 fn column(inelasticity: Option<Plasticity>, aside: f64) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material {

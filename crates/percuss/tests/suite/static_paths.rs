@@ -186,7 +186,7 @@ fn a_strip_pressed_down_by_a_spring_lifts_off() {
     assert!(path.reached, "{} {:?}", path.points.len(), path.points.last());
     for p in &path.points {
         let up = p.displacements[0][1];
-        // It lets go at 5 N, and from there the spring and the strip give way.
+        // It is released at 5 N, and from there the spring and the strip deform.
         let exact = (8.0 * p.factor - 5.0).max(0.0) / (100.0 + 3.0 * BENDING);
         assert!((up - exact).abs() < 1e-2 * exact.max(1e-9), "{}: {up} for {exact}", p.factor);
     }

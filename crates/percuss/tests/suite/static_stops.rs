@@ -1,4 +1,4 @@
-//! Structures that stops alone hold, at rest: closed ones are springs, open ones nothing.
+//! Static structures supported only by stops: closed ones are springs, open ones have no effect.
 
 use crate::common;
 
@@ -8,12 +8,12 @@ use percuss::*;
 const STIFFNESS: f64 = 400e3;
 const WIND: f64 = 2e3;
 
-/// What holds the head of the mast.
+/// Support of the head of the mast.
 #[derive(Clone, Copy)]
 enum Guys {
     /// A stop on either side, with a gap \[m\].
     Stops(f64),
-    /// The one on the side to which the wind blows it not.
+    /// The one on the windward side.
     Windward,
     /// A spring.
     Spring,
@@ -75,7 +75,7 @@ fn a_mast_between_stops_leans_on_one_of_them() {
     }
 }
 
-/// Small motions and buckling know the closed stop as a spring.
+/// In small motions and buckling the closed stop is a spring.
 #[test]
 fn a_closed_stop_is_a_spring_in_small_motions() {
     let weight = 1e3;
@@ -120,7 +120,7 @@ fn a_path_on_stops_ends_in_the_equilibrium() {
     }
 }
 
-/// A stop on the wrong side holds nothing, and the beam is named.
+/// A stop on the wrong side does not support the beam, which is named.
 #[test]
 fn beams_that_no_stop_holds_are_named() {
     let error = equilibrium(&mast(Guys::Windward, 0.0)).unwrap_err();
@@ -130,7 +130,7 @@ fn beams_that_no_stop_holds_are_named() {
 
 #[test]
 fn a_mast_between_compliant_bumpers_leans_on_one() {
-    // Pinned at its foot, 10 mm from half-planes: H L about the foot is borne by the bumper where it presses.
+    // Pinned at its foot, 10 mm from half-planes: the closed bumper carries the moment H L about the foot.
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("m", 2.1e11, 7850.0));
     let section = b.section(Section::rectangle("s", 0.04, 0.04));

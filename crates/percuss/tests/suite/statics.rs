@@ -84,7 +84,7 @@ fn an_end_moment_rolls_a_beam_into_the_circle_of_its_law() {
 
 #[test]
 fn a_frame_held_by_its_joints_carries_its_load() {
-    // A portal: two columns clamped at their feet, a girder joined to both; half the load goes down each column.
+    // A portal: two columns clamped at their feet, a girder connected to both; each column carries half the load.
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
     let left = b.beam(beam("left", [0.0, 0.0], [0.0, 3.0], 6, material, section));
@@ -114,11 +114,11 @@ fn a_frame_held_by_its_joints_carries_its_load() {
     let found = equilibrium(&model).unwrap();
     for ((name, [thrust, up, moment]), sign) in found.reactions.iter().zip([1.0, -1.0]) {
         assert!((up - 1e4).abs() < 1e-4, "{name}: {up}");
-        // The columns' feet are pushed outwards and held inwards.
+        // The horizontal reactions at the columns' feet are directed inwards.
         assert!(thrust * sign > 1e3 && moment * sign < -1e2, "{name}: {thrust} {moment}");
     }
     for (beam, (_, [thrust, up, _])) in [0, 2].into_iter().zip(&found.reactions) {
-        // At its foot a column stands upright. Higher up it leans: there its axial force is part of the thrust, too.
+        // A column is vertical at its foot. Higher up it is inclined: there its axial force contributes to the thrust, too.
         let forces = &found.section_forces[beam];
         assert!((forces.envelope.axial[0][0] + up).abs() < 1e-4, "{}", forces.envelope.axial[0][0]);
         let axial = forces.axial.largest().value;
@@ -157,7 +157,7 @@ fn mechanisms_are_named() {
 
 #[test]
 fn a_spring_that_pushes_makes_no_mechanism() {
-    // The spring stands under pressure and softens the column; it would buckle, but it is held.
+    // The spring is in compression and softens the column; it would buckle, but it is supported.
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
     let column = b.beam(beam("column", [0.0, 0.0], [0.0, 3.0], 6, material, section));
@@ -229,7 +229,7 @@ fn equivalent_static_forces_are_those_of_beam_theory() {
         let moment = summary.section_forces[0].moment.largest().value.abs();
         let deflection = summary.points[0].displacement_max[1].value.abs();
         assert!(moment > 0.0 && deflection > 0.0);
-        // Slender by theory: what rotary inertia and axial forces add is of second order in displacements of micrometres.
+        // Slender by theory: the effect of rotary inertia and axial forces is of second order in displacements of micrometres.
         let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");
         near(found.moment, moment * bending / 3.0);
         near(found.deflection.unwrap(), deflection * deflecting * 0.2e10 * 8.33e-5 / 27.0);
@@ -254,7 +254,7 @@ fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
     assert!(told(&held));
     assert!(!told(&|_, _| ()), "a beam that flies");
     assert!(!told(&|b, girder| {
-        // It swings under its weight from the start.
+        // It oscillates under its weight from the start.
         held(b, girder);
         b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
     }));
@@ -280,8 +280,8 @@ fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
     }));
 }
 
-/// A beam that hangs under its weight q, struck amidst: a static force F beside it bends a pinned one by q L^2/8 + F L/4 there and
-/// deflects it by 5 q L^4/(384 EI) + F L^3/(48 EI).
+/// A beam under its weight q, struck at midspan: an additional static force F bends a pinned one by q L^2/8 + F L/4 there and deflects it by 5 q
+/// L^4/(384 EI) + F L^3/(48 EI).
 #[test]
 fn an_equivalent_static_force_acts_beside_the_weight() {
     let (length, bending, mass) = (3.0, 0.2e10 * 8.33e-5, 0.1 * 3e3);
@@ -313,7 +313,7 @@ fn an_equivalent_static_force_acts_beside_the_weight() {
     assert!(off.abs() < 1e-5, "{found:?} {by_deflection}");
 }
 
-/// Of a beam that yields it is the force that bends the elastic one as far, and of what has none the reason is told.
+/// For a beam that yields it is the force with the same moment or deflection in the elastic one, and without one the reason is given.
 #[test]
 fn a_beam_that_yields_has_the_equivalent_force_of_the_elastic_one() {
     let plasticity = Plasticity {
@@ -372,8 +372,8 @@ fn tied(springs: &[([f64; 2], Option<f64>)]) -> Model {
     b.build().unwrap()
 }
 
-/// A spring that is stretched in the reference configuration, which is no equilibrium then, has no force in modes about it: the force that
-/// the beam would bear against it has none either. Where the forces of springs balance, they count.
+/// A stretched spring in the reference configuration, which is then no equilibrium, has no force in modes about it: the corresponding force of the
+/// beam is missing too. If the forces of springs balance, they are included.
 #[test]
 fn modes_about_the_reference_take_no_part_of_a_pretension_that_nothing_balances() {
     let lowest = |model: &Model| natural_frequencies(model, 1)[0];

@@ -211,7 +211,7 @@ fn a_beam_buckles_at_eulers_load() {
     let found = buckling(&model, 2).modes;
     close(found[0].factor, euler, 1e-4);
     close(found[1].factor, 4.0 * euler, 1e-3);
-    // Without load nothing buckles.
+    // Without load there is no buckling.
     assert_eq!(buckling(&beam(4, clamp), 1).outcome, BucklingOutcome::Unloaded);
 }
 
@@ -285,12 +285,12 @@ fn faults_are_told_all_at_once() {
 
 #[test]
 fn a_load_across_a_beam_buckles_nothing() {
-    // The cantilever is pressed by nothing: its displacements must not pass for a prestress.
+    // The cantilever has no compression: its displacements must not count as a prestress.
     let across = beam(8, |b, beam| {
         clamp(b, beam);
         force(b, beam, 1.0, [0.0, 100.0], 0.0);
     });
-    // What is left is the coupling of moments and stretches in Green strains, at strains of the order of one.
+    // The rest is the coupling of moments and stretches in Green strains, at strains of the order of one.
     assert!(buckling(&across, 1).modes.iter().all(|m| m.factor > 1e3));
     // A column under its weight of load and a push across buckles at Euler's load all the same.
     let column = beam(16, |b, beam| {

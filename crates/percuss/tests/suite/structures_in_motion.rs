@@ -1,4 +1,4 @@
-//! Damping, supports that move or let go, and starts of a transient, each against a closed form of its own.
+//! Damping, moving and released supports, and starts of a transient, each compared with a closed form.
 
 use crate::common;
 
@@ -111,7 +111,7 @@ fn a_support_that_lets_go_leaves_a_free_flight() {
         let mut root = Support::new("root", at("root", beam, 0.0), SupportKind::Clamp);
         root.until = 0.0505;
         b.support(root);
-        // An elastic support that takes the energy of its springs with it.
+        // An elastic support that takes the energy of its springs with it when released.
         let kind = SupportKind::Elastic {
             direction: [1.0, 0.0],
             stiffness: [0.0, 2e3],
@@ -129,7 +129,7 @@ fn a_support_that_lets_go_leaves_a_free_flight() {
     assert_eq!(held, before, "nothing holds after the release");
     let mass = DENSITY * AREA * 2.0;
     let momentum = end.measures().linear[1];
-    // Weight all along, supports until they let go.
+    // Weight throughout, supports until their release.
     let supports: f64 = end.state().reactions.iter().map(|r| r[1]).sum();
     close(momentum, -mass * 9.81 * 0.2 + supports, 1e-10);
 }

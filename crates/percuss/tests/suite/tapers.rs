@@ -1,4 +1,4 @@
-//! Tapered beams: the section is where it is said to be, whatever the mesh.
+//! Tapered beams: sections at their given places, for any mesh.
 
 use crate::common;
 

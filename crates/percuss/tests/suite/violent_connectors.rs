@@ -1,4 +1,4 @@
-//! Chains of bars on springs and hinges that yield, drawn at random and struck: energy is accounted for, and what is dissipated is gone.
+//! Random chains of bars with yielding springs and hinges under impact: complete energy balance and irreversible dissipation.
 
 use std::collections::BTreeMap;
 
@@ -92,7 +92,7 @@ fn hold(b: &mut ModelBuilder, r: &mut Numbers, bars: &[(BeamId, [[f64; 2]; 2])])
     }
 }
 
-/// What strikes them.
+/// Projectiles.
 fn strike(b: &mut ModelBuilder, r: &mut Numbers, bars: &[(BeamId, [[f64; 2]; 2])]) {
     for i in 0..1 + r.below(2) {
         let kind = if r.chance(0.5) {

@@ -1,4 +1,4 @@
-//! Violent scenes of beams that yield, drawn at random: whatever happens, energy is accounted for, and what is dissipated is gone.
+//! Random extreme scenes of beams that yield: complete energy balance and irreversible dissipation in every case.
 
 use std::collections::BTreeMap;
 
@@ -150,7 +150,7 @@ fn largest(rows: &MemoryRecorder, column: &str) -> f64 {
     values.iter().fold(0.0_f64, |most, x| most.max(x.abs()))
 }
 
-/// Runs a scene and looks at every row of it.
+/// Runs a scene and checks every row of it.
 fn run(number: u64, brittle: bool) -> RunSummary {
     let scene = scene(number, brittle);
     let mut run = Simulation::new(&scene.model, &scene.settings)
@@ -191,9 +191,9 @@ fn scenes(all: u64) -> u64 {
 /// Of every balance, relative to its scale.
 const BOUND: f64 = 1e-10;
 
-/// A run that gives up does so in the end of a step cut into ever smaller parts, as a rule where an element's axis has been pressed to nothing:
-/// a direction that it no longer has is then found to few digits. Its energy is held to the same bound there, and its momenta up to the
-/// last row (in what follows it, 4e-10 in one scene).
+/// A run without convergence ends in a step cut into ever smaller parts, usually where the axis of an element has zero length: its direction, which
+/// is then undefined, has few digits. The bound of its energy is the same there, and that of its momenta up to the last row (4e-10 after it in one
+/// scene).
 #[test]
 fn violent_scenes_account_for_all_energy() {
     let mut reasons: BTreeMap<&str, Vec<u64>> = BTreeMap::new();
@@ -229,7 +229,7 @@ fn violent_scenes_account_for_all_energy() {
     assert!(reasons.values().map(Vec::len).sum::<usize>() <= share(15), "{reasons:?}");
 }
 
-/// Scenes of beams that fail soon after they yield: most part, many at several places, beneath what strikes them and elsewhere.
+/// Scenes of beams that fail soon after yield: most fracture, many at several places, below the striking body and elsewhere.
 #[test]
 fn scenes_of_beams_that_part_account_for_all_energy() {
     let (mut parted, mut places, mut gave_up) = (0, 0, Vec::new());

@@ -116,7 +116,7 @@ fn a_plastic_cantilever_bends_to_the_closed_form_as_fibres_are_added() {
     };
     let (coarse, fine) = (miss(16), miss(96));
     assert!(coarse < 1e-2 && fine < 2e-4, "{coarse:e} {fine:e}");
-    // Nothing carries more than the fully plastic moment, which Gauss points tell to a share of their area.
+    // No moment exceeds the plastic moment, which Gauss points represent to a share of their area.
     assert!(bent_cantilever(0.99 * most, 48).is_ok());
     assert!(bent_cantilever(1.001 * most, 48).is_err());
 }
@@ -189,7 +189,7 @@ fn rigid_plastic_throw_of_a_simply_supported_beam_nears_its_closed_form() {
     // Thrown upwards it stays bent upwards, most of all in the middle.
     assert!((set.s - half).abs() < 1e-9 && set.displacement[1] > 0.0, "{set:?}");
     let set = set.size();
-    // What it holds elastically, a twelfth of what it is given, and rotations of 0.15 rad keep it from more than a near miss.
+    // Elastic energy, a twelfth of the supplied energy, and rotations of 0.15 rad limit the agreement.
     assert!((set / rigid - 1.0).abs() < 0.06, "{set} {rigid} {:?}", summary.energy);
 }
 
@@ -204,13 +204,13 @@ fn an_elastic_bar_tells_when_and_where_it_first_passes_its_strength() {
     let whole = bar(end, none, none);
     let most = [-whole.stress.min.value, whole.stress.max.value];
     assert!(whole.beyond.is_none() && most.iter().all(|s| *s > 300e6), "{most:?}");
-    // Not one that bears the largest stress of all; one that bears less first passes it no later than that is reached.
+    // A usual yield stress above the largest stress is not exceeded; a smaller one is first exceeded no later than the largest stress is reached.
     assert!(bar(end, 1.001 * most[1], 1.001 * most[0]).beyond.is_none());
     let least = 0.9 * most[1];
     let first = bar(end, least, none).beyond.unwrap();
     assert!(first.value > least && first.time <= whole.stress.max.time, "{first:?}");
     assert!((0.0..=0.4).contains(&first.s), "{first:?}");
-    // Up to the step before nothing passes it.
+    // Up to the previous step it is not exceeded.
     assert!(bar(first.time - 1e-5, least, none).beyond.is_none());
     assert!(bar(first.time, least, none).beyond.is_some());
     assert!(bar(end, none, 300e6).beyond.unwrap().value < -300e6);

@@ -50,7 +50,7 @@ fn braced(law: Option<Plasticity>, more: impl FnOnce(&mut ModelBuilder, BeamId))
     b.build().unwrap()
 }
 
-/// The bar swings down at 3 rad/s.
+/// The bar rotates down at 3 rad/s.
 fn swung(law: Option<Plasticity>) -> Model {
     braced(law, |b, _| {
         b.initial_motion(InitialMotion { velocity: [0.0; 2], spin: -3.0, about: [0.0; 2] });
@@ -133,7 +133,7 @@ fn a_spring_that_fails_takes_its_energy_with_it() {
     let (time, force) = (rows.column("time").unwrap(), rows.column("spring.brace.force").unwrap());
     let at = time.iter().position(|t| *t == failed).unwrap();
     assert!(force[at - 1].abs() > LIMIT && force[at..].iter().all(|f| *f == 0.0), "{force:?}");
-    // What it held when it let go: as far as the row before tells.
+    // Its force at release: within the accuracy of the previous row.
     let lost = summary.energy.failure;
     let extension = rows.column("spring.brace.extension").unwrap()[at];
     assert!(extension.abs() >= 0.006 && brace.extension_max.value == extension, "{brace:?}");
@@ -162,7 +162,7 @@ fn pressed(force: f64) -> Model {
 fn at_rest_a_spring_has_flowed_as_its_force_asks() {
     let found = equilibrium(&pressed(-1.2 * LIMIT)).unwrap();
     let brace = &found.yielding[0];
-    // The bar pushes back by what it turns: 0.5 % of the force would already be more.
+    // The restoring force of the rotated bar is less than 0.5 % of the force.
     assert!((brace.force / (-1.2 * LIMIT) - 1.0).abs() < 5e-3, "{brace:?}");
     let flow = -(brace.force.abs() - LIMIT) / (ISOTROPIC + KINEMATIC);
     assert!((brace.plastic / flow - 1.0).abs() < 1e-9, "{brace:?}");
@@ -193,7 +193,7 @@ fn small_motions_about_what_has_yielded_are_elastic() {
     };
     let model = pressed(-1.2 * LIMIT);
     let found = equilibrium(&model).unwrap();
-    // sqrt(k / m) with what a third of the bar weighs, which is stiff: as before it yielded, not with the tangent, a third of that.
+    // sqrt(k / m) with a third of the mass of the bar, which is stiff: the elastic stiffness as before yield, not the tangent, a third of it.
     let bar = 7850.0 * std::f64::consts::FRAC_PI_4 * 0.03 * 0.03;
     let expected = (STIFFNESS / (20.0 + bar / 3.0)).sqrt() / std::f64::consts::TAU;
     let frequency = lowest(&model, &found);
@@ -216,7 +216,7 @@ fn a_run_that_goes_on_from_a_checkpoint_remembers_what_has_yielded() {
     assert_eq!(end.energy, whole.energy);
 }
 
-/// A stub that stands still and a bar on a hinge at its end, which turns at first.
+/// A stub at rest and a bar on a hinge at its end, which rotates at first.
 fn hinged(law: Plasticity, spin: f64) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("stiff", 2e11, 1000.0));
@@ -293,8 +293,8 @@ fn analyses_without_yielding_connectors_say_so() {
     assert_eq!(paths, expected, "{faults:?}");
 }
 
-/// Two beams that meet in an elastic hinge, in whatever order the joint names them and whichever way they run: its moment is the bending
-/// moment of the first beam that ends there, and its rotation goes along with it.
+/// Two beams connected by an elastic hinge, in either order of the joint and either direction: its moment is the bending moment of the first beam
+/// that ends there, and its rotation has the same sign.
 #[test]
 fn rotation_and_moment_of_a_hinge_count_as_the_section_moment_beside_it() {
     let law = perfect(1e6);
@@ -335,7 +335,7 @@ fn rotation_and_moment_of_a_hinge_count_as_the_section_moment_beside_it() {
             "{turned} {swapped}: {hinge:?} {beside}"
         );
         assert!((hinge.extension / (hinge.force / 2e4) - 1.0).abs() < 1e-9, "{hinge:?}");
-        // A run says the same.
+        // A run gives the same.
         let settings = Settings { start: Start::Static, ..Settings::new(1e-4, 1e-5) };
         let (summary, rows) = run(&model, &settings);
         let own = summary.yielding[0].extension_max.value;

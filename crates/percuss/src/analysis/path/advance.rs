@@ -15,7 +15,7 @@ const BISECTIONS: usize = 40;
 const BISECTIONS_OF_STABILITY: usize = 30;
 /// Contacts that are tried as the next to close.
 const MOST_TOUCHES: usize = 5;
-/// Least cosine between the ways of two points an arc longer than the first apart; less and the path turns unseen between them.
+/// Least cosine between the directions of two points an arc longer than the first apart; below it the path may turn unnoticed between them.
 const LEAST_COSINE: f64 = 0.9;
 /// Least cosine between a plane's normal and the path: closing contacts may turn it.
 const LEAST_ACROSS: f64 = 0.05;
@@ -36,7 +36,7 @@ struct Departure {
     most: f64,
 }
 
-/// How the load factor went along an arc.
+/// Change of the load factor along an arc.
 pub(super) struct FactorAlongArc {
     /// Whether it turned: an odd number of times.
     pub turned: bool,
@@ -202,7 +202,7 @@ impl Tracer<'_> {
         FactorAlongArc { turned, resolved: straight && (turned || (even(then) && even(now))) }
     }
 
-    /// Whether the load factor grows along the path at the current point.
+    /// Whether the load factor increases along the path at the current point.
     fn rises(&mut self) -> Option<bool> {
         self.prepare().then(|| self.leads_up())
     }

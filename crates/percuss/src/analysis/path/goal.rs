@@ -1,4 +1,4 @@
-//! Where a path ends.
+//! End of a path.
 
 use crate::model::Model;
 use crate::settings::PathEnd;

@@ -21,7 +21,7 @@ pub use point::{PathPoint, PathRecorder};
 use tracer::{Mark, Tracer};
 use yielding::Yielded;
 
-/// Corrections at which the arc stays as it is.
+/// Number of corrections at which the arc does not change.
 const WANTED_ITERATIONS: f64 = 5.0;
 /// Most by which an arc is longer than that before.
 const EASIEST: f64 = 1.5;
@@ -147,7 +147,7 @@ impl Following<'_, '_> {
             return self.halve();
         };
         let along = tracer.factor_along_arc(&before);
-        // Where the load factor turns, arcs are no longer than the first.
+        // At a limit point of the load factor, arcs are no longer than the first.
         if self.arc > first && (along.turned || !along.resolved) {
             tracer.back_to(&before);
             self.arc = (0.5 * self.arc).max(first);

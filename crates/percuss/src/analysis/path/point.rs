@@ -9,7 +9,7 @@ pub struct PathPoint {
     pub factor: f64,
     /// Displacements of the recorded points, in their order, shape (points, 2) \[m\].
     pub displacements: Vec<[f64; 2]>,
-    /// Whether the structure returns to it under its loads: no motion about it grows.
+    /// Whether it is stable under its loads: no motion about it grows.
     pub stable: bool,
 }
 

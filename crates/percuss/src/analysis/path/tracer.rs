@@ -25,20 +25,20 @@ const LITTLE: f64 = 1e-4;
 pub(super) struct Mark {
     pub factor: f64,
     pub reached: Reached,
-    /// The last way along the path: increments of the nodal displacements, shape (nodes, 4) \[m, -\].
+    /// The last step along the path: increments of the nodal displacements, shape (nodes, 4) \[m, -\].
     pub way: Vec<[f64; 4]>,
-    /// Which rigid contacts pressed where it began, shape (places of contacts).
+    /// Active rigid contacts at its start, shape (places of contacts).
     pub pressed: Vec<bool>,
-    /// Whether the load factor grew where the last way began.
+    /// Whether the load factor increased at the start of the last step.
     pub rising: bool,
-    /// How far the last way changed the load factor, and whether it was given by that.
+    /// Change of the load factor in the last step, and whether it was prescribed.
     pub changed: f64,
     pub given: bool,
 }
 
 pub(super) struct Tracer<'m> {
     pub search: StaticSearch<'m>,
-    /// The beams alone.
+    /// The beams only.
     structure: Model,
     pub factor: f64,
     /// Rate of the load factor along the path where the last arc began.
@@ -50,9 +50,9 @@ pub(super) struct Tracer<'m> {
     pub arc: f64,
     pub changed: f64,
     pub given: bool,
-    /// The last way along the path: increments of the nodal displacements, shape (nodes, 4) \[m, -\].
+    /// The last step along the path: increments of the nodal displacements, shape (nodes, 4) \[m, -\].
     pub way: Vec<[f64; 4]>,
-    /// Which rigid contacts pressed where it began, shape (places of contacts).
+    /// Active rigid contacts at its start, shape (places of contacts).
     pub pressed: Vec<bool>,
     pub rising: bool,
     /// Response to the loads.
@@ -174,7 +174,7 @@ impl<'m> Tracer<'m> {
         self.search.factor_assembled().is_ok() && self.respond(&load, None)
     }
 
-    /// The correction at the current point under the loads as they are, and the response to the loads beside it.
+    /// The correction at the current point under the current loads, and the response to the loads.
     pub(super) fn direction(&mut self) -> bool {
         let load = self.assemble();
         if self.search.contacts.press_exactly() {
@@ -208,7 +208,7 @@ impl<'m> Tracer<'m> {
         self.response.nodal.as_flattened().iter().all(|c| c.is_finite())
     }
 
-    /// Inner product of ways: displacements over the size of the structure, slopes as they are, in the mean.
+    /// Inner product of steps: displacements divided by the size of the structure, and slopes, averaged.
     pub(super) fn inner(&self, a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
         let size = self.search.size();
         let one = |(a, b): (&[f64; 4], &[f64; 4])| {
@@ -217,7 +217,7 @@ impl<'m> Tracer<'m> {
         a.iter().zip(b).map(one).sum::<f64>() / a.len() as f64
     }
 
-    /// The arc that leads to a load factor by the linear response: of the structure without its contacts, unless they alone hold it.
+    /// The arc that leads to a load factor by the linear response: of the structure without its contacts, unless they are its only support.
     pub(super) fn first_arc(&mut self, factor: f64) -> Option<f64> {
         self.first = factor;
         self.search.contacts.begin(Pressing::Exactly);

@@ -1,20 +1,20 @@
-//! First yields along an equilibrium path: arcs end where something yields first, for the path turns there.
+//! First yields along an equilibrium path: arcs end at a first yield, since the path has a kink there.
 
 use super::tracer::{Mark, Tracer};
 use crate::analysis::yields::{self, PathYield};
 
-/// An arc that ends no further than this share from where something yields is not cut.
+/// An arc that ends no further than this share beyond a first yield is not cut.
 const NEAR: f64 = 0.98;
-/// Nor is one cut shorter than to this share of the first.
+/// Least length of a cut arc, as a share of the first.
 const SHORT: f64 = 1e-3;
-/// How far beyond it a cut arc ends, relative.
+/// Distance of the end of a cut arc beyond it, relative.
 const BEYOND: f64 = 1e-6;
 
 /// Result of the last arc.
 pub(super) enum Yielded {
     /// First yields, in their order, shape (those on the arc); most arcs have none.
     Here(Vec<PathYield>),
-    /// The first of them lies well before its end: the arc that leads there.
+    /// The first of them is well before its end: the arc that leads there.
     Before(f64),
 }
 

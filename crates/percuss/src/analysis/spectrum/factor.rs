@@ -39,7 +39,7 @@ impl Factored<'_> {
 }
 
 impl Layout<'_> {
-    /// Factors a matrix; with its negative eigenvalues beside those of constraints if `count`. `None` if it is singular.
+    /// Factors a matrix; counts its negative eigenvalues, in addition to those of constraints, if `count`. `None` if it is singular.
     pub fn factor(&self, matrix: Matrix, count: bool) -> Option<Factored<'_>> {
         let Matrix { mut values, constrained, .. } = matrix;
         for (h, dofs) in self.model.prescribed.iter().enumerate() {

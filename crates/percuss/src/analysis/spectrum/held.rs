@@ -1,18 +1,18 @@
-//! Contacts that press in an equilibrium: in small motions about it they stay closed.
+//! Active contacts of an equilibrium, which are kept closed in small motions about it.
 
 use crate::geometry::row::Row;
 use crate::geometry::turning::Turning;
 
-/// A contact that stays closed.
+/// A contact that is kept closed.
 #[derive(Clone, Debug)]
 pub struct Held {
     /// Gradient of its gap on the nodes that move.
     pub row: Row,
-    /// Of its law, or far above that of the beams \[N/m\].
+    /// Stiffness of its law, or far above that of the beams \[N/m\].
     pub stiffness: f64,
     /// Its force \[N\].
     pub force: f64,
-    /// How its direction turns: parts of the second derivative of the gap, shape (such parts).
+    /// Rotation of its direction: parts of the second derivative of the gap, shape (such parts).
     pub turnings: Vec<Turning>,
 }
 

@@ -10,8 +10,8 @@ use crate::math::vec2::{dot, rot90, scale, sub};
 use crate::model::Model;
 use crate::model::frozen::BeamData;
 
-/// Eigenvalues of unit bending stiffness, against beams as long as all together, that count as none. The least of a structure
-/// that is held is of order one; the greatest of round-off, for 100 000 elements, below 1e-11.
+/// Eigenvalues of unit bending stiffness, relative to beams of the total length, that count as zero. The least of a supported structure is of order
+/// one; the greatest of round-off, for 100 000 elements, below 1e-11.
 const NONE: f64 = 1e-9;
 
 /// Energy of stress below this share of that of bending is round-off.
@@ -21,15 +21,15 @@ const ROUND_OFF: f64 = 1e-9;
 pub struct FreeMotions {
     /// Nodal values of a basis, shape (motions, nodes, 4) \[-, 1/m, to a common factor\].
     pub motions: Vec<Nodal>,
-    /// As many components of nodes that, held, would stop them all: (node, component), shape (motions)
-    /// \[index of a node, index of a component\].
+    /// As many components of nodes whose fixing would prevent all motions: (node, component), shape (motions) \[index of a node, index of a
+    /// component\].
     pub stops: Vec<(usize, usize)>,
 }
 
 /// Motions from the base of a search that no stiffness opposes, to first order.
 ///
-/// Their number is the rank that a stiffness matrix lacks, whatever the stiffness: it is found with unit bending stiffness for
-/// each beam, and springs to match.
+/// Their number is the rank deficiency of a stiffness matrix, for any stiffness: it is found with unit bending stiffness for each beam, and
+/// corresponding springs.
 pub fn free_motions(layout: &Layout, search: &StaticSearch) -> FreeMotions {
     match is_held_beam_by_beam(layout.model, search) {
         true => FreeMotions { motions: Vec::new(), stops: Vec::new() },
@@ -86,7 +86,7 @@ fn is_held_beam_by_beam(model: &Model, search: &StaticSearch) -> bool {
 
 /// Whether supports hold a beam against motions of a rigid body about the base of a search.
 fn is_held(model: &Model, search: &StaticSearch, beam: &BeamData) -> bool {
-    /// Directions nearer to each other than this are left to the eigenvalues: it is more than the root of [`NONE`].
+    /// Directions closer to each other than this are left to the eigenvalues: it is more than the root of [`NONE`].
     const APART: f64 = 1e-3;
     let displacement = &search.base.displacement;
     let first = beam.nodes.start;
@@ -176,7 +176,7 @@ mod tests {
     use super::*;
     use crate::model::*;
 
-    /// A straight beam of length 2 from the origin, at 30 degrees to the axes, held at shares of its length.
+    /// A straight beam of length 2 from the origin, at 30 degrees to the axes, supported at shares of its length.
     fn held(kinds: &[(f64, SupportKind)]) -> Model {
         let mut b = ModelBuilder::new();
         let material = b.material(Material::new("steel", 2e11, 7800.0));
@@ -204,7 +204,7 @@ mod tests {
             (&[(0.5, SupportKind::Pin)], 1),
             (&[(0.0, SupportKind::Clamp)], 0),
             (&[(0.0, SupportKind::Pin), (1.0, across())], 0),
-            // It turns about the pin: the other support holds it along its axis.
+            // It rotates about the pin: the other support is axial.
             (&[(0.0, SupportKind::Pin), (1.0, roller(0.0, 1.0))], 1),
             (&[(0.0, across()), (1.0, across())], 1),
             // The lines of three rollers meet in one point, about which the beam rotates.

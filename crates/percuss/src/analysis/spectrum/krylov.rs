@@ -188,7 +188,7 @@ impl<'a> Krylov<'a> {
         values.sort_by(|a, b| b.norm().total_cmp(&a.norm()));
         let complex = matrix.map(|x| Complex::new(x, 0.0));
         let vector = |value: &Complex<f64>| {
-            // Inverse iteration beside the eigenvalue.
+            // Inverse iteration close to the eigenvalue.
             let shift = value * (1.0 + 1e-10);
             let shifted = &complex - DMatrix::identity(n, n) * shift;
             let lu = shifted.lu();

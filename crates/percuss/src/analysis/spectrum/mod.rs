@@ -27,8 +27,8 @@ pub fn size(model: &Model) -> f64 {
     model.beams.iter().map(|b| b.length).sum()
 }
 
-/// A measure of motions by stiffness: the mass matrix of beams with a mass of `EI / l^4` per length, l the length of all beams.
-/// Against it no bending stiffness of the structure is small, whatever its density. Of unit bending stiffness if `unit`.
+/// A measure of motions by stiffness: the mass matrix of beams with a mass of `EI / l^4` per length, l the length of all beams. Relative to it no
+/// bending stiffness of the structure is small, for any density. With unit bending stiffness if `unit`.
 pub fn metric(model: &Model, unit: bool) -> Chain {
     metric_of(model, unit, |_| true)
 }

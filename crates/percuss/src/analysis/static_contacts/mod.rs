@@ -39,7 +39,7 @@ const STIFFER: f64 = 1e3;
 /// contacts.
 const WEAK: f64 = 1e-4;
 const STIFF: f64 = 1e5;
-/// Stiffness of a rigid contact grows by this factor where a correction of a closed set that stays leaves more than a share of its gap.
+/// Factor of the stiffness of a rigid contact if a correction with an unchanged closed set leaves more than a share of its gap.
 const GROWTH: f64 = 100.0;
 const SLOW: f64 = 1e-4;
 /// Forces below this share of the largest.

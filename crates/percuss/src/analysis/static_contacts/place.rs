@@ -33,7 +33,7 @@ pub struct CandidatePair {
     pub multiplier: f64,
     /// Stiffness of a rigid pair \[N/m\]; zero for a compliant one.
     pub stiffness: f64,
-    /// The one an iteration begins with, and the largest, shape (2) \[N/m\].
+    /// Initial and largest stiffness of an iteration, shape (2) \[N/m\].
     pub stiffnesses: [f64; 2],
     /// Rigid and closed at the last check, and in the last assembled tangent.
     pub closed: bool,
@@ -143,10 +143,10 @@ pub struct RestingDisc {
 /// Gaps and moves below this share of the largest coordinate are round-off.
 pub(super) const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 
-/// How the rigid contacts of a structure press that are not those of discs.
+/// Method for the rigid contacts of a structure, except those of discs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(in crate::analysis) enum Pressing {
-    /// As those of discs.
+    /// The method for contacts of discs.
     #[default]
     Following,
     /// With multipliers that corrections find.

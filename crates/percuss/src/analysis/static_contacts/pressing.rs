@@ -1,4 +1,4 @@
-//! Which rigid contacts of a structure carry a load, and how much: a quadratic programme in each of Newton's corrections.
+//! Active rigid contacts of a structure, and their forces: a quadratic programme in each of Newton's corrections.
 //!
 //! About a configuration with residual r, tangent K, gaps g and their gradients G the correction d is the minimiser of `1/2 d.K d + r.d` with `g +
 //! G d >= 0`. Several candidates of an element may be closer than its shape functions resolve: forces of neighbours are then not unique, and
@@ -24,9 +24,9 @@ const MOST_ROUNDS: usize = 40;
 /// opens and closes by round-off would change the forces of neighbours by far more.
 const ZERO_GAP: f64 = 16.0 * f64::EPSILON;
 const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
-/// Forces below this share of the largest come and go by round-off.
+/// Forces below this share of the largest appear and vanish by round-off.
 const ROUND_OFF_OF_FORCES: f64 = 1e-13;
-/// How deep a compliant contact that just touches is pressed in, as a share of the largest coordinate.
+/// Penetration of a compliant contact that just touches, as a share of the largest coordinate.
 const TOUCHING: f64 = 1e-9;
 /// Gaps that a correction may leave, as a share of the largest move: the next is smaller by itself.
 const INEXACT: f64 = 1e-7;
@@ -47,7 +47,7 @@ pub struct Programme {
     stiffness: Vec<f64>,
     /// Multipliers about which forces are sought, shape (contacts) \[N\].
     multipliers: Vec<f64>,
-    /// Which contacts are closed in the tangent factored last, shape (contacts).
+    /// Closed contacts in the last factored tangent, shape (contacts).
     closed: Vec<bool>,
 }
 
@@ -86,7 +86,7 @@ impl StaticSearch<'_> {
         Some(programme)
     }
 
-    /// The correction while the contacts that press stay closed and no other closes.
+    /// The correction with the active contacts kept closed and no other closing.
     pub fn hold_pressed(&mut self) -> Option<Programme> {
         let mut programme = Programme::new(self.model, &self.contacts);
         let mut linear = self.linear();

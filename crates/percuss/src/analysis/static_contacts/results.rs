@@ -26,7 +26,7 @@ pub struct StaticContact {
     pub resultant: [f64; 2],
     /// Least gap \[m\]; negative for a compressed compliant contact, infinite where contact is impossible.
     pub gap: f64,
-    /// Where it is closed along the beam: from and to, arc length, shape (2) \[m\]; NaN where it is open or on no beam.
+    /// Closed range along the beam: from and to, arc length, shape (2) \[m\]; NaN if it is open or on no beam.
     pub s: [f64; 2],
     /// Arc length at which the forces have their centre \[m\]; NaN likewise.
     pub centre: f64,
@@ -57,7 +57,7 @@ impl StaticContacts {
         self.places.iter().filter(|p| p.force != 0.0).filter_map(one).collect()
     }
 
-    /// Contacts of beams that press in a state, as they stay closed in small motions; without those of discs.
+    /// Active contacts of beams in a state, which remain closed in small motions; without those of discs.
     pub fn held(&self, model: &Model, state: &State) -> Vec<Held> {
         let beams = model.beam_node_count();
         let at = Configuration { arcs: &self.arcs, ..state.configuration() };

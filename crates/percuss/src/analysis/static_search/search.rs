@@ -40,9 +40,9 @@ pub(in crate::analysis) struct Reached {
     pub(super) fibres: Vec<FibreState>,
     /// State variables of connectors that yield, shape (connectors that yield).
     pub memories: Vec<FibreState>,
-    /// Which joints of a given strength have parted, shape (such joints).
+    /// Failed joints of a given strength, shape (such joints).
     pub(super) joints_parted: Vec<bool>,
-    /// Which elements have, as in [`State`], shape (beam nodes); empty while no beam has.
+    /// Fractured elements, as in [`State`], shape (beam nodes); empty without fractured beams.
     pub(super) parted: Vec<bool>,
 }
 
@@ -61,7 +61,7 @@ pub enum Motions {
     Left {
         /// The time \[s\].
         time: f64,
-        /// How far they were followed, shape (motions).
+        /// Values of the motions, shape (motions).
         followed: Vec<Followed>,
     },
 }

@@ -9,7 +9,7 @@ use crate::math::vec2::{add, cross, dot};
 use crate::scalar::Dual;
 use proptest::prelude::*;
 
-/// With derivatives by the increments of slope and bend; [`Dual`] is held to difference quotients by its own test.
+/// With derivatives with respect to the increments of slope and bend; [`Dual`] is compared with difference quotients in its own test.
 type DualFour = Dual<4>;
 
 const H: f64 = 1e-3;

@@ -20,12 +20,12 @@ pub struct BendingStep<S> {
     unit: Stress<S>,
     /// Derivatives, for a unit moment, of the coefficients along the discrete gradient's two parts, shape (2).
     turned: [Form<S>; 2],
-    /// Where the discrete gradient is evaluated: tangent x' and x'' in the middle of the step, shape (2, 2) \[-, 1/m\].
+    /// Point of evaluation of the discrete gradient: tangent x' and x'' in the middle of the step, shape (2, 2) \[-, 1/m\].
     middle: [[S; 2]; 2],
 }
 
 impl<S: Real> BendingStep<S> {
-    /// Force of a moment, with the tangent of its lever arms alone.
+    /// Force of a moment, with the tangent of its lever arms only.
     #[inline(always)]
     pub fn response(&self, moment: S) -> PointResponse<S> {
         let (x, y) = (self.turned[0].times(moment), self.turned[1].times(moment));

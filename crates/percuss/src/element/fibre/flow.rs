@@ -23,7 +23,7 @@ pub struct FibreFlow<S: Number> {
     pub taken: [S; 2],
     /// Lanes in which a fibre that carries force has reached its failure strain.
     pub failing: S::Mask,
-    /// Where any has flowed.
+    /// Lanes in which any has yielded.
     pub flowed: S::Mask,
 }
 

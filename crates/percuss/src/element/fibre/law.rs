@@ -57,7 +57,7 @@ impl Slack {
     }
 }
 
-/// How stress follows strain.
+/// Relation of stress and strain.
 #[derive(Clone, Debug, PartialEq)]
 pub enum StressLaw<S = f64> {
     /// In proportion.
@@ -105,7 +105,7 @@ pub enum Inelasticity {
 pub struct PlasticLaw<S = f64> {
     /// Young's modulus \[Pa\].
     pub young: S,
-    /// How it yields.
+    /// Yield law.
     pub plasticity: Plasticity<S>,
     /// The side without stress, if there is one: beyond the plastic strain on that side a fibre gapes.
     pub slack: Option<Slack>,

@@ -25,7 +25,7 @@ impl<S: Copy> StressLaw<S> {
         }
     }
 
-    /// All about it that is no number.
+    /// All its properties that are not numbers.
     pub fn shape(&self) -> LawShape {
         let slack = self.slack();
         match self {

@@ -6,7 +6,7 @@ use crate::scalar::{Mask, Number};
 pub(super) struct StressPath<S> {
     pub start: S,
     pub length: S,
-    /// How far it has been gathered, from 0 to 1.
+    /// Completed share of the path, from 0 to 1.
     pub at: S,
     /// `int Et dt`, `int Et (1 - t) dt`, `int Et t dt`, shape (3) \[Pa\].
     pub sums: [S; 3],

@@ -34,7 +34,7 @@ impl<S: Number> Plasticity<S> {
         self.limit(accumulated)[0]
     }
 
-    /// Where the part of the given number ends.
+    /// End of the part of the given number.
     #[inline(always)]
     pub(super) fn end_of(&self, part: usize) -> S {
         match self.curve.get(part + 1) {

@@ -94,7 +94,7 @@ fn viscous(curve: Vec<Hardening>, kinematic: f64, rate: Overstress) -> StressLaw
     })
 }
 
-/// A fibre strained by 0.02 in four steps, each across more than one corner, gives no energy and ends on the curve.
+/// A fibre strained by 0.02 in four steps, each across more than one corner, creates no energy and ends on the curve.
 #[test]
 fn viscous_flow_across_corners_of_a_table_dissipates() {
     let law = viscous(steep(), 0.0, Overstress { rate: 1e6, exponent: 1.0 });

@@ -68,7 +68,7 @@ impl<S: Number> PlasticLaw<S> {
 struct Cut<S> {
     /// Share of the path.
     at: S,
-    /// By how much the share falls with the length of the path.
+    /// Derivative of the share with respect to the length of the path, negative.
     earlier: S,
     /// Stress there \[Pa\].
     stress: S,
@@ -86,7 +86,7 @@ struct ViscousPath<'a, S> {
     sign: S,
     /// Its duration \[s\].
     h: S,
-    /// How far it has been gathered, from 0 to 1, and by how much that falls with the length of the path.
+    /// Completed share of the path, from 0 to 1, and its derivative with respect to the length of the path, negative.
     at: S,
     earlier: S,
     /// Stress there \[Pa\], and its derivative with respect to the strain at the end.

@@ -6,8 +6,8 @@ use proptest::prelude::*;
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(4000))]
 
-    /// However the axis is bent: going downhill from anywhere comes nearer, and the nearest point of all is where the search
-    /// in its own neighbourhood finds it again.
+    /// For any bent axis: descent from any point decreases the distance, and the closest point overall is the result of the search in its own
+    /// neighbourhood.
     #[test]
     fn closest_points_are_downhill_and_found_again(
         nodes in proptest::collection::vec((-1.0..1.0_f64, -1.0..1.0_f64, -2.5..2.5_f64, -2.5..2.5_f64), 4),
@@ -35,7 +35,7 @@ proptest! {
         let nearest = bounded.nearest(y, &at, from, 0.0).map_or(from, |n| n.closest.point);
         let again = bounded.near(y, &at, nearest, 0.0).point;
         prop_assert!((away(again) - away(nearest)).abs() <= 1e-12);
-        // Elements skipped by their length would not have been nearer.
+        // Elements skipped by their length would not have been closer.
         let all = Axis { arc: f64::INFINITY, ..bounded };
         let unbounded = all.nearest(y, &at, from, 0.0).map_or(from, |n| n.closest.point);
         prop_assert!((away(unbounded) - away(nearest)).abs() <= 1e-12);

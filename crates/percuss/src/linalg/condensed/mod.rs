@@ -70,7 +70,7 @@ struct Scratch {
     reduced: Vec<f64>,
 }
 
-/// How the constraints of the border touch nodes.
+/// Coefficients of the border's constraints at nodes.
 #[derive(Clone, Debug)]
 pub struct BorderPattern {
     /// Nodes, shape (nodes of the constraint) \[index of a node\].

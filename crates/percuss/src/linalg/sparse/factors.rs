@@ -19,7 +19,7 @@ pub struct SparseMatrix<'a> {
 pub struct LuFactors {
     /// Rows of the matrix in the order of their elimination, shape (order of the matrix) \[index of a row\].
     rows: Vec<usize>,
-    /// When each row is eliminated, shape (order of the matrix) \[index of a column\].
+    /// Order of elimination of each row, shape (order of the matrix) \[index of a column\].
     places: Vec<usize>,
     /// The lower factor below its diagonal of ones.
     lower: ColumnPattern,
@@ -99,7 +99,7 @@ impl LuFactors {
                 self.lower_values[below] = value / pivot;
             }
             self.pivots[k] = pivot;
-            // Not a number is not good either.
+            // NaN is not good either.
             let good = pivot.abs() > 0.0 && pivot.abs() >= GOOD * most;
             if !good || pivot.is_infinite() {
                 return false;
@@ -180,8 +180,8 @@ impl LuFactors {
 /// Of a row that is not eliminated yet.
 const NOWHERE: usize = usize::MAX;
 
-/// The rows in which column `k` of the factors has entries, if it has some in the rows `from` before: every one behind those whose
-/// elimination changes it.
+/// The rows in which column `k` of the factors has entries, given those in the previous rows `from`: every row after those whose elimination
+/// changes it.
 fn reached(
     from: &[usize],
     (lower, places): (&ColumnPattern, &[usize]),

@@ -1,9 +1,9 @@
-//! Where a column of a sparse matrix has entries.
+//! Pattern of a sparse matrix by columns.
 
 /// Columns of ascending rows.
 #[derive(Clone, Debug, Default)]
 pub(super) struct ColumnPattern {
-    /// Where each column begins in `rows`, and where the last one ends, shape (columns + 1) \[number of entries\].
+    /// Start of each column in `rows`, and end of the last one, shape (columns + 1) \[number of entries\].
     pub(super) starts: Vec<usize>,
     /// Rows of the entries, column by column, shape (entries) \[index of a row\].
     pub(super) rows: Vec<usize>,

@@ -145,7 +145,7 @@ pub(super) fn arc(beam: &Beam, along: Along) -> f64 {
     CentreLine::new(beam).map_or(f64::NAN, |line| line.arc(along))
 }
 
-/// Whether a place lies on a beam.
+/// Whether a place is on a beam.
 pub(super) fn check_along(
     beam: &Beam,
     along: Along,

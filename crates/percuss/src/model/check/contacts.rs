@@ -128,7 +128,7 @@ fn check_thickness(
     out.add(path, format!("{both}: end-to-end contact needs a depth or radius"), &cure);
 }
 
-/// Whether two bare things can meet in no other way, or will as they are placed.
+/// Whether two bodies without extent can only meet in axial motion, or will in their position.
 fn meets_end_on(model: &ModelBuilder, between: [ContactPartner; 2]) -> bool {
     match between {
         [ContactPartner::Disc(disc), other] | [other, ContactPartner::Disc(disc)] => match other {
@@ -215,7 +215,7 @@ fn ends_bare(model: &ModelBuilder, beam: &Beam) -> bool {
     !ends.into_iter().all(deep)
 }
 
-/// Impacts of rigid things follow from velocities, and a jump has none.
+/// Impulses of rigid contact follow from velocities, which a jump does not have.
 fn check_jumps(model: &ModelBuilder, contact: &Contact, out: &mut Faults) {
     for partner in contact.between {
         let ContactPartner::Obstacle(id) = partner else { continue };

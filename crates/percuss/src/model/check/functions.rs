@@ -1,4 +1,4 @@
-//! Functions of time that a user gives.
+//! Functions of time given by a user.
 
 use super::faults::Faults;
 use crate::model::time_function::TimeFunction;

@@ -1,4 +1,4 @@
-//! Every fault of a set of definitions, found at once.
+//! Check of a set of definitions, which finds all faults at once.
 
 mod actions;
 mod beams;

@@ -5,7 +5,7 @@ use super::super::definition::*;
 use super::super::fibres::{Make, Weighed};
 use super::faults::{Faults, quantity};
 
-/// A force that falls by less, relative, stays the same.
+/// A force that decreases by less, relative, counts as constant.
 const LEVEL: f64 = 1e-6;
 
 /// Kind of the yielding part, in words.
@@ -107,8 +107,8 @@ pub(super) fn check_yielding_joint(joint: &Joint, out: &mut Faults) {
     words.check_connector(stiffness, law, out);
 }
 
-/// Whether the force of a bar that is pulled falls along a part of its hardening curve. With Green strains it is the stress times the
-/// stretch: a force that stays the same is a stress that falls.
+/// Whether the force of a bar in tension decreases along a part of its hardening curve. With Green strains it is the stress times the stretch: a
+/// constant force is a decreasing stress.
 fn force_falls(
     elastic: f64,
     law: &Plasticity,

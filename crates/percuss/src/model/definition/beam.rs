@@ -2,7 +2,7 @@
 
 use super::{BeamId, MaterialId, SectionId};
 
-/// How the points of a beam are joined to a line.
+/// Connection of the points of a beam to a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Curve {
     /// Straight from point to point, with rigid corners.
@@ -26,13 +26,13 @@ pub enum ElementSize {
 /// Elements smaller towards a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grading {
-    /// Where the elements are smallest.
+    /// End with the smallest elements.
     pub towards: Along,
-    /// How many times smaller they are there than at the far end; above one.
+    /// Ratio of the sizes of the elements at the far end and there; above one.
     pub ratio: f64,
 }
 
-/// How a beam is divided into finite elements.
+/// Division of a beam into finite elements.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mesh {
     /// Size of the elements.
@@ -51,7 +51,7 @@ impl Mesh {
 /// From a point on, a beam has another material or section.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Change {
-    /// Where it begins.
+    /// Start of the part.
     pub at: Along,
     /// Material from there on; the one before if none is given.
     pub material: Option<MaterialId>,
@@ -76,7 +76,7 @@ pub struct Beam {
     pub name: String,
     /// Points the centre line runs through, shape (points, 2) \[m\].
     pub points: Vec<[f64; 2]>,
-    /// How the points are joined.
+    /// Connection of the points.
     pub curve: Curve,
     /// Its finite elements.
     pub mesh: Mesh,
@@ -112,7 +112,7 @@ impl Beam {
     }
 }
 
-/// Where along a beam.
+/// Position along a beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Along {
     /// Fraction of the arc length, 0 at the start, 1 at the end.
@@ -128,6 +128,6 @@ pub struct PointRef {
     pub label: String,
     /// The beam.
     pub beam: BeamId,
-    /// Where along it.
+    /// Position along it.
     pub along: Along,
 }

@@ -36,7 +36,7 @@ pub struct Disc {
 /// Shape of an obstacle.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ObstacleShape {
-    /// Everything behind a straight line.
+    /// The half-plane behind a straight line.
     HalfPlane {
         /// A point of the line, shape (2) \[m\].
         point: [f64; 2],
@@ -63,7 +63,7 @@ pub enum ObstacleShape {
         at: PointRef,
         /// Extent along the beam \[m\].
         width: f64,
-        /// Free way between the beam's surface and either segment \[m\].
+        /// Clearance between the beam's surface and either segment \[m\].
         gap: f64,
         /// Sides on which it acts.
         sides: Sides,
@@ -93,7 +93,7 @@ pub struct Obstacle {
     pub motion: Option<Motion>,
 }
 
-/// One of two things that can touch.
+/// A contact partner.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ContactPartner {
     /// A disc.
@@ -158,13 +158,13 @@ pub struct SmoothLaw {
     pub potential: Potential,
     /// Hunt and Crossley's factor chi \[s/m\]: the force is `f(p) (1 + chi p_dot)`, never a pull; zero for none.
     pub dissipation: f64,
-    /// How it is evaluated over a step.
+    /// Evaluation over a step.
     pub force: ContactForce,
     /// Slope of the line of unloading with crushing: the potential is then that of further loading, and unloading follows only this line \[N/m\].
     pub unloading: Option<f64>,
 }
 
-/// How a smooth contact force is evaluated over a step.
+/// Evaluation of a smooth contact force over a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ContactForce {
     /// Difference quotient of the potential along the discrete gradient of the gap: conserves energy and momenta, also while
@@ -181,11 +181,11 @@ pub enum ContactForce {
 /// Impact law for the velocities.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ImpactLaw {
-    /// Newton's: `z1 >= -e z0` along the normal, and along the tangent within the cone of friction. With friction it can give
-    /// energy; where it would, Moreau's is used instead and the impact counted.
+    /// Newton's: `z1 >= -e z0` along the normal, and along the tangent within the cone of friction. With friction it can create energy; then
+    /// Moreau's is used instead and the impact counted.
     #[default]
     Newton,
-    /// Moreau's: the impulses of the plastic impact, times 1 + e. Never gives energy.
+    /// Moreau's: the impulses of the plastic impact, times 1 + e. Never creates energy.
     Moreau,
 }
 
@@ -212,12 +212,12 @@ pub enum TouchLaw {
     Rigid(RigidLaw),
 }
 
-/// Two things that can touch.
+/// A contact of two partners.
 ///
-/// Beams touch with their faces, half a depth from the centre line (with the line itself where the section has no depth), and
-/// with their [`Ends`](crate::Ends), flat or round, that lie where the beam ends. Against anything but a disc a beam touches at points along it,
-/// `points_per_element` of them in each element, and with the corners of its ends; the law holds for each of these points. Where
-/// two beams meet, the corners of flat ends are rounded off by a twentieth of the depth.
+/// Beams touch with their faces, half a depth from the centre line (with the line itself for a section without depth), and with their
+/// [`Ends`](crate::Ends), flat or round, at the ends of the beam. With any other partner than a disc a beam touches at points along it,
+/// `points_per_element` of them in each element, and with the corners of its ends; the law applies to each of these points. Between two beams, the
+/// corners of flat ends are rounded by a twentieth of the depth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
     /// The user's name for it.
@@ -295,8 +295,8 @@ impl Potential {
 /// Hunt and Crossley's factor chi \[s/m\] for which two free bodies that approach at `velocity` \[m/s\] part with the given
 /// coefficient of restitution, above zero.
 ///
-/// With `b = chi v` the energy balance of `m p'' = -f(p) (1 + chi p')` gives `b (1 + e) = ln((1 + b) / (1 - e b))`, whatever f
-/// is. (Hunt and Crossley's own `chi = 3/2 (1 - e)/v` is its limit for e near one.)
+/// With `b = chi v` the energy balance of `m p'' = -f(p) (1 + chi p')` gives `b (1 + e) = ln((1 + b) / (1 - e b))`, for any f. (Hunt and Crossley's
+/// own `chi = 3/2 (1 - e)/v` is its limit for e near one.)
 pub fn hunt_crossley(restitution: f64, velocity: f64) -> f64 {
     if restitution >= 1.0 {
         return 0.0;
@@ -312,7 +312,7 @@ pub fn hunt_crossley(restitution: f64, velocity: f64) -> f64 {
 }
 
 impl TouchLaw {
-    /// The law of a force that grows with the penetration, if it is one.
+    /// The law of a force that increases with the penetration, if it is one.
     pub fn smooth(&self) -> Option<&SmoothLaw> {
         match self {
             Self::Smooth(law) => Some(law),

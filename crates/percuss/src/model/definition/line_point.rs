@@ -1,4 +1,4 @@
-//! Where a beam lies and how deep it is, for those who place things beside it.
+//! Position and depth of a beam at a point, for the placement of other bodies.
 
 use super::{Along, Beam, Section};
 use crate::model::centre_line::CentreLine;

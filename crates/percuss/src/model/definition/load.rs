@@ -52,7 +52,7 @@ pub struct Load {
 }
 
 impl Load {
-    /// A constant load that acts for ever.
+    /// A constant load of unlimited duration.
     pub fn new(name: impl Into<String>, kind: LoadKind) -> Self {
         let (from, until) = (0.0, f64::INFINITY);
         Self { name: name.into(), kind, function: TimeFunction::Constant, from, until }

@@ -34,7 +34,7 @@ pub struct Strength {
 }
 
 impl Strength {
-    /// Whether a stress lies beyond it.
+    /// Whether a stress exceeds it.
     pub fn is_passed(&self, stress: f64) -> bool {
         stress > self.tension || stress < -self.compression
     }

@@ -1,4 +1,4 @@
-//! How the area of a section lies about its centre line, and fibres laid out over it.
+//! Distribution of the area of a section about its centre line, and fibres for it.
 //!
 //! Fibres are at the points of Gauss rules over the upper and the lower half: with two points or more in each, area, second moment of area and
 //! plastic moment are exact, since `1`, `y^2` and `|y|` are polynomials of low degree over a half.
@@ -7,10 +7,10 @@ use nalgebra::{DMatrix, SymmetricEigen};
 
 use super::MaterialId;
 
-/// How the area of a section lies about its centre line.
+/// Distribution of the area of a section about its centre line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Profile {
-    /// Not known: such a section cannot yield.
+    /// Unknown: such a section cannot yield.
     Unknown,
     /// Strips of uniform width in the upper half, mirrored in the lower one, from the centre line outwards, shape (strips).
     Strips(Vec<Strip>),
@@ -21,7 +21,7 @@ pub enum Profile {
         /// Inner radius, zero for a full circle \[m\].
         inner: f64,
     },
-    /// Fibres as given, of one material or of several, shape (fibres): such a section is made of them whatever its materials do.
+    /// Fibres as given, of one material or of several, shape (fibres): such a section is a fibre section for any materials.
     Fibres(Vec<SectionFibre>),
 }
 

@@ -31,7 +31,7 @@ pub struct Section {
     /// Stations of a tapered section, shape (stations); empty for a uniform one, whose values are given above. Area, inertia and depth vary
     /// linearly between stations.
     pub stations: Vec<Station>,
-    /// How its area lies about the centre line; that of the first station of a tapered one.
+    /// Distribution of its area about the centre line; that of the first station of a tapered one.
     pub profile: Profile,
     /// Fibres through the depth where it can yield; an even number.
     pub fibres: usize,
@@ -48,7 +48,7 @@ pub struct Station {
     pub inertia: f64,
     /// Depth between the extreme fibres \[m\].
     pub depth: Option<f64>,
-    /// How its area lies about the centre line there.
+    /// Distribution of its area about the centre line there.
     pub profile: Profile,
 }
 
@@ -107,7 +107,7 @@ impl Section {
         Self { profile, ..self }
     }
 
-    /// A rectangle; `depth` lies in the plane of bending.
+    /// A rectangle; `depth` is in the plane of bending.
     pub fn rectangle(name: impl Into<String>, width: f64, depth: f64) -> Self {
         let section = Self::deep(name, width * depth, width * depth.powi(3) / 12.0, depth);
         section.with(Profile::Strips(vec![Strip { from: 0.0, to: 0.5 * depth, width }]))

@@ -19,7 +19,7 @@ pub enum Component {
 /// Kind of a support.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SupportKind {
-    /// Both displacements and the direction of the tangent; the stretch stays free.
+    /// Both displacements and the direction of the tangent; the stretch is free.
     Clamp,
     /// Both displacements.
     Pin,
@@ -30,7 +30,7 @@ pub enum SupportKind {
     },
     /// The listed components.
     Fix {
-        /// Components held, shape (components held).
+        /// Fixed components, shape (components held).
         components: Vec<Component>,
     },
     /// Springs and dampers between the point and where it was in the reference configuration.
@@ -50,11 +50,11 @@ pub enum SupportKind {
     Stop {
         /// Direction of motion that is stopped, shape (2) \[-\]; need not be of unit length.
         direction: [f64; 2],
-        /// Free way in the reference configuration \[m\].
+        /// Gap in the reference configuration \[m\].
         gap: f64,
         /// Stiffness of the stop \[N/m\].
         stiffness: f64,
-        /// Whether motion against `direction` is stopped after the same way.
+        /// Whether motion opposite to `direction` is stopped after the same gap.
         two_sided: bool,
     },
 }
@@ -75,27 +75,27 @@ pub struct Motion {
 pub struct Support {
     /// The user's name for it.
     pub name: String,
-    /// The point held.
+    /// The supported point.
     pub at: PointRef,
     /// Kind of support.
     pub kind: SupportKind,
     /// Prescribed motion; at rest if there is none.
     pub motion: Option<Motion>,
-    /// Holds until this time \[s\]; infinity if for ever.
+    /// Active until this time \[s\]; infinity if permanent.
     pub until: f64,
 }
 
 impl Support {
-    /// A support at rest that holds for ever.
+    /// A permanent support without prescribed motion.
     pub fn new(name: impl Into<String>, at: PointRef, kind: SupportKind) -> Self {
         Self { name: name.into(), at, kind, motion: None, until: f64::INFINITY }
     }
 }
 
-/// How two beams are joined.
+/// Kind of connection of two beams.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum JointKind {
-    /// Positions shared and the angle between the tangents kept.
+    /// Rigid joint: common position and constant angle between the tangents.
     Rigid,
     /// Positions shared.
     Hinge,

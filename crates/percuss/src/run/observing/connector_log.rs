@@ -1,4 +1,4 @@
-//! Springs and hinges that can yield: what is noted while a run steps, and what it came to.
+//! Springs and hinges that can yield: records during a run, and their results.
 
 use serde::{Deserialize, Serialize};
 
@@ -8,30 +8,30 @@ use crate::model::frozen::{Connector, YieldingLaw};
 use crate::state::State;
 use crate::summary::{NoPermanentSet, Peak, PermanentSet, YieldingSummary};
 
-/// What is noted of a connector that can yield.
+/// Record of a connector that can yield.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ConnectorRecord {
     plastic: Peak,
-    /// Its own coordinate, from the one without force.
+    /// Its own coordinate, relative to the force-free one.
     extension: Peak,
     first_yield: Option<f64>,
-    /// What the static start dissipated \[J\].
+    /// Dissipation in the static start \[J\].
     preload: f64,
     failed: Option<f64>,
 }
 
-/// Takes what has been dissipated before the run into the records, one a connector that can yield.
+/// Enters the dissipation before the run into the records, one per connector that can yield.
 pub fn note_preload(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
     for ((_, _, own), record) in model.yielding().zip(records) {
         record.preload = state.memories[own.memory].dissipated;
     }
 }
 
-/// Takes the state at the end of a step into the records, one a connector that can yield.
+/// Enters the state at the end of a step into the records, one per connector that can yield.
 pub fn note(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
     for ((i, c, own), record) in model.yielding().zip(records) {
         let memory = &state.memories[own.memory];
-        // Once it is gone its ends move on without it.
+        // After its failure its ends move independently.
         if record.failed.is_some() {
             continue;
         }
@@ -51,7 +51,7 @@ fn take(peak: &mut Peak, value: f64, time: f64) {
     }
 }
 
-/// What a run came to, one entry a connector that can yield, by its records and the beams' permanent sets.
+/// Results of a run, one entry per connector that can yield, from its records and the beams' permanent deflections.
 pub fn summaries(
     model: &Model,
     state: &State,

@@ -1,7 +1,7 @@
-//! What happens at contacts: intervals, impacts, forces, impulses, energies.
+//! Records of contacts: intervals, impacts, forces, impulses, energies.
 //!
-//! A contact is made of pairs, but what is told of it is told of their resultant: its force is the sum over all of them at one
-//! instant, an interval lasts from when the first closes until the last opens, and what strikes at one instant is one impact.
+//! A contact consists of pairs, and its resultant is reported: its force is the sum over all of them at one instant, an interval lasts from the
+//! closing of the first until the opening of the last, and simultaneous impacts of several pairs are one impact.
 
 mod gap_over_step;
 mod rigid;
@@ -32,7 +32,7 @@ pub struct ContactLog {
     pub records: Vec<ContactRecord>,
     /// Largest violation of the conditions of impulses, relative to the largest rate.
     pub residual: f64,
-    /// When each smooth contact was pressed in deepest, shape (contacts).
+    /// Time of the largest penetration of each smooth contact, shape (contacts).
     pub pressed: Vec<Option<PressedIn>>,
     /// How far each contact with friction slid, shape (contacts).
     slides: Vec<Option<Slides>>,
@@ -40,18 +40,18 @@ pub struct ContactLog {
     open: Vec<Option<usize>>,
     /// The pair that touched first in the last interval of each smooth contact, shape (contacts) \[index of a pair\].
     first: Vec<usize>,
-    /// What each smooth pair did in the last step in which it stood open, shape (pairs).
+    /// Motion of each smooth pair in the last step with an open gap, shape (pairs).
     free: Vec<Free>,
     /// Intervals that ended in the step before, shape (such intervals).
     released: Vec<Released>,
-    /// Gaps of the contact at hand that are closed over the step, shape (such pairs).
+    /// Gaps of the current contact that are closed over the step, shape (such pairs).
     #[serde(skip)]
     gaps: Vec<GapOverStep>,
     /// Persistent contact, one entry a contact, shape (contacts).
     rests: Vec<Resting>,
     /// Those that have any, shape (such contacts) \[index of a contact\].
     resting: Vec<usize>,
-    /// Number of the part of a step at hand.
+    /// Number of the current part of a step.
     part: u64,
     /// Number of the part of a step in which each contact last had an impact, shape (contacts) \[number of a part\].
     struck: Vec<u64>,
@@ -66,7 +66,7 @@ struct StepTime {
     impulsive: bool,
 }
 
-/// An interval that has ended in a step, and what the gap of the point that left last was at its end.
+/// An interval that has ended in a step, and the gap at its end of the point that separated last.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Released {
     pair: usize,
@@ -87,7 +87,7 @@ struct Free {
     until: f64,
 }
 
-/// The persistent contact of two things.
+/// The persistent contact of two partners.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 struct Resting {
     /// Number of its interval in the contact's record, if it is open.
@@ -97,7 +97,7 @@ struct Resting {
     pair: usize,
     /// Number of the part of a step in which pairs ceased to press.
     ceased: u64,
-    /// When they did, and the rate of the last of them, shape (2) \[s, m/s\].
+    /// Times, and the rate of the last of them, shape (2) \[s, m/s\].
     end: [f64; 2],
 }
 
@@ -126,13 +126,13 @@ impl StepViews<'_> {
 }
 
 impl ContactLog {
-    /// Nothing has happened yet.
+    /// Empty records.
     pub fn new(model: &Model, state: &State) -> Self {
         let record = |contact: &ContactData| match contact.law.smooth() {
             Some(law) => {
                 let each = state.pairs[contact.pairs.clone()].iter();
                 let value: f64 = each.map(|p| law.force(-p.gap, p.deepest)).sum();
-                // What has not closed yet has no force, not one of zero at some instant.
+                // A contact that has not closed has no peak force, not one of zero at some instant.
                 let start = Peak { value, time: state.time };
                 let peak_force = if value > 0.0 { start } else { Peak::default() };
                 ContactRecord::Smooth { peak_force, intervals: Vec::new() }
@@ -167,7 +167,7 @@ impl ContactLog {
         }
     }
 
-    /// Whether it has the shape of another record of the same model, and points at nothing that is not there.
+    /// Whether it has the shape of another record of the same model, with valid indices.
     pub fn fits(&self, other: &Self, model: &Model) -> bool {
         let shape = |log: &Self| {
             let contacts = [log.records.len(), log.open.len(), log.first.len(), log.rests.len()];
@@ -201,7 +201,7 @@ impl ContactLog {
         self.slides[contact].map(|slides| slides.total)
     }
 
-    /// Takes in a part of a step.
+    /// Enters a part of a step.
     pub fn take(&mut self, part: &Accepted<'_>) {
         let (model, state, work, start) = (part.model, part.after, part.work(), part.before());
         let Solved { trial, impulsive, .. } = part.solved;
@@ -226,7 +226,7 @@ impl ContactLog {
 }
 
 impl StepViews<'_> {
-    /// Where pair `i` is nearest, a share of the step back from its end.
+    /// Closest point of pair `i`, at a share of the step back from its end.
     fn place(&self, i: usize, back: f64) -> ContactPlace {
         let (model, state) = (self.model, self.state);
         let now = state.configuration();
@@ -270,13 +270,13 @@ pub fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> Contac
     }
 }
 
-/// With what velocity a contact that stayed closed lets go, from the rates of its gap at start and end of the part of a step in which it
-/// presses no more. The midpoint rule holds a gap in the mean over a step, so that its rate swings about zero from step to step: only a mean tells.
+/// Separation velocity of a resting contact, from the rates of its gap at start and end of the part of a step without contact force. The midpoint
+/// rule keeps the mean gap over a step, so that its rate oscillates about zero from step to step: only a mean is meaningful.
 pub fn rate_of_rest(before: f64, after: f64) -> f64 {
     (0.5 * (before + after)).max(0.0)
 }
 
-/// Pair `i` where the state stands.
+/// Pair `i` in the current state.
 pub fn touch(model: &Model, state: &State, i: usize, reach: Reach) -> Option<Touch> {
     let at = state.configuration();
     model.pairs[i].touch(model, &at, &state.pairs[i].memory, reach)

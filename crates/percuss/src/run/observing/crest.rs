@@ -1,8 +1,8 @@
-//! The largest value a quantity takes in a run, within steps where the steps resolve it.
+//! The largest value of a quantity in a run, within steps if the steps resolve it.
 //!
-//! Through values and rates at the ends of a step goes a cubic, and its crest lies between them. It is one of the run only where the
-//! acceleration it supposes goes on in a step beside: an oscillation that the step does not resolve, or a thing moved all at once,
-//! has another acceleration in every step, and then values at the ends of steps are all that is known.
+//! The cubic through values and rates at the ends of a step may have a maximum between them. It is a maximum of the run only if its acceleration
+//! continues in an adjacent step: an oscillation that the step does not resolve, or a sudden motion, has a different acceleration in every step,
+//! and then only values at the ends of steps are known.
 
 use serde::{Deserialize, Serialize};
 
@@ -22,8 +22,7 @@ pub struct Crest<S> {
     pub time: S,
     /// Acceleration in the step before.
     bend: S,
-    /// A crest within the step before that the step to come may confirm, and its time, shape (2) \[unit of the value, s\]; NaN if there is
-    /// none.
+    /// A maximum within the previous step that the next step may confirm, and its time, shape (2) \[unit of the value, s\]; NaN if there is none.
     awaiting: [S; 2],
     /// The largest crest within a step that no neighbour confirmed.
     doubtful: S,
@@ -50,7 +49,7 @@ impl<S: Number> Crest<S> {
         self.doubtful.set_lane(lane, fresh.doubtful, 0);
     }
 
-    /// Puts all lanes but those that `go` back to what they were.
+    /// Restores all lanes except those of the mask `go`.
     #[inline(always)]
     pub fn put_back(&mut self, kept: &Self, go: S::Mask) {
         let choose = |now: &mut S, kept: S| *now = S::choose(go, *now, kept);
@@ -66,7 +65,7 @@ impl<S: Number> Crest<S> {
         self.doubtful.lane(lane) <= self.value.lane(lane).abs()
     }
 
-    /// Takes in a step that starts at `from`; rates of `impulsive` ones, as short as an impact, jump.
+    /// Enters a step that starts at `from`; rates of `impulsive` ones, as short as an impact interval, jump.
     #[inline(always)]
     pub fn take(&mut self, path: &Interpolant<S>, from: S, impulsive: S::Mask) {
         let ([u0, v0], [u1, v1]) = (path.start, path.end);
@@ -79,7 +78,7 @@ impl<S: Number> Crest<S> {
         let known = self.value.abs();
         self.value = known.if_less(u1.abs(), u1, self.value);
         self.time = known.if_less(u1.abs(), path.at_end(from, impulsive), self.time);
-        // What lies between stays within the control points of the cubic.
+        // Values in between lie within the control points of the cubic.
         let third = path.h * (1.0 / 3.0);
         let (c0, c1) = ((u0 + v0 * third).abs(), (u1 - v1 * third).abs());
         let inside = self.value.abs().less(c0.max(c1));
@@ -121,7 +120,7 @@ impl<S: Number> Crest<S> {
             if value <= self.value.lane(lane).abs() {
                 continue;
             }
-            // Where it is stationary, that the instant moves does not change the value to first order.
+            // At a stationary point a shift of the instant does not change the value to first order.
             let (value, time) = (path.value(bend.constant(t)), from + path.crest(t));
             if confirmed {
                 self.value.set_lane(lane, value, lane);
@@ -133,8 +132,7 @@ impl<S: Number> Crest<S> {
         }
     }
 
-    /// Ends the run of a lane at a time: what still awaits a step is not confirmed, and what is largest at the end is so as long as
-    /// the run ends there.
+    /// Ends the run of a lane at a time: a maximum that needs another step is not confirmed, and a maximum at the end moves with the end of the run.
     pub fn close(&mut self, lane: usize, end: S) {
         if S::DERIVES {
             self.time.set_lane(lane, at_last(self.time, end), lane);
@@ -143,7 +141,7 @@ impl<S: Number> Crest<S> {
         if value.lane(lane) > self.doubtful.lane(lane) {
             self.doubtful.set_lane(lane, value, lane);
         }
-        // What never moves has no crest either.
+        // A constant quantity has no maximum within a step.
         let still = self.value.lane(lane) == 0.0;
         if S::DERIVES && (still || !self.is_resolved(lane)) {
             self.time.set_lane(lane, self.time.underived(), lane);
@@ -151,7 +149,7 @@ impl<S: Number> Crest<S> {
     }
 }
 
-/// The time of a largest value; that of the end of the run, if it lies there, for it then goes with it. The first lane alone.
+/// Time of a maximum; the end of the run for a maximum there, which moves with it. First lane only.
 pub fn at_last<S: Number>(time: S, end: S) -> S {
     let same = (time.lane(0) - end.lane(0)).abs() <= SAME_INSTANT * end.lane(0);
     if S::DERIVES && same { end } else { time }

@@ -1,4 +1,4 @@
-//! The step a run begins with where an accuracy is asked for in place of a step.
+//! First step of a run with a requested accuracy in place of a step.
 
 use crate::math::vec2::norm;
 use crate::model::frozen::BeamData;
@@ -12,12 +12,12 @@ const STEPS_IN_PERIOD: f64 = 200.0;
 const CLAMPED_PERIOD: f64 = 0.280_85;
 /// First steps in the time in which a body moves or falls by its radius.
 const STEPS_IN_RADIUS: f64 = 50.0;
-/// First steps in a run, if nothing else tells of a time, and at least.
+/// Number of first steps in a run without any other time scale, and their least number.
 const STEPS_IN_RUN: f64 = 1000.0;
 const LEAST_STEPS: f64 = 20.0;
 
-/// The step that a run of `model` up to `end` begins with where an accuracy is asked for \[s\]: a small share of the time in which waves
-/// run along its beams, of the periods of these and of the times in which its bodies move by their radii.
+/// First step of a run of `model` up to `end` with a requested accuracy \[s\]: a small share of the travel time of waves along its beams, of the
+/// periods of these and of the times in which its bodies move by their radii.
 pub fn first_step(model: &Model, end: f64) -> f64 {
     let beams = model.beams.iter().map(|beam| of_beam(model, beam));
     let gravity = model.gravity();
@@ -30,9 +30,9 @@ pub fn first_step(model: &Model, end: f64) -> f64 {
     if least.is_finite() { least.min(end / LEAST_STEPS) } else { end / STEPS_IN_RUN }
 }
 
-/// Largest steps while a guided projectile presses on what it strikes, shape (contacts) \[s\]: `share / omega`, with omega the frequency of
-/// its mass and the effective mass of the struck point on the spring of their contact, as stiff as it is when both have spent
-/// their relative motion on it; infinite for all other contacts. A mean force misses `(h omega)^2 / 12` of a harmonic one's peak.
+/// Largest steps during contact of a guided projectile, shape (contacts) \[s\]: `share / omega`, with omega the frequency of its mass and the
+/// effective mass of the struck point on the spring of their contact, whose stiffness is that at the maximum compression of their relative motion;
+/// infinite for all other contacts. A mean force underestimates the peak of a harmonic one by `(h omega)^2 / 12`.
 pub fn contact_steps(model: &Model, share: f64) -> Vec<f64> {
     let mut steps = vec![f64::INFINITY; model.contacts.len()];
     let masses = model.effective_masses();
@@ -67,7 +67,7 @@ fn stiffness_after(law: &SmoothLaw, energy: f64) -> f64 {
         let middle = 0.5 * (low + deep);
         if takes(middle) < energy { low = middle } else { deep = middle }
     }
-    // Of all the way there: a table may be level in the end.
+    // Over the whole range: a table may be constant at its end.
     2.0 * takes(deep) / (deep * deep)
 }
 

@@ -1,4 +1,4 @@
-//! What supports and striking bodies give: forces as means, impulses apart from them.
+//! Reactions of supports and forces of projectiles: means of forces, and impulses separately.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,26 +7,26 @@ use crate::run::solving::trial::Accepted;
 use crate::state::State;
 use crate::summary::SupportSummary;
 
-/// What supports gave: forces as means over steps, and impulses beyond these in impacts and jumps. What both make together is all that the
-/// supports gave, over a row of the history as over the run.
+/// Reactions of supports: forces as means over steps, and additional impulses in impacts and jumps. Their sum is the total impulse of the supports,
+/// over a row of the history as over the run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct RowReactions {
     /// Impulses and angular impulse since the last instant settled, of the parts longer than an impact, shape (supports, 3)
     /// \[N s, N m s\].
     sum: Vec<[f64; 3]>,
-    /// The time they took \[s\].
+    /// Duration \[s\].
     time: f64,
     /// Whether a part was as short as an impact: a mean over it is an impulse in disguise.
     carries_impulses: bool,
     /// Mean reactions over the time before the last instant settled, shape (supports, 3) \[N, N m\].
     mean: Vec<[f64; 3]>,
-    /// All that supports had given at the last instant settled, shape (supports, 3) \[N s, N m s\].
+    /// Impulses of supports up to the last settled instant, shape (supports, 3) \[N s, N m s\].
     before: Vec<[f64; 3]>,
     /// That instant \[s\].
     settled: f64,
-    /// What forces and impulses gave since the last row, shape (2, supports, 3) \[N s, N m s\].
+    /// Impulse of forces and impulses since the last row, shape (2, supports, 3) \[N s, N m s\].
     since_row: [Vec<[f64; 3]>; 2],
-    /// When that was \[s\].
+    /// Time of the last row \[s\].
     row: f64,
     /// Mean reactions and impulses of the last row, shape (2, supports, 3) \[N, N m\] and \[N s, N m s\].
     told: [Vec<[f64; 3]>; 2],
@@ -49,7 +49,7 @@ impl RowReactions {
         }
     }
 
-    /// Whether it is one of so many supports.
+    /// Whether it has the given number of supports.
     pub fn fits(&self, supports: usize) -> bool {
         let pairs = self.since_row.iter().chain(&self.told);
         [&self.sum, &self.mean, &self.before].into_iter().chain(pairs).all(|v| v.len() == supports)
@@ -65,7 +65,7 @@ impl RowReactions {
         &self.told[1]
     }
 
-    /// Takes in a part of a step; reactions in one as short as an impact are no forces.
+    /// Enters a part of a step; reactions in one as short as an impact interval are no forces.
     pub fn take(&mut self, part: &Accepted<'_>) {
         if part.solved.impulsive {
             self.carries_impulses = true;
@@ -79,8 +79,8 @@ impl RowReactions {
         }
     }
 
-    /// Tells forces and impulses apart at the end of a step, or at an impact within it, and adds the impulses to the summary. The force is
-    /// the mean over the parts longer than an impact; where there is none it is the one before.
+    /// Separates forces and impulses at the end of a step, or at an impact within it, and adds the impulses to the summary. The force is the mean
+    /// over the parts longer than an impact interval; without such parts it is the previous one.
     pub fn settle(&mut self, state: &State, summary: &mut [SupportSummary]) {
         let since = state.time - self.settled;
         if since <= 0.0 {
@@ -108,7 +108,7 @@ impl RowReactions {
         (self.time, self.settled, self.carries_impulses) = (0.0, state.time, false);
     }
 
-    /// Ends a row: what was settled since the last one.
+    /// Ends a row, with the values since the last one.
     pub fn close(&mut self) {
         let since = self.settled - self.row;
         let ([forces, impulses], [mean, beyond]) = (&mut self.since_row, &mut self.told);
@@ -124,19 +124,19 @@ impl RowReactions {
     }
 }
 
-/// What a striking body gave to others through its contacts.
+/// Impulse and energy transferred by a projectile through its contacts.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Given {
     /// Impulse, shape (2) \[N s\].
     pub impulse: [f64; 2],
-    /// Energy that the contacts took from it \[J\].
+    /// Energy transferred by its contacts \[J\].
     pub work: f64,
     /// Work of the contacts on the others \[J\].
     pub received: f64,
 }
 
 impl Given {
-    /// Takes in a part of a step of the body at `node`.
+    /// Enters a part of a step of the body at `node`.
     pub fn take(&mut self, node: usize, part: &Accepted<'_>) {
         let (work, h) = (part.work(), part.solved.trial.h);
         let d = &work.increment[node];

@@ -1,4 +1,4 @@
-//! Joints of a given strength: what they carried, and when they parted.
+//! Joints of a given strength: their loads, and times of failure.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::model::frozen::{JointData, JointLoad};
 use crate::summary::{JointParting, JointSummary, Peak};
 
-/// What is noted of a joint.
+/// Record of a joint.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct JointRecord {
     force: Peak,
@@ -22,7 +22,7 @@ impl Default for JointRecord {
 }
 
 impl JointRecord {
-    /// Of a joint that a run starts with, torn in the equilibrium it starts from or whole.
+    /// For a joint at the start of a run, torn in the initial equilibrium or intact.
     pub fn starting(torn: bool, time: f64) -> Self {
         let (force, moment) = (f64::NAN, f64::NAN);
         let parted = torn.then_some(JointParting { time, force, moment });
@@ -38,7 +38,7 @@ impl JointRecord {
     }
 }
 
-/// Takes in what joints carried in a part of a step that ends at `time`: those beyond their strength hold no longer.
+/// Enters the loads of joints in a part of a step that ends at `time`: joints beyond their strength fail.
 pub fn note(model: &Model, time: f64, loads: &[JointLoad], records: &mut [JointRecord]) {
     for ((joint, load), record) in model.joints.iter().zip(loads).zip(records) {
         if record.parted.is_some() {
@@ -52,7 +52,7 @@ pub fn note(model: &Model, time: f64, loads: &[JointLoad], records: &mut [JointR
     }
 }
 
-/// What a run came to, one entry a joint of a strength.
+/// Results of a run, one entry per joint with a strength.
 pub fn summaries(model: &Model, records: &[JointRecord]) -> Vec<JointSummary> {
     let one = |(joint, record): (&JointData, &JointRecord)| JointSummary {
         name: joint.name.clone(),

@@ -1,6 +1,6 @@
-//! What accepted parts of steps are shown to, in any order: each looks at how a part began, what it came to and where it ended.
+//! Observers of accepted parts of steps, independent of each other: each uses the start, the solution and the end of a part.
 //!
-//! [`monitor`] gathers what the summary tells, [`step_size`] says how long the next step may be.
+//! [`monitor`] collects the data of the summary, [`step_size`] determines the length of the next step.
 
 pub mod connector_log;
 pub mod contact_log;

@@ -1,4 +1,4 @@
-//! Follows a run and gathers what its summary tells: peaks, contact intervals, impacts, largest residuals.
+//! Observer of a run for its summary: peaks, contact intervals, impacts, largest residuals.
 //!
 //! Between the ends of a step, gap and displacements are cubics through values and velocities: peaks and instants of contact
 //! are resolved within the step, those of displacements where steps resolve them.
@@ -35,7 +35,7 @@ fn contact_forces(work: &Workspace, h: f64) -> impl Iterator<Item = ([&Row; 2], 
 /// Follows one run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Monitor {
-    /// What happens at contacts.
+    /// Records of contacts.
     pub contacts: ContactLog,
     /// Extremes of the recorded points, by component, shape (recorded points, 2).
     pub points: Vec<[Crest<f64>; 2]>,
@@ -43,11 +43,11 @@ pub struct Monitor {
     pub section_forces: Vec<SectionForceSummary>,
     /// Extremes of the reactions, one entry a support, those of the start among them, shape (supports).
     pub supports: Vec<SupportSummary>,
-    /// The supports that reacted last, shape (such supports) \[index of a support\]; nothing if all are to be looked at.
+    /// The supports with reactions in the last part, shape (such supports) \[index of a support\]; `None` if all are to be evaluated.
     reacted: Option<Vec<usize>>,
-    /// What supports gave.
+    /// Impulses of supports.
     pub reactions: RowReactions,
-    /// What striking bodies gave through contacts, shape (striking bodies).
+    /// Impulse and energy transferred by projectiles through contacts, shape (striking bodies).
     pub given: Vec<Given>,
     /// Effective masses of the beams of each contact, once it has struck under a rigid law, shape (contacts).
     pub struck_masses: Vec<Option<EffectiveMass>>,
@@ -55,11 +55,11 @@ pub struct Monitor {
     pub shared_blows: SharedBlows,
     /// Section forces of the last part of a step without impact.
     lines: Lines,
-    /// What is noted of beams that can yield, one entry a beam, shape (beams); empty if none can.
+    /// Records of beams that can yield, one per beam, shape (beams); empty if none can.
     pub yielded: Vec<YieldRecord>,
-    /// What is noted of springs and hinges that can yield, shape (such springs and hinges).
+    /// Records of springs and hinges that can yield, shape (such springs and hinges).
     pub connectors: Vec<ConnectorRecord>,
-    /// What is noted of joints of a given strength, shape (such joints).
+    /// Records of joints of a given strength, shape (such joints).
     pub joints: Vec<JointRecord>,
     /// Largest residuals and drifts.
     pub audit: Audit,
@@ -68,7 +68,7 @@ pub struct Monitor {
 }
 
 impl Monitor {
-    /// Not open yet; supports react so at the start.
+    /// Not open yet; the reactions of supports at the start.
     pub fn new(model: &Model, state: &State, reactions: &[[f64; 3]]) -> Self {
         let points = model
             .points
@@ -98,8 +98,8 @@ impl Monitor {
         }
     }
 
-    /// Opens the record at the initial state, an equilibrium in which contacts press with the forces given. What it held is gone before: of
-    /// a long beam memory is not to hold both.
+    /// Opens the record at the initial state, an equilibrium with the given contact forces. Its previous content is dropped first: for a long beam
+    /// both would need too much memory.
     pub fn open(&mut self, model: &Model, state: &State, pressed: &[(Row, f64)]) {
         let reactions = self.reactions.mean().to_vec();
         (self.lines, self.section_forces) = Default::default();
@@ -114,7 +114,7 @@ impl Monitor {
         self.open_reactions(&reactions, state.time);
     }
 
-    /// Whether it has the shape of another monitor of the same model, and points at nothing that is not there.
+    /// Whether it has the shape of another monitor of the same model, with valid indices.
     pub fn fits(&self, other: &Self, model: &Model) -> bool {
         let shape = |m: &Self| {
             let bodies = [m.given.len(), m.struck_masses.len()];
@@ -132,7 +132,7 @@ impl Monitor {
             && self.contacts.fits(&other.contacts, model)
     }
 
-    /// Takes the section forces over a part that stands solved, where the state stands at its start.
+    /// Enters the section forces over a solved part, at whose start the state is.
     pub fn measure_lines(&mut self, model: &Model, state: &State, solved: &Solved) {
         if !solved.jumps {
             let PartSolution { work, forcing, .. } = &*solved.solution;
@@ -142,13 +142,12 @@ impl Monitor {
         }
     }
 
-    /// Section forces of the last step without impact: impulses are no forces, and a step in which something strikes has none
-    /// but impulses over its length.
+    /// Section forces of the last step without impact: impulses are no forces, and a step with an impact has only impulses over its length.
     pub fn lines(&self) -> &Lines {
         &self.lines
     }
 
-    /// Takes in a part of a step.
+    /// Enters a part of a step.
     pub fn take(&mut self, part: &Accepted<'_>) {
         let (model, state, solved) = (part.model, part.after, part.solved);
         if !solved.impulsive {
@@ -189,12 +188,12 @@ impl Monitor {
         }
     }
 
-    /// Tells forces and impulses of supports apart, up to where the state stands.
+    /// Separates forces and impulses of supports, up to the current state.
     pub fn settle(&mut self, state: &State) {
         self.reactions.settle(state, &mut self.supports);
     }
 
-    /// Takes the reactions at the start into the extremes.
+    /// Enters the reactions at the start into the extremes.
     fn open_reactions(&mut self, reactions: &[[f64; 3]], time: f64) {
         for (summary, [f1, f2, moment]) in self.supports.iter_mut().zip(reactions) {
             summary.force[0].take(*f1, time);
@@ -218,7 +217,7 @@ impl Monitor {
             let now = &state.reactions[*support];
             take(*support, std::array::from_fn(|i| (now[i] - before[i]) / h));
         }
-        // A support that goes on to give nothing has taken its zero already.
+        // A support that still has no reaction has entered its zero already.
         let reacted = self.reacted.get_or_insert_with(|| (0..state.reactions.len()).collect());
         for support in reacted.iter().filter(|s| !state.reacting.contains(**s)) {
             take(*support, [0.0; 3]);
@@ -227,7 +226,7 @@ impl Monitor {
         reacted.extend(list.iter().map(|(support, _)| *support));
     }
 
-    /// Takes the measures of a new state into the largest residuals.
+    /// Enters the measures of a new state into the largest residuals.
     fn audit(&mut self, ledger: &Ledger, m: &Measures) {
         let came =
             ledger.energy_initial.abs() + ledger.work_loads.abs() + ledger.work_supports.abs();

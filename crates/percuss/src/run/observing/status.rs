@@ -1,10 +1,10 @@
-//! The state of a run between two steps, from which follow how long it will take and why.
+//! The state of a run between two steps, from which its remaining duration is estimated.
 
 use super::contact_log::ContactLog;
 use crate::run::solving::solver::Standing;
 use crate::summary::ContactRecord;
 
-/// What a run has done so far, between two steps.
+/// Progress of a run between two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RunStatus<'a> {
     /// Steps made.
@@ -22,7 +22,7 @@ pub struct RunStatus<'a> {
 }
 
 impl<'a> RunStatus<'a> {
-    /// Of a run that stands at a state, of which a log of contacts was kept.
+    /// The status of a run in a state, with its log of contacts.
     pub(in crate::run) fn of(at: Standing<'a>, contacts: &ContactLog, iterations: usize) -> Self {
         let counts = contacts.records.iter().map(|record| match record {
             ContactRecord::Smooth { intervals, .. } => intervals.len(),

@@ -1,14 +1,14 @@
-//! The size of steps where an accuracy is asked for in place of one.
+//! The size of steps for a requested accuracy in place of a step.
 //!
-//! The schemes advance a motion `u` as the trapezoidal rule does, whose error over a step is `h^3 u''' / 12` (Hairer, Norsett, Wanner
-//! 1993, II.9). Here `u'''` comes from second divided differences of mean velocities `d / h` of the last three parts of steps. An
-//! oscillation that no step resolves has a small share of the displacements and so of these, though it may have most of the
-//! accelerations. The error counts beside the largest deflection so far. A force of contact is taken likewise: what its mean misses of
-//! the impulse, `h^3 F'' / 12`, times the largest velocity of approach, counts beside the largest energy; and `h^2 F'' / 12` beside the
-//! largest force. A step in which any of them is too large is refused before it is accepted, as one that does not converge is.
+//! The schemes advance a motion `u` as the trapezoidal rule does, whose error over a step is `h^3 u''' / 12` (Hairer, Norsett, Wanner 1993, II.9).
+//! Here `u'''` comes from second divided differences of mean velocities `d / h` of the last three parts of steps. An unresolved oscillation has a
+//! small share of the displacements and so of these, though it may have most of the accelerations. The error is relative to the largest deflection
+//! so far. A contact force is treated likewise: the error of its mean in the impulse, `h^3 F'' / 12`, times the largest velocity of approach,
+//! relative to the largest energy; and `h^2 F'' / 12` relative to the largest force. A step with a larger error in any of them is rejected before
+//! it is accepted, as one that does not converge is.
 //!
-//! Errors of single steps go as `h^3`, those of a motion over a given time as `h^2`: steps may err by the power 3/2 of the accuracy, so
-//! that the error of a run goes with the accuracy.
+//! Errors of single steps are of order `h^3`, those of a motion over a given time of order `h^2`: steps may have errors of the power 3/2 of the
+//! accuracy, so that the error of a run is proportional to the accuracy.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,48 +21,48 @@ use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
 use crate::summary::StepControl;
 
-/// The error of a step may be so many times the accuracy, to the power 3/2. Found by runs beside converged ones.
+/// Factor of the accepted error of a step relative to the accuracy to the power 3/2. Calibrated with runs and converged references.
 const ADMITTED: f64 = 0.5;
-/// The error of a force beside the largest one may be so many times the accuracy.
+/// Factor of the accepted error of a force, relative to the largest one, to the accuracy.
 const FORCE: f64 = 1.0;
-/// Where a force begins it counts beside this share of the one that all the energy would have on the spring of the contact: the mass of a
-/// beam that takes part in a short blow is a small one.
+/// At the start of a contact force the error is relative to this share of the force at which the spring of the contact would store the total
+/// energy: only a small mass of a beam participates in a short impact.
 const ONSET: f64 = 0.1;
-/// Accuracy of which first steps are what follows a rigid impact, ...
+/// Accuracy for which the first steps follow a rigid impact, ...
 const BOUNCES: f64 = 2.5e-3;
-/// ... where another may come within so many steps.
+/// ... if another one may come within this number of steps.
 const SOON: f64 = 40.0;
 /// Part of the step that the estimate admits that is taken.
 const SAFETY: f64 = 0.9;
-/// Bounds of the size of a step beside that of the step before, and of one that is repeated beside the one refused.
+/// Bounds of the size of a step relative to the previous one, and of a repeated one relative to the rejected one.
 const SHRINKS: f64 = 0.2;
 const GROWS: f64 = 2.0;
 const REPEATED: f64 = 0.7;
-/// Smallest and largest steps beside the first.
+/// Smallest and largest steps relative to the first.
 const SMALLEST: f64 = 1e-2;
 const LARGEST: f64 = 1e3;
-/// A part shorter than this share of the one before tells nothing of the motion.
+/// A part shorter than this share of the previous one contains no information on the motion.
 const SHORT: f64 = 0.05;
 
-/// What a part of a step came to.
+/// Result of a part of a step.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 struct Means {
     /// Its size \[s\].
     size: f64,
-    /// Mean velocities of what is watched, shape (nodes watched, 2) \[m/s\].
+    /// Mean velocities of observed nodes, shape (nodes watched, 2) \[m/s\].
     velocity: Vec<[f64; 2]>,
     /// Mean forces, shape (contacts) \[N\].
     force: Vec<f64>,
 }
 
-/// The size of the steps to come, and what it follows from.
+/// The size of the next steps, and its data.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct StepSizeControl {
     /// Error of a step that is admitted.
     admitted: f64,
-    /// Error of a force that is admitted beside the largest one.
+    /// Accepted error of a force relative to the largest one.
     force: f64,
-    /// Largest step where what has struck may strike again soon \[s\].
+    /// Largest step after an impact, during which another one may follow \[s\].
     soon: f64,
     /// First step \[s\].
     first: f64,
@@ -72,17 +72,17 @@ pub struct StepSizeControl {
     admits: f64,
     /// The last two parts, the latest first, shape (2).
     past: [Means; 2],
-    /// How many of them belong to the motion: none behind an impact.
+    /// Number of these that belong to the motion: zero after an impact.
     known: usize,
-    /// Velocities at the start of what flies, shape (nodes watched, 2) \[m/s\].
+    /// Velocities at the start of free bodies, shape (nodes watched, 2) \[m/s\].
     start: Vec<[f64; 2]>,
-    /// Displacements from a motion that goes on as it started, shape (nodes watched, 2) \[m\].
+    /// Displacements relative to a continued initial motion, shape (nodes watched, 2) \[m\].
     moved: Vec<[f64; 2]>,
-    /// Whether they are deflections, not of what flew from the start while something stood; shape (nodes watched).
+    /// Whether they are deflections, not of bodies that moved from the start while others were at rest; shape (nodes watched).
     deflects: Vec<bool>,
     /// The largest of them \[m\].
     deflection: f64,
-    /// Largest steps while what a guided projectile strikes presses, infinite for other contacts; shape (contacts) \[s\].
+    /// Largest steps during contact of a guided projectile, infinite for other contacts; shape (contacts) \[s\].
     contact_step: Vec<f64>,
     /// Largest velocities of approach, shape (contacts) \[m/s\].
     approach: Vec<f64>,
@@ -90,7 +90,7 @@ pub struct StepSizeControl {
     peak: Vec<f64>,
     /// Largest error of an accepted step so far.
     error: f64,
-    /// What the summary tells.
+    /// Data of the summary.
     told: StepControl,
 }
 
@@ -105,7 +105,7 @@ fn plane(v: &[f64; 4]) -> [f64; 2] {
 }
 
 impl StepSizeControl {
-    /// Before the first step, if an accuracy is asked for.
+    /// State before the first step, if an accuracy is requested.
     pub fn new(model: &Model, settings: &Settings, state: &State) -> Option<Self> {
         let accuracy = settings.accuracy?;
         let nodes = watched(model);
@@ -163,28 +163,28 @@ impl StepSizeControl {
         sound && lengths(self) == lengths(other) && self.first == other.first
     }
 
-    /// What the summary tells of the steps.
+    /// Data of the summary on the steps.
     pub fn told(&self) -> StepControl {
         StepControl { estimate: self.error.powf(2.0 / 3.0) / ADMITTED, ..self.told }
     }
 
-    /// Size of the step from `time` on: what is left if that is hardly more.
+    /// Size of the step from `time` on: the remaining time if that is hardly more.
     pub fn target(&self, left: f64) -> f64 {
         if self.is_last(left) { left } else { self.next }
     }
 
-    /// Whether the end, `left` away, has a say in the size of the next step.
+    /// Whether the end, at the distance `left`, influences the size of the next step.
     pub fn is_last(&self, left: f64) -> bool {
         left <= 1.1 * self.next
     }
 
-    /// Size of the parts behind a jump of velocities, where little is known of the motion yet \[s\].
+    /// Size of the parts after a jump of velocities, where the motion is still unknown \[s\].
     pub fn afresh(&self) -> Option<f64> {
         (self.known == 0).then_some(self.first)
     }
 
-    /// Counts a step that is done, and sets the size of the next one. What has struck under a rigid law may strike again: what comes of it
-    /// hangs on waves that the deflections hardly know.
+    /// Counts a completed step, and sets the size of the next one. A body after a rigid impact may strike again: the result depends on waves that
+    /// are hardly visible in the deflections.
     pub fn close(&mut self, size: f64, pairs: &[PairState]) {
         self.told.count(size);
         let most = (GROWS * size).min(LARGEST * self.first);
@@ -198,7 +198,7 @@ impl StepSizeControl {
         self.admits = f64::INFINITY;
     }
 
-    /// Takes note of a refusal.
+    /// Records a rejection.
     pub fn refuse(&mut self) {
         self.told.refused += 1;
     }
@@ -208,7 +208,7 @@ impl StepSizeControl {
         size <= SMALLEST * self.first * (1.0 + 1e-9)
     }
 
-    /// Whether a part of so small a size beside the one before tells nothing of the motion; what came before an impact does not count.
+    /// Whether a part of such a small size relative to the previous one contains no information on the motion; parts before an impact are ignored.
     fn is_short(&self, size: f64) -> bool {
         self.known > 0 && size < SHORT * self.past[0].size
     }
@@ -223,7 +223,7 @@ impl StepSizeControl {
         self.known = 0;
     }
 
-    /// Error over a part solved last, beside deflection and energy.
+    /// Error over the last solved part, relative to deflection and energy.
     fn error(&self, part: &SolvedPart<'_>) -> f64 {
         let (mut error, mut deflection) = (0.0_f64, self.deflection);
         let h = part.h;
@@ -261,19 +261,19 @@ impl StepSizeControl {
         error
     }
 
-    /// Displacement from the motion at the start behind an increment.
+    /// Displacement relative to the initial motion after an increment.
     fn moved_by(&self, k: usize, d: &[f64; 4], h: f64) -> [f64; 2] {
         [0, 1].map(|i| self.moved[k][i] + d[i] - h * self.start[k][i])
     }
 
-    /// Second derivative of what had these means over three parts, the last of size `h`.
+    /// Second derivative of a quantity with these means over three parts, the last of size `h`.
     fn second_difference(&self, h: f64, now: f64, [last, former]: [f64; 2]) -> f64 {
         let [a, b] = [self.past[0].size, self.past[1].size];
         let slopes = [2.0 * (now - last) / (h + a), 2.0 * (last - former) / (a + b)];
         4.0 * (slopes[0] - slopes[1]) / (h + 2.0 * a + b)
     }
 
-    /// The size that a part should have had, if it is too long for the accuracy asked for \[s\].
+    /// The size that a part should have had, if it is too long for the requested accuracy \[s\].
     pub fn too_long(&self, model: &Model, solved: &Solved) -> Option<f64> {
         let (free, h) = (matches!(solved.trial.kind, PartKind::Free { .. }), solved.trial.h);
         if !free || self.is_smallest(h) || self.is_short(h) {
@@ -284,7 +284,7 @@ impl StepSizeControl {
         (error > self.admitted).then_some(size.max(SMALLEST * self.first))
     }
 
-    /// Takes in a part that is accepted.
+    /// Enters an accepted part.
     pub fn take(&mut self, accepted: &Accepted<'_>) {
         let part = &SolvedPart::of(accepted.model, accepted.solved);
         let h = part.h;
@@ -330,11 +330,11 @@ impl StepSizeControl {
     }
 }
 
-/// What an accepted part means for the estimate.
+/// Effect of an accepted part on the estimate.
 enum Taken {
     /// Velocities jumped in it.
     Jump,
-    /// It is too short to tell of anything.
+    /// It is too short to contain information.
     Short,
     /// A part of a motion without jumps.
     Smooth {
@@ -343,7 +343,7 @@ enum Taken {
     },
 }
 
-/// A part of a step that stands solved.
+/// A solved part of a step.
 struct SolvedPart<'a> {
     model: &'a Model,
     start: &'a PartStart,

@@ -1,8 +1,8 @@
-//! When stops press, resolved to the steps.
+//! Contact intervals of stops, resolved to the steps.
 
 use crate::summary::{Peak, StopTouch};
 
-/// Takes in the mean force of a stop over a step of size `h` that ends at `time`.
+/// Enters the mean force of a stop over a step of size `h` that ends at `time`.
 pub fn take(touches: &mut Vec<StopTouch>, force: f64, h: f64, time: f64) {
     if let Some(touch) = touches.last_mut().filter(|touch| touch.end.is_none()) {
         if force > 0.0 {

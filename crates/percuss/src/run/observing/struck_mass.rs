@@ -6,7 +6,7 @@ use crate::run::solving::trial::Accepted;
 use crate::step::contacts::Phase;
 use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 
-/// Looks at the contacts that struck for the first time in a part of a step; guided projectiles are known without a run.
+/// Evaluates the contacts with a first impact in a part of a step; for guided projectiles a run is not needed.
 pub fn weigh(known: &mut [Option<EffectiveMass>], part: &Accepted<'_>) {
     let mut mass = None;
     let (model, state) = (part.model, part.after);

@@ -1,4 +1,4 @@
-//! Beams that can yield: what is noted while a run steps, and what it came to.
+//! Beams that can yield: records during a run, and their results.
 
 use serde::{Deserialize, Serialize};
 
@@ -18,20 +18,20 @@ use crate::summary::{
 /// Plastic curvature below this share of that at first yield is none: a section that is only stretched beyond yield has one of round-off.
 const LEAST_BENT: f64 = 1e-6;
 
-/// What is noted of a beam.
+/// Record of a beam.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct YieldRecord {
     strain: SectionPeak,
     accumulated: SectionPeak,
     first: Option<FirstYield>,
-    /// What the static start dissipated \[J\].
+    /// Dissipation in the static start \[J\].
     preload: f64,
-    /// Where it has parted so far, in the order of time, shape (places).
+    /// Fractures so far, in the order of time, shape (places).
     parted: Vec<Parting>,
 }
 
 impl YieldRecord {
-    /// Takes in what is noted of a span up to the end of a run.
+    /// Enters the record of a span up to the end of a run.
     #[doc(hidden)]
     pub fn take(&mut self, first: FirstYield, strain: SectionPeak, accumulated: SectionPeak) {
         if self.first.is_none_or(|own| first.time < own.time) {
@@ -55,21 +55,21 @@ struct GaussFibres<'a> {
     of: &'a SpanFibres,
     /// Its fibres, shape (fibres of the point).
     fibres: &'a [Fibre],
-    /// What they remember, shape (fibres of the point).
+    /// State variables, shape (fibres of the point).
     states: &'a [FibreState],
     /// Membrane and bending strain, shape (2) \[-, 1/m\].
     strains: [f64; 2],
 }
 
 impl GaussFibres<'_> {
-    /// What its fibres have dissipated \[J\].
+    /// Dissipation of its fibres \[J\].
     fn dissipated(&self) -> f64 {
         let lost = |(fibre, s): (&Fibre, &FibreState)| fibre.area * s.dissipated;
         self.weight * self.fibres.iter().zip(self.states).map(lost).sum::<f64>()
     }
 }
 
-/// Gauss points of a beam that have fibres, along it; strains are looked at if `strained`.
+/// Gauss points of a beam with fibres, along it; strains are evaluated if `strained`.
 fn points<'a>(
     model: &'a Model,
     state: &'a State,
@@ -102,7 +102,7 @@ fn points<'a>(
     })
 }
 
-/// Takes the state at the end of a step into the records, one a beam.
+/// Enters the state at the end of a step into the records, one per beam.
 pub fn note(model: &Model, state: &State, records: &mut [YieldRecord]) {
     for (beam, record) in model.beams.iter().zip(records) {
         for point in points(model, state, beam, false) {
@@ -123,14 +123,14 @@ pub fn note(model: &Model, state: &State, records: &mut [YieldRecord]) {
     }
 }
 
-/// Takes what has been dissipated before the run into the records, one a beam.
+/// Enters the dissipation before the run into the records, one per beam.
 pub fn note_preload(model: &Model, state: &State, records: &mut [YieldRecord]) {
     for (beam, record) in model.beams.iter().zip(records) {
         record.preload = points(model, state, beam, false).map(|point| point.dissipated()).sum();
     }
 }
 
-/// Takes elements that part at a time into the records.
+/// Enters elements that fracture at a time into the records.
 pub fn note_parted(
     model: &Model,
     time: f64,
@@ -155,13 +155,13 @@ fn can_yield(model: &Model, beam: &BeamData) -> bool {
     fibres.any(|of| of.laws.iter().any(yields))
 }
 
-/// The permanent set of each beam, shape (beams); empty where nothing can yield.
+/// Permanent deflection of each beam, shape (beams); empty without parts that can yield.
 pub fn sets(model: &Model, state: &State) -> Vec<Result<PermanentSet, NoPermanentSet>> {
     let any = model.memory_count() > 0 || model.beams.iter().any(|beam| can_yield(model, beam));
     if any { permanent_sets(model, state) } else { Vec::new() }
 }
 
-/// What a run came to, one entry a beam that can yield, by its records and the beams' permanent [`sets`].
+/// Results of a run, one entry per beam that can yield, from its records and the beams' permanent [`sets`].
 pub fn summaries(
     model: &Model,
     state: &State,
@@ -199,8 +199,7 @@ pub fn summaries(
     .collect()
 }
 
-/// What beams that can yield have come to in an equilibrium, one entry each, shape (beams that can yield): as after a run, but without
-/// times.
+/// Results of beams that can yield in an equilibrium, one entry each, shape (beams that can yield): as after a run, but without times.
 pub fn yielded_at_rest(model: &Model, found: &Equilibrium) -> Vec<PlasticSummary> {
     if !model.has_fibres() {
         return Vec::new();
@@ -221,7 +220,7 @@ pub fn yielded_at_rest(model: &Model, found: &Equilibrium) -> Vec<PlasticSummary
     all
 }
 
-/// Plastic curvature at a Gauss point: what of the bending strain is not that of its moment.
+/// Plastic curvature at a Gauss point: the part of the bending strain that its moment does not cause.
 fn plastic_curvature(point: &GaussFibres) -> f64 {
     let [membrane, bending] = point.strains;
     let (mut moment, mut stiffness) = (0.0, 0.0);
@@ -254,7 +253,7 @@ fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
     for point in points(model, state, beam, true) {
         let bears = |(fibre, s): (&Fibre, &FibreState)| fibre.bears && !s.failed;
         let whole = point.fibres.iter().zip(point.states).any(bears);
-        // What gapes turns without yielding, and no moment tells one from the other.
+        // An open section rotates without yielding, and the moment does not distinguish the two.
         let gapes = point.of.laws.iter().any(|law| law.slack().is_some());
         let yielded = whole && !gapes && point.states.iter().any(|s| s.accumulated > 0.0);
         let curvature = if yielded { plastic_curvature(&point) } else { 0.0 };

@@ -17,7 +17,7 @@ pub struct Channel {
     pub name: String,
     /// Unit in plain ASCII: `m`, `m/s`, `rad`, `N`, `N*s`, `J`, `kg*m/s`, `1/m`, `s`, or `1`.
     pub unit: &'static str,
-    /// One sentence that says what the column holds.
+    /// One sentence that describes the column.
     pub description: String,
 }
 
@@ -113,7 +113,7 @@ fn balances(model: &Model) -> impl Iterator<Item = Channel> {
     })
 }
 
-/// Columns of histories of what can yield.
+/// Columns of histories of yielding parts.
 const PLASTIC_COLUMNS: [(&str, &str); 3] = [
     ("energy.plastic", "Energy dissipated by plastic flow so far"),
     ("energy.hardening", "Energy that hardening has stored"),
@@ -181,7 +181,7 @@ struct NearestPair {
     s: f64,
 }
 
-/// The nearest pair of a contact where the state stands; of pairs that sleep, those that could be nearer are looked at.
+/// The closest pair of a contact in the current state; of sleeping pairs, those that could be closer are evaluated.
 fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search) -> NearestPair {
     let slides = slides(model, contact);
     let mut best = NearestPair { gap: f64::INFINITY, s: f64::NAN };
@@ -197,7 +197,7 @@ fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search)
             continue;
         }
         let seen = state.pairs[i].memory;
-        // A pair that sleeps may have gone round an end meanwhile: it is on the side where it is seen, its closest point wherever it is now.
+        // A sleeping pair may have passed around an end meanwhile: its side and closest point are those of its current position.
         let (memory, reach) = match least {
             Some(_) => (Memory { side: 0.0, ..seen }, Reach::All),
             None => (seen, Reach::Near),
@@ -217,17 +217,17 @@ fn has_depth(model: &Model, point: &MaterialPoint) -> bool {
     model.element_of(point.node).0.has_depth()
 }
 
-/// What happened since the row before.
+/// Changes since the previous row.
 pub struct SinceLast<'a> {
     /// Impulses along normal and tangent, shape (contacts, 2) \[N s\].
     pub impulse: &'a [[f64; 2]],
     /// Rotations of the recorded points where the state stands, shape (points) \[rad\].
     pub rotations: &'a [f64],
-    /// Which pairs were looked at where the state stands, and how near the others can be.
+    /// Pairs evaluated in the current state, and bounds for the gaps of the others.
     pub search: &'a Search,
     /// Mean reactions, shape (supports, 3) \[N, N m\].
     pub reactions: &'a [[f64; 3]],
-    /// Their impulses beside, shape (supports, 3) \[N s, N m s\].
+    /// Their additional impulses, shape (supports, 3) \[N s, N m s\].
     pub reaction_impulses: &'a [[f64; 3]],
     /// Section forces of the last step without impact.
     pub lines: &'a Lines,

@@ -1,4 +1,4 @@
-//! Everything that changes while a run steps, taken between two steps: what a run needs to go on later as if it had never stopped.
+//! All data that change during a run, taken between two steps: a run continues from them as if it had never stopped.
 
 use serde::{Deserialize, Serialize};
 
@@ -12,11 +12,10 @@ use crate::run::observing::step_size::StepSizeControl;
 use crate::run::solving::solver::Counts;
 use crate::state::State;
 
-/// A run between two steps, of the model and the settings it was begun with; [`Simulation::resume`](crate::Simulation::resume) goes on
-/// from there.
+/// A run between two steps, of its model and settings; [`Simulation::resume`](crate::Simulation::resume) continues it.
 ///
-/// Scratch of the solver is left out but for the pattern of its tangent: the rest may be dropped without changing a bit of what follows.
-/// So is what follows from model and settings.
+/// Scratch data of the solver are omitted except for the pattern of its tangent: the rest may be dropped without changing a bit of the results.
+/// Data that follow from model and settings are omitted too.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Checkpoint {
     pub(in crate::run) state: State,
@@ -34,12 +33,12 @@ pub struct Checkpoint {
 /// No run counts further.
 const MOST_COUNTED: usize = 1 << 48;
 
-/// Why a run cannot go on from a checkpoint.
+/// Reason why a run cannot continue from a checkpoint.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ResumeError {
     /// Faults of the settings, shape (faults).
     Faults(Vec<Fault>),
-    /// The checkpoint belongs to another model or another scheme, or its step lies beyond the end.
+    /// The checkpoint belongs to another model or another scheme, or its step is after the end.
     Foreign,
 }
 

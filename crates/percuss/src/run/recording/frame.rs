@@ -10,7 +10,7 @@ use crate::model::Model;
 use crate::run::solving::trial::Accepted;
 use crate::state::State;
 
-/// What pressed in a part of a step.
+/// Contact forces in a part of a step.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Pressed {
     pair: usize,
@@ -19,12 +19,12 @@ struct Pressed {
     impulsive: bool,
 }
 
-/// What frames are made of.
+/// Data of frames.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Frames {
-    /// What pressed in the part of a step accepted last, shape (such contacts).
+    /// Contact forces in the last accepted part of a step, shape (such contacts).
     pressed: Vec<Pressed>,
-    /// All its forces by their magnitudes, or its impulses if there were any \[N\] or \[N s\].
+    /// Sum of the magnitudes of its forces, or of its impulses if there were any \[N\] or \[N s\].
     contact: f64,
     /// Whether they are impulses.
     impulsive: bool,
@@ -46,10 +46,10 @@ impl Frames {
             && loads.contains(&self.load_factors.len())
     }
 
-    /// Takes in an accepted part of a step.
+    /// Enters an accepted part of a step.
     pub fn take(&mut self, part: &Accepted<'_>) {
         let (solved, work) = (part.solved, part.work());
-        // What rests in so short a part may give an impulse in disguise, too: no quotient by its length is a force.
+        // Resting contacts may have an impulse in such a short part, too: no quotient by its length is a force.
         let trial = &solved.trial;
         let impulsive = solved.impulsive && (trial.carries_impulses() || !trial.active.is_empty());
         let divisor = if impulsive { 1.0 } else { trial.h };
@@ -72,7 +72,7 @@ impl Frames {
         self.load_factors.clone_from(&solved.solution.forcing.factors);
     }
 
-    /// All contact forces by their magnitudes \[N\], or impulses \[N s\], and whether they are these.
+    /// Sum of the magnitudes of all contact forces \[N\], or impulses \[N s\], and whether they are impulses.
     pub fn contact(&self) -> (f64, bool) {
         (self.contact, self.impulsive)
     }
@@ -85,7 +85,7 @@ impl Frames {
         let force = |one: &Pressed| one.force_on(model, state);
         self.contact_forces.extend(self.pressed.iter().filter_map(force));
         if state.time == 0.0 {
-            // Before the first step no mean over one is known: what acts at that instant.
+            // Before the first step no mean over one exists: the forces at that instant.
             let at_once = model.loads.iter().map(|load| load.factor_at_start());
             self.load_factors.splice(.., at_once);
         }
@@ -102,7 +102,7 @@ impl Frames {
 }
 
 impl Pressed {
-    /// Its force on what it presses on, where that is now; none where the two do not face each other any more.
+    /// Its force on the target, at its current position; `None` if the two no longer face each other.
     fn force_on(&self, model: &Model, state: &State) -> Option<FrameForce> {
         let (pair, seen) = (&model.pairs[self.pair], &state.pairs[self.pair]);
         let touch = pair.touch(model, &state.configuration(), &seen.memory, Reach::Near)?;

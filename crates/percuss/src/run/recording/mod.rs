@@ -1,4 +1,4 @@
-//! What leaves a run while it steps: rows of [`channels`], frames and checkpoints, handed to a recorder ([`record`]).
+//! Output of a run during its steps: rows of [`channels`], frames and checkpoints, for a recorder ([`record`]).
 
 pub mod channels;
 pub mod checkpoint;

@@ -1,4 +1,4 @@
-//! What leaves a run while it steps: rows of channels, handed to a [`Recorder`].
+//! Output of a run during its steps: rows of channels, for a [`Recorder`].
 
 use super::channels::Channel;
 use super::checkpoint::Checkpoint;
@@ -7,10 +7,10 @@ use crate::frame::Frame;
 use crate::run::observing::status::RunStatus;
 use crate::state::State;
 
-/// Whether a run goes on.
+/// Whether a run continues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Flow {
-    /// Go on.
+    /// Continue.
     Continue,
     /// Stop after this row; the run ends as interrupted.
     Stop,
@@ -18,7 +18,7 @@ pub enum Flow {
 
 /// Receives the rows of a run.
 pub trait Recorder {
-    /// Called once before the first row, and again when a run goes on from a checkpoint.
+    /// Called once before the first row, and again when a run continues from a checkpoint.
     ///
     /// # Errors
     /// Whatever keeps the recorder from recording; the run then ends as failed.
@@ -37,7 +37,7 @@ pub trait Recorder {
         Ok(())
     }
 
-    /// Whether rows are wanted; if not, [`Recorder::row`] is not called and their values are not worked out.
+    /// Whether rows are requested; if not, [`Recorder::row`] is not called and their values are not computed.
     fn wants_rows(&self) -> bool {
         true
     }
@@ -47,36 +47,36 @@ pub trait Recorder {
         let _ = state;
     }
 
-    /// Whether the frame of a row at `time` is wanted; if not, [`Recorder::frame`] is not called. `contact` is the sum of the
-    /// magnitudes of all contact forces of the last step \[N\], or in an impact (`impulsive`) of impulses \[N s\].
+    /// Whether the frame of a row at `time` is requested; if not, [`Recorder::frame`] is not called. `contact` is the sum of the magnitudes of all
+    /// contact forces of the last step \[N\], or in an impact (`impulsive`) of impulses \[N s\].
     fn wants_frame(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
         let _ = (time, contact, impulsive);
         false
     }
 
-    /// Called before a row whose frame is wanted.
+    /// Called before a row whose frame is requested.
     fn frame(&mut self, frame: &Frame<'_>) {
         let _ = frame;
     }
 
-    /// Whether the status of the run is wanted, before the first step and after each; if not, [`Recorder::status`] is not called.
+    /// Whether the status of the run is requested, before the first step and after each; if not, [`Recorder::status`] is not called.
     fn wants_status(&mut self) -> bool {
         false
     }
 
-    /// Called with the status that was wanted.
+    /// Called with a requested status.
     fn status(&mut self, status: &RunStatus<'_>) {
         let _ = status;
     }
 
-    /// Whether a checkpoint is wanted before the next step, of which `last` says that it is the last one; if not,
-    /// [`Recorder::checkpoint`] is not called. Asked before every step, and after a whole step in which the run was stopped.
+    /// Whether a checkpoint is requested before the next step, with `last` for the last one; if not, [`Recorder::checkpoint`] is not called. Called
+    /// before every step, and after a whole step in which the run was stopped.
     fn wants_checkpoint(&mut self, last: bool) -> bool {
         let _ = last;
         false
     }
 
-    /// Called with a checkpoint that was wanted.
+    /// Called with a requested checkpoint.
     ///
     /// # Errors
     /// Whatever keeps the recorder from keeping it; the run then ends as failed.
@@ -92,7 +92,7 @@ pub trait Recorder {
     }
 }
 
-/// Records nothing, and asks for nothing: runs of which only the summary matters.
+/// Records nothing and requests nothing: for runs of which only the summary is used.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoRecorder;
 
@@ -102,7 +102,7 @@ impl Recorder for NoRecorder {
     }
 }
 
-/// Keeps every row in memory.
+/// Stores every row in memory.
 #[derive(Clone, Debug, Default)]
 pub struct MemoryRecorder {
     /// The columns, shape (channels).

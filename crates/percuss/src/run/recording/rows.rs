@@ -1,4 +1,4 @@
-//! Rows of the history: values where the state stands, and what was summed up since the row before.
+//! Rows of the history: values in the current state, and sums since the previous row.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,7 +11,7 @@ use crate::run::observing::monitor::Monitor;
 use crate::run::solving::trial::Accepted;
 use crate::state::State;
 
-/// The row to come.
+/// The next row.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Rows {
     /// Rows recorded.
@@ -47,7 +47,7 @@ impl Rows {
         self.impulse.len() == model.contacts.len() && self.rotations.len() == model.points.len()
     }
 
-    /// Adds what contacts gave in an accepted part of a step.
+    /// Adds contact impulses in an accepted part of a step.
     pub fn take(&mut self, part: &Accepted<'_>) {
         let (trial, work) = (&part.solved.trial, part.work());
         let contact_of = |pair: usize| part.model.pairs[pair].contact;
@@ -60,7 +60,7 @@ impl Rows {
         }
     }
 
-    /// Begins a row where the state stands, after so many Newton iterations; how many since the row before.
+    /// Begins a row in the current state, after the given number of Newton iterations; returns their number since the previous row.
     pub fn begin(&mut self, time: f64, iterations: usize) -> usize {
         self.count += 1;
         self.time = time;

@@ -15,7 +15,7 @@ use crate::step::newton::StepProblem;
 use crate::step::workspace::Workspace;
 use crate::step::{commit, flows};
 
-/// Where a part ended.
+/// End of a part.
 #[derive(Clone, Debug)]
 pub struct PartEnd {
     /// Energies and momenta there.
@@ -26,7 +26,7 @@ pub struct PartEnd {
     pub yielded: bool,
 }
 
-/// Moves a state to the end of a part that stands solved.
+/// Moves a state to the end of a solved part.
 pub struct Acceptance<'a> {
     pub model: &'a Model,
     pub settings: &'a Settings,
@@ -53,7 +53,7 @@ impl Acceptance<'_> {
         PartEnd { measures, parted, yielded }
     }
 
-    /// What approaches in an impact, or was held, has approached so fast.
+    /// Approach velocity of contacts in an impact, or of held ones.
     fn note_approach(&mut self, solved: &Solved) {
         let held = matches!(solved.trial.kind, PartKind::Held);
         for contact in &solved.trial.active {
@@ -64,7 +64,7 @@ impl Acceptance<'_> {
         }
     }
 
-    /// Reactions at the start of the part, where the one before does not tell them.
+    /// Reactions at the start of the part, if the previous one does not give them.
     fn note_start_reactions(&mut self, solved: &Solved) {
         // Whether or not velocities have jumped there.
         let of_run = self.state.step == 0;
@@ -97,7 +97,7 @@ impl Acceptance<'_> {
         self.state.instant = Some(found);
     }
 
-    /// Sides and closest points at the end of the part, as it has seen them.
+    /// Sides and closest points at the end of the part, from its solution.
     fn remember_closest_points(&mut self, solved: &Solved) {
         let (model, state) = (self.model, &mut *self.state);
         let reached = solved.solution.encounters.reached.iter();
@@ -120,7 +120,7 @@ impl Acceptance<'_> {
         }
     }
 
-    /// Moves the state, and looks at the pairs there; tells the elements that part, and whether any fibre has yielded.
+    /// Moves the state, and evaluates the pairs there; returns the fracturing elements, and whether any fibre has yielded.
     fn commit(&mut self, solved: &mut Solved) -> (Vec<PartedElement>, bool) {
         let (model, state, solver) = (self.model, &mut *self.state, &mut *self.solver);
         let before = solved.impulsive.then(|| state.multiplier.clone());
@@ -129,7 +129,7 @@ impl Acceptance<'_> {
         work.beams.sweep.end();
         state.offset += solved.rule.h;
         if let Some(before) = before {
-            // Multipliers of an impact are impulses over its time: no prediction for what follows.
+            // Multipliers of an impact are impulses over its time: they do not predict later ones.
             state.multiplier = before;
         }
         commit::steer_obstacles(model, state, self.settings.step);
@@ -139,7 +139,7 @@ impl Acceptance<'_> {
         ended
     }
 
-    /// How deep what crushes was pushed in, and where.
+    /// Depth and position of the indentation of contacts with crushing.
     fn remember_crushing(&mut self, solved: &Solved) {
         let (model, state) = (self.model, &mut *self.state);
         if state.dents.is_empty() {
@@ -166,7 +166,7 @@ impl Acceptance<'_> {
         }
     }
 
-    /// Which rigid contacts are closed at the end, and which one was located there.
+    /// Rigid contacts that are closed at the end, and the one that was located there.
     fn update_contacts(&mut self, solved: &mut Solved) {
         self.state.located = match solved.trial.kind {
             PartKind::Free { located } => located,

@@ -1,11 +1,10 @@
-//! Impacts that accumulate: what is left of a step in which more have happened than are followed one by one.
+//! Accumulated impacts: the rest of a step that has reached the Zeno limit.
 //!
-//! No instant of contact is located any more. What would end inside something is held over the rest of the step by forces that
-//! push and bring its gap to zero at the end. They give no energy, for the gap closes against them; but a mean rate is all that
-//! they can prescribe, and what covers half of its way to a wall ends with its velocity turned round. So an impact interval follows, in which
-//! each contact may take back what its force gave, until both together are the impulses of a plastic impact. It chooses them by
-//! the least energy, and not to act at all is among what it chooses from: it gives none either. Friction that has to shrink with
-//! the impulse along the normal may give back some of what it took over the step, but not more; else it is left as it was.
+//! Instants of contact are no longer located. Contacts that would overlap at the end are held over the rest of the step by compressive forces that
+//! close their gap at the end. These do not create energy, since the gap closes against them; but they prescribe only a mean rate, and a body that
+//! covers half of its distance to a wall ends with a reversed velocity. An impact interval follows in which each contact may cancel the impulse of
+//! its force, until the total impulses are those of a plastic impact. They minimise the energy, and zero is admissible, so that they do not create
+//! energy either. Friction that has to decrease with the normal impulse may cancel at most its impulse over the step; otherwise it is unchanged.
 
 use super::solve::Attempt;
 use super::solver::Solving;
@@ -13,8 +12,8 @@ use super::trial::{PartKind, Trial};
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
 
 impl Solving<'_> {
-    /// The impact interval after a part in which contacts were held, in the room of that; none if they are at rest already, or if no impulses bring them
-    /// to rest: then they stay as they are.
+    /// The impact interval after a part with held contacts, in the memory of that part; `None` if they are at rest already, or if no impulses bring
+    /// them to rest: then they do not change.
     pub fn plastic_post_step(&mut self, held: &Trial) -> Option<Trial> {
         let settles = |contact: &ActiveContact, impulse: [f64; 2]| {
             let phase = Phase::PlasticPostStep { carried: impulse };

@@ -1,4 +1,4 @@
-//! Which rigid contacts touch, rest or could close: where a run stands within a step, as decisions are told of it.
+//! Status of rigid contacts (touching, resting, about to close) within a step, for decisions.
 
 use super::decider::{IMPACT_INTERVAL, Moment, Negligible, RigidPair, RunScales};
 use super::locate::Seen;
@@ -7,7 +7,7 @@ use crate::model::{RigidLaw, TouchLaw};
 use crate::step::contacts::ActiveContact;
 
 impl Solving<'_> {
-    /// Where the run stands, `cut` before the next instant at which a part has to end \[s\].
+    /// Status of the run, `cut` before the next instant at which a part has to end \[s\].
     pub(super) fn moment(&self, cut: f64) -> Moment {
         let standing = |i: usize| {
             let (pair, law) = (&self.state.pairs[i], self.rigid_law(i)?);
@@ -26,7 +26,7 @@ impl Solving<'_> {
         }
     }
 
-    /// What is as good as nothing between things that touch.
+    /// Negligible gaps and rates of bodies in contact.
     pub(super) fn nothing(&self) -> Negligible {
         let scales = RunScales {
             step: self.settings.step,
@@ -63,13 +63,13 @@ impl Solving<'_> {
         IMPACT_INTERVAL * self.settings.step
     }
 
-    /// Rigid pairs near enough to matter where the state stands.
+    /// Rigid pairs that are close enough to matter in the current state.
     pub(super) fn rigid(&self) -> Vec<usize> {
         let awake = self.search.awake().iter().copied();
         awake.filter(|i| self.rigid_law(*i).is_some()).collect()
     }
 
-    /// Rigid pairs that touch, at rest but for what is no approach: they count as closed.
+    /// Rigid pairs with a negligible gap and approach velocity: they count as closed.
     pub(super) fn at_rest(&self) -> Vec<usize> {
         let rigid = self.rigid();
         if rigid.is_empty() {
@@ -88,7 +88,7 @@ impl Solving<'_> {
         self.nothing().stick_velocity(self.state.pairs[i].approach_max)
     }
 
-    /// Contacts that stay closed.
+    /// Contacts that remain closed.
     pub(super) fn resting(&self) -> Vec<ActiveContact> {
         let closed = self.rigid().into_iter().filter(|i| self.state.pairs[*i].closed);
         closed.map(ActiveContact::resting).collect()

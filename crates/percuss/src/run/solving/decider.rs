@@ -1,7 +1,7 @@
-//! What a part of a step is, and what is solved next: a state machine without physics.
+//! Parts of steps, and the next one to solve: a state machine without physics.
 //!
-//! Single runs, runs in lanes and runs with derivatives go by it alike. It is told where the rigid contacts of a run stand, and what was
-//! seen of their gaps over what was solved; it says what to solve next, when that is accepted, and when the step has ended.
+//! Single runs, runs in lanes and runs with derivatives use it. Its input is the status of the rigid contacts of a run, and their gaps over the
+//! solved part; its output is the next part to solve, its acceptance, and the end of the step.
 
 use super::locate::{FirstContact, Seen, Tolerances, Verdict};
 use crate::settings::{ImpactResolution, MultipleImpacts, SAME_INSTANT, Settings};
@@ -9,48 +9,48 @@ use crate::step::contacts::{ActiveContact, GAP_RESOLUTION, Phase};
 
 /// Length of an impact interval as a share of the step.
 pub const IMPACT_INTERVAL: f64 = 1e-6;
-/// Approach slower than this share of the fastest one so far does not bounce: accumulating impacts end.
+/// Contacts with an approach slower than this share of the fastest one so far do not rebound: accumulating impacts end.
 pub const STICK: f64 = 1e-6;
-/// Nor does approach slower than this share of the velocity scale, which is round-off.
+/// Neither do those slower than this share of the velocity scale, which is round-off.
 const NO_APPROACH: f64 = 1e-12;
-/// Nor does approach slower than this share of what gravity gives in a step: piles at rest would rattle over gaps of a picometre.
+/// Neither do those slower than this share of the velocity by gravity in a step: resting piles would rattle over gaps of a picometre.
 const CREEP: f64 = 1e-5;
-/// More instants located and impacts than this in one step count as accumulated: for the rest of it what touches stays together.
+/// Limit of located instants and impacts in one step, after which they count as accumulated: touching contacts stay closed for the rest of it.
 const MOST_EVENTS: usize = 128;
-/// A step is cut down to this share of its size before the run gives up.
+/// A step is cut down to this share of its size before the run ends without convergence.
 const SMALLEST_SHARE: f64 = 1e-4;
 
-/// What a part of a step is solved as.
+/// Kind of a part of a step.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Resolution {
     /// Prescribed velocities jump.
     Jump,
-    /// Nothing strikes: up to the first contact, or its whole size.
+    /// No impact: up to the first contact, or its whole size.
     Free,
-    /// All that touch strike at once.
+    /// Simultaneous impact of all touching contacts.
     Impact,
     /// They strike one after another.
     Sequence,
-    /// Too many impacts have happened in the step for them to be followed one by one: what closes is held.
+    /// The Zeno limit of the step is reached: closing contacts are held.
     Accumulated,
-    /// As in the paper, gaps are looked at once, and impulses act over all of it.
+    /// As in the paper, gaps are evaluated once, and impulses act over the whole step.
     TimeStepping,
 }
 
 /// A part of a step that is to be solved.
 #[derive(Clone, Debug)]
 pub struct Part {
-    /// What it is solved as.
+    /// Kind.
     pub resolution: Resolution,
     /// Its size at most \[s\].
     pub size: f64,
     /// Length of an impact interval in it \[s\]; where failures have cut the step, these are cut likewise.
     pub interval: f64,
-    /// Contacts that take part: those that rest or are held, then those that strike, shape (such contacts).
+    /// Active contacts: those that rest or are held, then those in impact, shape (such contacts).
     pub active: Vec<ActiveContact>,
 }
 
-/// A rigid pair where a run stands.
+/// A rigid pair in the current state of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct RigidPair {
     /// The contact.
@@ -59,7 +59,7 @@ pub struct RigidPair {
     pub gap: f64,
     /// Its rate \[m/s\].
     pub rate: f64,
-    /// Whether it stays closed while it presses.
+    /// Whether it remains closed under contact force.
     pub closed: bool,
     /// Fastest approach so far \[m/s\].
     pub approach_max: f64,
@@ -67,10 +67,10 @@ pub struct RigidPair {
     pub restitution: [f64; 2],
 }
 
-/// Where a run stands within a step.
+/// Status of a run within a step.
 #[derive(Clone, Debug)]
 pub struct Moment {
-    /// What is done of the step \[s\].
+    /// Completed share of the step \[s\].
     pub offset: f64,
     /// Time to the next instant at which a part has to end \[s\].
     pub cut: f64,
@@ -78,40 +78,40 @@ pub struct Moment {
     pub jumps: bool,
     /// The contact that was located here.
     pub located: Option<usize>,
-    /// Rigid contacts near enough to matter, shape (such contacts).
+    /// Rigid contacts that are close enough to matter, shape (such contacts).
     pub contacts: Vec<RigidPair>,
-    /// What is as good as nothing there.
+    /// Negligible gaps and rates there.
     pub nothing: Negligible,
 }
 
-/// What is as good as nothing between things that touch.
+/// Negligible gaps and rates of bodies in contact.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Negligible {
     /// Velocities up to this one are none \[m/s\].
     pub rate: f64,
-    /// Gaps up to this one are none between things that do not approach \[m\].
+    /// Gaps up to this one are zero between bodies that do not approach \[m\].
     pub gap: f64,
     /// Gaps that differ by no more than this one are equal \[m\].
     pub gap_difference: f64,
 }
 
-/// What a run is measured by.
+/// Scales of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct RunScales {
     /// Size of a step \[s\].
     pub step: f64,
-    /// What positions are as large as \[m\].
+    /// Scale of positions \[m\].
     pub positions: f64,
     /// Magnitude of the acceleration of gravity \[m/s^2\].
     pub gravity: f64,
     /// Largest energy of the run so far \[J\].
     pub energy: f64,
-    /// Mass of all there is \[kg\].
+    /// Total mass \[kg\].
     pub mass: f64,
 }
 
 impl RunScales {
-    /// What is as good as nothing in a run of these scales.
+    /// Negligible gaps and rates in a run of these scales.
     pub fn negligible(&self) -> Negligible {
         let creep = CREEP * self.gravity * self.step;
         let rate = creep.max(NO_APPROACH * (2.0 * self.energy / self.mass).sqrt());
@@ -121,12 +121,12 @@ impl RunScales {
 }
 
 impl Negligible {
-    /// Approach up to this one does not bounce where the fastest one so far was `approach_max` \[m/s\].
+    /// Contacts with an approach up to this one do not rebound if the fastest one so far was `approach_max` \[m/s\].
     pub fn stick_velocity(&self, approach_max: f64) -> f64 {
         (STICK * approach_max).max(self.rate)
     }
 
-    /// Whether what has this gap and rate touches and is at rest: then it counts as closed.
+    /// Whether a contact with this gap and rate touches and is at rest: then it counts as closed.
     pub fn is_at_rest(&self, gap: f64, rate: f64) -> bool {
         gap <= self.gap && rate.abs() <= self.rate
     }
@@ -149,22 +149,22 @@ pub struct Decider {
     end: f64,
     impacts: ImpactResolution,
     sequential: bool,
-    /// What positions are as large as \[m\].
+    /// Scale of positions \[m\].
     positions: f64,
-    /// Size of this step: the one given, or what is left up to the end of the run \[s\].
+    /// Size of this step: the given one, or the remaining time of the run \[s\].
     target: f64,
     /// Size of its next part at most \[s\].
     size: f64,
     /// Instants located and impacts that it may still have.
     events_left: usize,
-    /// The part at hand.
+    /// The current part.
     pub part: Part,
     nothing: Negligible,
     search: FirstContact,
 }
 
 impl Decider {
-    /// Of a step of the given size; what positions are as large as.
+    /// The start of a step of the given size, with the scale of positions.
     pub fn new(settings: &Settings, positions: f64, target: f64) -> Self {
         let part =
             Part { resolution: Resolution::Free, size: 0.0, interval: 0.0, active: Vec::new() };
@@ -183,22 +183,22 @@ impl Decider {
         }
     }
 
-    /// The same behind as many impacts as are followed one by one.
+    /// The same after the Zeno limit.
     pub fn exhausted(self) -> Self {
         Self { events_left: 0, ..self }
     }
 
-    /// Goes on with a step of the given size.
+    /// Continues with a step of the given size.
     pub fn open(&mut self, target: f64) {
         (self.target, self.size, self.events_left) = (target, target, MOST_EVENTS);
     }
 
-    /// Whether something is left of the step, `offset` of it done.
+    /// Whether a part of the step remains, `offset` of it completed.
     pub fn remains(&self, offset: f64) -> bool {
         offset < self.target * (1.0 - SAME_INSTANT)
     }
 
-    /// Whether impacts accumulate: more of them than are followed one by one.
+    /// Whether impacts accumulate: the step has reached the Zeno limit.
     pub fn accumulates(&self) -> bool {
         self.events_left == 0
     }
@@ -208,7 +208,7 @@ impl Decider {
         self.target
     }
 
-    /// Size of what is to be solved next: of the part, of a trial of it, or an impact interval \[s\].
+    /// Size of the next solution: of the part, of a trial of it, or an impact interval \[s\].
     pub fn h(&self) -> f64 {
         match self.part.resolution {
             Resolution::Free => self.search.h,
@@ -217,12 +217,12 @@ impl Decider {
         }
     }
 
-    /// Whether what was solved last tells anew which open contacts are looked at: not while one of them is located.
+    /// Whether the last solution updates the open contacts under observation: not during the location of one of them.
     pub fn looks_anew(&self) -> bool {
         self.part.resolution != Resolution::Free || self.search.is_whole()
     }
 
-    /// Whether the step goes on where the run stands; then its next part is at hand.
+    /// Whether the step continues after the current state; then its next part is set.
     pub fn goes_on(&mut self, at: &Moment) -> bool {
         if !self.remains(at.offset) {
             return false;
@@ -254,15 +254,15 @@ impl Decider {
         true
     }
 
-    /// Open contacts strike that would close within the next three quarters of an impact interval; and the one just located, with all others
-    /// that are no farther as gaps can tell, or close within an interval of its instant: which of these is first follows from round-off, and
+    /// Open contacts that would close within the next three quarters of an impact interval are in the impact; and the one just located, with all
+    /// others whose gaps are equal within their accuracy, or that close within an interval of its instant: their order follows from round-off, and
     /// impulses last as long, so they close together.
     fn strike_touching(&mut self, at: &Moment) -> Resolution {
         let interval = IMPACT_INTERVAL * self.step;
         let located = at.located.and_then(|k| at.contacts.iter().find(|c| c.contact == k));
         let touches = |c: &&RigidPair| {
             let way = |intervals: f64| -intervals * interval * c.rate;
-            // The instant located is the middle of the interval to come.
+            // The located instant is the middle of the next interval.
             let close = match located {
                 Some(one) => {
                     let farthest = one.gap + at.nothing.gap_difference;
@@ -282,15 +282,14 @@ impl Decider {
         }
     }
 
-    /// Contacts are held over the part that would close in it.
+    /// Contacts are held over the part in which they would close.
     fn hold_closing(&mut self, at: &Moment) {
         let closes = |c: &&RigidPair| !c.closed && c.gap + self.part.size * c.rate < 0.0;
         let held = at.contacts.iter().filter(closes);
         self.part.active.extend(held.map(|c| ActiveContact::resting(c.contact)));
     }
 
-    /// In the paper's steps contacts strike that are closed, by this gap. What separates already is not struck: an impulse on its way out would
-    /// give energy.
+    /// In the paper's steps contacts that are closed, by this gap, are in the impact. A separating contact is not: an impulse would create energy.
     fn close_in_time_step(&mut self, at: &Moment, closed: f64) {
         let strikes =
             |c: &&RigidPair| c.gap <= closed && c.rate <= at.nothing.stick_velocity(c.approach_max);
@@ -301,8 +300,8 @@ impl Decider {
         }));
     }
 
-    /// What follows from the contacts that could touch, as seen over what was solved last; `passed` tells at which share of it the first of
-    /// those given has passed through something. More contacts may have become active.
+    /// Verdict on the contacts that could close, from the last solution; `passed` is the share of it at which the first of the given ones has
+    /// passed through a body. More contacts may have become active.
     pub fn judge(
         &mut self,
         seen: &[Seen],
@@ -320,7 +319,7 @@ impl Decider {
                     let passed = passed(&contacts(&open)).is_some();
                     return if passed { Verdict::Passed } else { Verdict::Ends { located: None } };
                 }
-                // Those that are inside by less than gaps can tell come along: which is deeper is round-off.
+                // Contacts with a penetration within the accuracy of gaps are included: which is deeper is round-off.
                 let inside = open.iter().filter(|s| s.end[0] < 0.0);
                 active.extend(inside.map(|s| ActiveContact::resting(s.contact)));
                 Verdict::Again
@@ -329,8 +328,8 @@ impl Decider {
         }
     }
 
-    /// Takes an accepted part off; behind one of its whole size the next may be larger again. That one ends at an instant of contact, or
-    /// is an impact (an event), says nothing of the size that failed before.
+    /// Subtracts an accepted part; after one of its whole size the next may be larger again. A part that ends at an instant of contact, or is an
+    /// impact (an event), contains no information on the size that failed before.
     pub fn spend(&mut self, event: bool) {
         if event {
             self.events_left = self.events_left.saturating_sub(1);
@@ -339,7 +338,7 @@ impl Decider {
         }
     }
 
-    /// Cuts the part at hand, which has failed, in half; whether that is any use.
+    /// Cuts the current part, which has failed, in half; returns whether further cuts are allowed.
     pub fn halve(&mut self) -> bool {
         self.size = 0.5 * self.part.size;
         self.size >= SMALLEST_SHARE * self.step
@@ -353,12 +352,12 @@ impl Decider {
         }
     }
 
-    /// Ends the step, the run's `steps`-th, at `time`, `offset` of it done: both as the next one begins. Its end is on the grid of steps, or
-    /// behind an impact that went beyond.
+    /// Ends the step, the run's `steps`-th, at `time`, `offset` of it completed: both for the start of the next one. Its end is on the grid of
+    /// steps, or after an impact that exceeded it.
     pub fn close(&self, steps: usize, time: f64, offset: f64) -> (f64, f64) {
         let offset = offset - self.target;
         let offset = if offset.abs() <= SAME_INSTANT * self.step { 0.0 } else { offset };
-        // Never back, not even by the last bit, behind an impact at the end of the step.
+        // Never backwards, not even by the last bit, after an impact at the end of the step.
         let grid = (steps as f64 * self.step).min(self.end) + offset;
         (if offset > 0.0 { grid.max(time) } else { grid }, offset)
     }

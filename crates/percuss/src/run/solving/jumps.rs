@@ -1,8 +1,8 @@
 //! Jumps of prescribed velocities.
 //!
-//! Where the rate of a motion jumps, what it holds gets an impulse, and the rest of the structure the consistent one. Steps are cut
-//! there as at the release of a support, and the jump is made in an impact interval, a very short step of its own, whose impulses are kept
-//! apart from forces as those of impacts are.
+//! If the rate of a motion jumps, its fixed components receive an impulse, and the rest of the structure the consistent one. Steps are cut there as
+//! at the release of a support, and the jump is made in an impact interval, a very short step of its own, whose impulses are separated from forces
+//! like those of impacts.
 
 use super::decider::{IMPACT_INTERVAL, Part};
 use super::solve::Attempt;
@@ -16,8 +16,8 @@ use crate::step::newton::Failure;
 /// Jumps below this share of the rates are none.
 const NO_JUMP: f64 = 1e-9;
 
-/// Times at which steps are cut, increasing: supports let go, or rates of prescribed motions jump at the end of the impact interval that begins
-/// there \[s\].
+/// Times at which steps are cut, increasing: releases of supports, or jumps of prescribed rates at the end of the impact interval that begins there
+/// \[s\].
 pub fn cuts(model: &Model, step: f64) -> Vec<f64> {
     let mut times: Vec<f64> = model.releases().collect();
     for drive in model.structural_drives() {
@@ -35,7 +35,7 @@ pub fn rate_after(function: &PreparedFunction, time: f64, step: f64) -> f64 {
 }
 
 impl Solver {
-    /// Time to the next cut that does not lie at the end of a part that ends at `time`, of a step of the given size \[s\].
+    /// Time to the next cut that is not the end of a part that ends at `time`, of a step of the given size \[s\].
     pub fn time_to_cut(&self, time: f64, step: f64) -> f64 {
         let next = self.cuts.partition_point(|t| t - time <= SAME_INSTANT * step);
         self.cuts.get(next).map_or(f64::INFINITY, |t| t - time)
@@ -66,7 +66,7 @@ impl Solving<'_> {
         })
     }
 
-    /// The impact interval in which prescribed velocities jump; what rests on the structure stays closed.
+    /// The impact interval in which prescribed velocities jump; resting contacts stay closed.
     pub fn jump(&mut self, part: &Part) -> Result<Trial, Failure> {
         let (h, mut active) = (part.interval, part.active.clone());
         self.solve_resting(&Attempt { jumps: true, ..Attempt::free(h) }, &mut active)?;

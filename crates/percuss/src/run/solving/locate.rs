@@ -1,9 +1,8 @@
-//! Where in time impacts happen.
+//! Location of impacts in time.
 //!
-//! If a part of a step would end with one rigid thing inside another, or if they have passed through each other on the way, the
-//! instant of contact is located by a root search over its size, each trial a full solution; the part ends there, and the impulse acts
-//! in an impact interval, a very short part of its own. That starts half its length before the gap vanishes, so that its middle is the
-//! instant of contact.
+//! If rigid bodies would overlap at the end of a part of a step, or have passed through each other within it, the instant of contact is located by
+//! a root search over its size, each trial a full solution; the part ends there, and the impulse acts in an impact interval, a very short part of
+//! its own. It starts half its length before the gap vanishes, so that its middle is the instant of contact.
 
 use crate::math::hermite::Cubic;
 use crate::math::roots::{self, Bracket};
@@ -13,7 +12,7 @@ const LOCATED: f64 = 1e-3;
 /// Differences of gaps below this share of the size of positions are round-off.
 const ROUND_OFF: f64 = 1e-15;
 
-/// What is seen of a rigid contact over a part that stands solved.
+/// Gap and rate of a rigid contact over a solved part.
 #[derive(Clone, Copy, Debug)]
 pub struct Seen {
     /// The contact.
@@ -25,13 +24,13 @@ pub struct Seen {
 }
 
 impl Seen {
-    /// The gap, as far as it is below zero by round-off where the part begins \[m\].
+    /// The gap if it is negative by round-off at the start of the part, otherwise zero \[m\].
     fn floor(&self, no_gap: f64) -> f64 {
         self.start[0].clamp(-no_gap, 0.0)
     }
 }
 
-/// What follows from a part that stands solved.
+/// Verdict on a solved part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// It is solved once more, by another size or with more contacts.
@@ -41,7 +40,7 @@ pub enum Verdict {
         /// The contact.
         located: Option<usize>,
     },
-    /// One thing has passed through another, and gaps do not tell where: it is to be cut.
+    /// Bodies have passed through each other, and gaps do not give the instant: the part is cut.
     Passed,
 }
 
@@ -50,34 +49,34 @@ pub enum Verdict {
 pub struct Tolerances {
     /// Length of an impact interval \[s\].
     pub interval: f64,
-    /// What positions are as large as \[m\].
+    /// Scale of positions \[m\].
     pub positions: f64,
     /// A gap that is none \[m\].
     pub no_gap: f64,
 }
 
-/// What was solved last.
+/// Kind of the last solution.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 enum SolvedUpTo {
     /// The whole part.
     #[default]
     Whole,
-    /// Up to where a gap seems to have dipped below zero and out again, or, if `passed`, where something may have passed through.
+    /// Up to the point at which a gap seems to have been negative for a time, or, if `passed`, a body may have passed through.
     Dip { passed: bool },
-    /// The whole part, in which nothing touches.
+    /// The whole part, without contact.
     Clear,
     /// Up to a trial of the root search.
     Trial,
 }
 
-/// The search for the first contact within a part in which nothing strikes.
+/// The search for the first contact within a part without impact.
 #[derive(Clone, Debug, Default)]
 pub struct FirstContact {
     tolerances: Tolerances,
     stage: SolvedUpTo,
     /// Size of the whole part \[s\].
     whole: f64,
-    /// Size of what is solved next \[s\].
+    /// Size of the next solution \[s\].
     pub h: f64,
     /// Gaps over the whole part, shape (open contacts).
     paths: Vec<Cubic>,
@@ -93,13 +92,12 @@ impl FirstContact {
             (SolvedUpTo::Whole, whole, whole, tolerances);
     }
 
-    /// Whether the whole part is what was solved last: which contacts are open is known from there.
+    /// Whether the last solution was the whole part, from which the open contacts are known.
     pub fn is_whole(&self) -> bool {
         self.stage == SolvedUpTo::Whole
     }
 
-    /// What follows from the open contacts as seen over what was solved last; `passed` tells at which share of it the first of them has passed
-    /// through something.
+    /// Verdict on the open contacts from the last solution; `passed` is the share of it at which the first of them has passed through a body.
     pub fn judge(&mut self, open: &[Seen], passed: impl FnOnce() -> Option<f64>) -> Verdict {
         let clear = Verdict::Ends { located: None };
         if self.stage == SolvedUpTo::Clear || open.is_empty() {
@@ -133,8 +131,8 @@ impl FirstContact {
                 }
             }
             SolvedUpTo::Trial => {
-                // A contact that has just opened is as near as one about to close, but is not what is sought; one that lies
-                // inside is, even on its way out again.
+                // A contact that has just opened is as close as one about to close, but is not the result of the search; an overlapping one is,
+                // even while it separates.
                 let sought = nearest.end[1] < 0.0 || ahead < -self.near;
                 if self.root.take(if sought { ahead } else { ahead.max(2.0 * self.near) }) {
                     return Verdict::Ends { located: Some(nearest.contact) };
@@ -145,7 +143,7 @@ impl FirstContact {
         Verdict::Again
     }
 
-    /// Least gap half an impact interval after the end of what was solved last \[m\], and whose it is.
+    /// Least gap half an impact interval after the end of the last solution \[m\], and its contact.
     fn nearest<'s>(&self, open: &'s [Seen]) -> (f64, &'s Seen) {
         let Tolerances { interval, no_gap, .. } = self.tolerances;
         let ahead = |seen: &'s Seen| {
@@ -166,7 +164,7 @@ impl FirstContact {
         }));
     }
 
-    /// Begins the root search before the end of what was solved last, where the least gap ahead is `ahead`.
+    /// Begins the root search before the end of the last solution, for the least gap ahead `ahead`.
     fn open_search(&mut self, ahead: f64) {
         let (end, paths) = (self.h, &self.paths);
         let Tolerances { interval, positions, .. } = self.tolerances;
@@ -186,7 +184,7 @@ impl FirstContact {
     }
 }
 
-/// Where the gap first falls to zero, if it does before `end`.
+/// First instant at which the gap decreases to zero, if it is before `end`.
 fn descent(gap: &Cubic, end: f64) -> Option<f64> {
     let opened = || gap.stationary().find(|t| *t < end && gap.value(*t) > 0.0);
     let from = if gap.value(0.0) > 0.0 { 0.0 } else { opened()? };

@@ -1,8 +1,9 @@
-//! Parts of steps: what solves them sees the state and writes none of it.
+//! Solution of parts of steps, which reads the state and does not write it.
 //!
-//! The [`decider`] says what the parts of a step are, told where contacts stand ([`contact_status`]); a [`solver`] has what they are
-//! solved with. Each is solved ([`solve`], [`passage`]) up to the first contact ([`locate`]), at impact ([`strike`], [`sequence`]), accumulated ([`accumulated`]) or at a jump of prescribed velocities
-//! ([`jumps`]). What it came to goes with it ([`trial`]), until it is accepted ([`accept`], [`parting`]): only there the state is written.
+//! The [`decider`] sets the parts of a step from the status of contacts ([`contact_status`]); a [`solver`] has the data for their solution. Each is
+//! solved ([`solve`], [`passage`]) up to the first contact ([`locate`]), at impact ([`strike`], [`sequence`]), accumulated ([`accumulated`]) or at
+//! a jump of prescribed velocities ([`jumps`]). Its results belong to it ([`trial`]), until it is accepted ([`accept`], [`parting`]): only there
+//! the state is written.
 
 pub mod accept;
 mod accumulated;

@@ -1,4 +1,4 @@
-//! Beams that part at the end of a step: what touched there touches no more.
+//! Fracture of beams at the end of a step, which ends the contact of the fractured elements.
 
 use super::accept::Acceptance;
 use crate::contact::search::Search;
@@ -7,8 +7,7 @@ use crate::geometry::touch::Reach;
 use crate::step::fibres::PartedElement;
 
 impl Acceptance<'_> {
-    /// Takes elements that have parted out of what can be touched; returns the pairs that this has moved apart. What contact forces
-    /// stored there is lost with them.
+    /// Removes fractured elements from contact; returns the pairs that this has separated. The energy stored in their contacts is lost.
     pub(super) fn part(&mut self, parted: &[PartedElement]) -> Vec<usize> {
         if parted.is_empty() {
             return Vec::new();
@@ -25,7 +24,7 @@ impl Acceptance<'_> {
         now.zip(before).enumerate().filter(|(_, (now, was))| now != was).map(|(i, _)| i).collect()
     }
 
-    /// Opens the pairs that a parting has moved apart.
+    /// Opens the pairs that a fracture has separated.
     pub(super) fn open_parted(&mut self, moved: &[usize]) {
         for &i in moved {
             self.state.pairs[i].closed = false;

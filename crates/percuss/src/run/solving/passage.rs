@@ -5,10 +5,10 @@ use crate::geometry::pair::Memory;
 use crate::geometry::touch::Reach;
 use crate::step::newton::Failure;
 
-/// Looks along a path; what has not been seen inside by then is taken to slide along the face.
+/// Number of evaluations along a path; a contact without overlap in all of them is assumed to slide along the face.
 const LOOKS: usize = 200;
-/// What is inside for less of its way than this share of the distance at which centre and axis touch has only grazed the face,
-/// no deeper than about a thousandth of that distance.
+/// An overlap over less of the path than this share of the distance at which centre and axis touch only grazes the face, no deeper than about a
+/// thousandth of that distance.
 const GRAZE: f64 = 0.1;
 
 impl Solving<'_> {
@@ -22,9 +22,8 @@ impl Solving<'_> {
         if passed { Err(Failure::Passed) } else { Ok(()) }
     }
 
-    /// The share of the step solved last at which the first of the given open pairs is inside another, though at its end it is
-    /// outside again, or inside from the other side: one has passed through the other. The side it came from is remembered
-    /// if it was not known.
+    /// Share of the last solved step at which the first of the given open pairs overlaps, though at its end it is outside again, or overlaps from
+    /// the other side: the bodies have passed through each other. Its initial side is stored if it was unknown.
     pub(super) fn first_passage(&mut self, pairs: &[usize]) -> Option<f64> {
         let mut first: Option<f64> = None;
         for &i in pairs {
@@ -38,7 +37,7 @@ impl Solving<'_> {
         first
     }
 
-    /// Follows pair `i` along the straight path of the step, never further than it is apart.
+    /// Follows pair `i` along the straight path of the step, never further than its gap.
     fn passage(&self, i: usize) -> Option<(f64, Memory)> {
         let pair = &self.model.pairs[i];
         let seen = self.seen(i);
@@ -53,7 +52,7 @@ impl Solving<'_> {
             return None;
         }
         let last = pair.at_end(self.model, &at, &memory, seen.gap)?;
-        // Inside where it is looked for, or outside at both ends and not fast enough to have been inside.
+        // Overlap at the evaluated points, or outside at both ends and too slow for an overlap between.
         let inside = last.gap <= 0.0;
         let entered = inside && last.memory.side == memory.side;
         if entered || seen.gap + chord + last.apart.max(0.0) > way {

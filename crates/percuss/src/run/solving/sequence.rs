@@ -1,10 +1,10 @@
-//! Several touching bodies struck at one instant: the blow passed on from body to body, or shared by the impact law.
+//! Impact on several touching bodies: a sequence of impacts from body to body, or one simultaneous impact.
 //!
-//! One after another: of all contacts that touch, the one that approaches fastest has an impact of its own, in an impact interval of its own
-//! in which no other contact acts; what that sets in motion approaches its neighbours, and so on, until nothing approaches faster
-//! than what sticks. Contacts that approach equally fast share their interval: no order among them follows from the motion, and what is
-//! symmetric stays so. Each impact obeys the law of its contact, friction included, and its work enters the balance as that of any other.
-//! What is left, next to nothing, or a sequence that does not end, is settled at once and without restitution.
+//! In a sequence, of all touching contacts the one with the fastest approach has an impact of its own, in an impact interval of its own without
+//! other contacts; bodies set in motion by it approach their neighbours, and so on, until no approach is faster than the sticking limit. Contacts
+//! with equal approach share their interval: the motion gives no order among them, and symmetry is preserved. Each impact obeys the law of its
+//! contact, including friction, and its work enters the balance as that of any other. A negligible rest, or a sequence that does not end, is
+//! concluded by a simultaneous impact without restitution.
 
 use super::decider::{Part, STICK};
 use super::solver::Solving;
@@ -14,13 +14,13 @@ use crate::step::newton::Failure;
 
 /// Impacts in a sequence for each contact that touches: with restitution they die out like a geometric series.
 const IMPACTS_EACH: usize = 64;
-/// Impacts in a sequence: together they take no longer than a thousandth of a step.
+/// Limit of impacts in a sequence: together they take no longer than a thousandth of a step.
 const MOST_IMPACTS: usize = 1000;
-/// What changes the velocity of a contact by less than this share of its own impulse's is no part of its blow.
+/// A contact whose velocity changes by less than this share of the change by its own impulse is not affected by an impact.
 const COUPLED: f64 = 0.01;
 
 impl Solving<'_> {
-    /// The first impact of a sequence: that of the contact which approaches fastest. All at once if nothing bounces.
+    /// The first impact of a sequence: that of the contact with the fastest approach. All contacts together if none rebounds.
     pub fn strike_fastest(&mut self, part: &Part) -> Result<Trial, Failure> {
         let members: Vec<usize> = part.active.iter().map(|c| c.pair).collect();
         let approach = |c: &ActiveContact| match c.phase {
@@ -44,7 +44,7 @@ impl Solving<'_> {
         }
     }
 
-    /// The next impact of a sequence, or its end; what no impulses can settle the next part of the step finds as it is.
+    /// The next impact of a sequence, or its end; an approach that no impulses can end remains for the next part of the step.
     pub fn next_of(&mut self, sequence: Sequence) -> Option<Trial> {
         let fastest = if sequence.left > 0 { self.fastest(&sequence) } else { Vec::new() };
         let next = match fastest.is_empty() {
@@ -54,7 +54,7 @@ impl Solving<'_> {
         next.or_else(|| self.end_of_sequence(&sequence).ok().flatten())
     }
 
-    /// The contact that approaches fastest, if that is an approach, and those that are as fast as far as rates can tell.
+    /// The contact with the fastest approach, if there is an approach, and those that are equally fast within the accuracy of rates.
     fn fastest(&self, sequence: &Sequence) -> Vec<usize> {
         let rate = |i: &usize| self.state.pairs[*i].rate;
         let approaches = |i: &usize| -rate(i) > self.stick_velocity(*i).max(sequence.least);
@@ -65,7 +65,7 @@ impl Solving<'_> {
         members
     }
 
-    /// The impact of the contacts that approach fastest, in which no other acts; none if they are held on both sides.
+    /// The impact of the contacts with the fastest approach, without any other contact; `None` if they are fixed on both sides.
     fn strike_alone(
         &mut self,
         fastest: &[usize],
@@ -78,7 +78,7 @@ impl Solving<'_> {
         Ok(struck.then_some(trial))
     }
 
-    /// The end of a sequence: what still approaches comes to rest against what it touches; none if nothing does.
+    /// The end of a sequence: remaining approaches are stopped by a plastic impact; `None` without any.
     fn end_of_sequence(&mut self, sequence: &Sequence) -> Result<Option<Trial>, Failure> {
         let slow = self.nothing().rate;
         let approaches = |i: &&usize| -self.state.pairs[**i].rate > slow;

@@ -1,4 +1,4 @@
-//! Solving a part of a step: with the pairs that could touch, and again where it brought others near.
+//! Solution of a part of a step: with the pairs that could touch, and again if it brings others close.
 
 use super::decider::{Decider, Resolution};
 use super::locate::{Seen, Verdict};
@@ -12,22 +12,22 @@ use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
 use crate::step::newton::{Failure, StepProblem};
 use crate::step::workspace::Workspace;
 
-/// Pairs that could touch if everything moved by so many times its velocity are looked at within a step.
+/// Pairs that could touch within this multiple of all velocities are evaluated within a step.
 const AHEAD: f64 = 2.0;
 
-/// What a part of a step is solved as.
+/// Kind of a part of a step.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt {
     /// Its size \[s\].
     pub h: f64,
-    /// What the impulses of rigid contacts obey.
+    /// Law of the impulses of rigid contacts.
     pub law: ImpulseLaw,
     /// Whether prescribed velocities jump in it.
     pub jumps: bool,
 }
 
 impl Attempt {
-    /// Nothing strikes in it.
+    /// It has no impact.
     pub fn free(h: f64) -> Self {
         Self { h, law: ImpulseLaw::Newton, jumps: false }
     }
@@ -91,7 +91,7 @@ impl Solving<'_> {
         self.smooth_passage()
     }
 
-    /// Solves a part in which nothing strikes but `resting` contacts stay closed; friction on them never gives energy.
+    /// Solves a part without impact in which `resting` contacts stay closed; their friction never creates energy.
     pub(super) fn solve_resting(
         &mut self,
         attempt: &Attempt,
@@ -113,7 +113,7 @@ impl Solving<'_> {
         }
     }
 
-    /// A part in which nothing strikes: of its whole size, up to the first instant of contact, or with what closes in it held.
+    /// A part without impact: of its whole size, up to the first instant of contact, or with held closing contacts.
     pub fn advance_freely(&mut self, decider: &mut Decider) -> Result<Trial, Failure> {
         let (mut active, mut open) = (decider.part.active.clone(), Vec::new());
         loop {
@@ -135,7 +135,7 @@ impl Solving<'_> {
         }
     }
 
-    /// Looks at a pair that still sleeps, where the state stands.
+    /// Evaluates a sleeping pair in the current state.
     fn look(&mut self, i: usize) {
         let sights = &mut self.encounters.sights;
         if self.search.awake().binary_search(&i).is_err()
@@ -145,7 +145,7 @@ impl Solving<'_> {
         }
     }
 
-    /// Whether every smooth pair that came within reach was looked at; if not, they will be.
+    /// Whether all smooth pairs within reach were evaluated; the others are evaluated next.
     fn near_enough(&mut self, h: f64) -> bool {
         let known = self.encounters.near.len();
         for k in 0..self.encounters.reached.len() {
@@ -159,13 +159,13 @@ impl Solving<'_> {
         self.encounters.near.len() == known
     }
 
-    /// Whether nothing has come nearer to smooth contacts, as the step was solved, than the closest points it was solved with.
+    /// Whether the closest points of smooth contacts in the solution are still the closest at its end.
     fn closest_points_stand(&self) -> bool {
         let (at, smooth) = (self.end_of_step(), &self.work.smooth);
         let stands = |i: usize| {
             let (pair, seen) = (&self.model.pairs[i], self.seen(i));
             match smooth.binary_search_by_key(&i, |c| c.pair) {
-                // A closest point that is not followed to the end of the step was not looked for either.
+                // A closest point that is not followed to the end of the step was not searched either.
                 Ok(k) => smooth[k].end.is_none_or(|end| {
                     !pair.leaps(self.model, &at, &Memory { near: end.near, ..seen.memory })
                 }),

@@ -1,4 +1,4 @@
-//! What solves parts of steps. It sees the state and writes none of it: what a part came to goes with the part.
+//! Solver of parts of steps. It reads the state and does not write it: results belong to the part.
 
 use serde::{Deserialize, Serialize};
 
@@ -19,7 +19,7 @@ use crate::step::modal_damping::ModalDamping;
 use crate::step::newton::{Effort, seen};
 use crate::step::workspace::Workspace;
 
-/// What was done so far.
+/// Counts so far.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Counts {
     /// Newton iterations and factorisations.
@@ -40,21 +40,21 @@ impl Counts {
     }
 }
 
-/// Where a run stands.
+/// Status of a run.
 #[derive(Clone, Copy, Debug)]
 pub struct Standing<'a> {
-    /// What moves.
+    /// The model.
     pub model: &'a Model,
-    /// How it is stepped.
+    /// Settings.
     pub settings: &'a Settings,
-    /// Where it is.
+    /// State.
     pub state: &'a State,
 }
 
-/// What parts of steps are solved with.
+/// Data for the solution of parts of steps.
 #[derive(Clone, Debug)]
 pub struct Solver {
-    /// Which pairs are near.
+    /// Pairs that are close.
     pub search: Search,
     /// Modal damping.
     pub damping: ModalDamping,
@@ -62,11 +62,11 @@ pub struct Solver {
     pub cuts: Vec<f64>,
     /// Size of the structure \[m\].
     pub size: f64,
-    /// What positions are as large as \[m\].
+    /// Scale of positions \[m\].
     pub positions: f64,
-    /// What was done so far.
+    /// Counts so far.
     pub counts: Counts,
-    /// Room for the next part; none while one stands solved.
+    /// Memory of the next part; `None` while a solved part uses it.
     spare: Option<Box<PartSolution>>,
 }
 
@@ -84,12 +84,12 @@ impl Solver {
         }
     }
 
-    /// Room for a part of a step, out of the solver until it is kept again.
+    /// Memory of a part of a step, taken from the solver until it is returned.
     pub fn room(&mut self, model: &Model) -> Box<PartSolution> {
         self.spare.take().unwrap_or_else(|| Box::new(PartSolution::new(model)))
     }
 
-    /// Keeps the room of a part that is done with for the next one.
+    /// Returns the memory of a completed part for the next one.
     pub fn keep(&mut self, room: Box<PartSolution>) {
         self.spare = Some(room);
     }
@@ -112,7 +112,7 @@ impl Solver {
         self.spare.as_ref().map_or_else(Vec::new, |room| room.work.tangent.ties())
     }
 
-    /// Goes on from another state, where so much was done and so seen, with such ties.
+    /// Continues from another state, with the given counts, sights and ties.
     pub fn resume(
         &mut self,
         model: &Model,
@@ -127,7 +127,7 @@ impl Solver {
         self.keep(room);
     }
 
-    /// Where a run stands within a step, as decisions are told of it.
+    /// Status of a run within a step, for decisions.
     pub fn moment(&mut self, at: Standing<'_>) -> Moment {
         let cut = self.time_to_cut(at.state.time, at.settings.step);
         let mut room = self.room(at.model);
@@ -136,7 +136,7 @@ impl Solver {
         moment
     }
 
-    /// Pairs that touch at rest where a run stands, shape (such pairs) \[index of a pair\].
+    /// Resting pairs in the current state, shape (such pairs) \[index of a pair\].
     pub fn at_rest(&mut self, at: Standing<'_>) -> Vec<usize> {
         let mut room = self.room(at.model);
         let found = self.solving(at, &mut room).at_rest();
@@ -144,7 +144,7 @@ impl Solver {
         found
     }
 
-    /// A part that is solved, in a room of its own.
+    /// A solved part, in its own memory.
     pub(super) fn solving<'a>(
         &'a mut self,
         at: Standing<'a>,
@@ -173,7 +173,7 @@ impl Solver {
     /// Solves a part of a step.
     ///
     /// # Errors
-    /// What keeps `how` from it.
+    /// The reason why there is no solution for `how`.
     pub fn solve<E>(
         &mut self,
         at: Standing<'_>,
@@ -183,10 +183,10 @@ impl Solver {
         self.solve_in(room, at, how)
     }
 
-    /// The same in a given room, which may be that of the part before.
+    /// The same in given memory, which may be that of the previous part.
     ///
     /// # Errors
-    /// As of [`Self::solve`]; the room is kept.
+    /// As of [`Self::solve`]; the memory is returned to the solver.
     pub fn solve_in<E>(
         &mut self,
         mut room: Box<PartSolution>,
@@ -212,7 +212,7 @@ impl Solver {
     }
 }
 
-/// A part of a step that is being solved, from where the state stands.
+/// A part of a step during its solution, from the current state.
 #[derive(Debug)]
 pub struct Solving<'a> {
     pub(super) model: &'a Model,
@@ -231,19 +231,19 @@ pub struct Solving<'a> {
 }
 
 impl Solving<'_> {
-    /// A pair as it was seen last.
+    /// Last evaluation of a pair.
     pub(super) fn seen(&self, pair: usize) -> &PairState {
         seen(self.state, &self.encounters.sights, pair)
     }
 
-    /// The scheme on a part of size `h`; accelerations know no impulses, so jumps of prescribed velocities are made by the midpoint rule.
+    /// The scheme on a part of size `h`; accelerations do not represent impulses, so jumps of prescribed velocities are made by the midpoint rule.
     pub(super) fn integration(&self, h: f64, jumps: bool) -> Integration {
         let by_midpoint = jumps && self.settings.scheme.advances_accelerations();
         let scheme = if by_midpoint { Scheme::Midpoint } else { self.settings.scheme };
         Integration::new(scheme, h)
     }
 
-    /// The same of a part that stands solved.
+    /// The same for a solved part.
     fn rule(&self, trial: &Trial) -> Integration {
         self.integration(trial.h, matches!(trial.kind, PartKind::Jump))
     }
@@ -253,7 +253,7 @@ impl Solving<'_> {
         h < IMPULSIVE * self.settings.step
     }
 
-    /// Whether a contact that was not at rest gives an impulse.
+    /// Whether a contact that was not at rest has an impulse.
     fn gives_impulses(&self, trial: &Trial) -> bool {
         let persistent = trial.persistent();
         let rests = |i: usize, contact: &ActiveContact| match contact.phase {
@@ -266,7 +266,7 @@ impl Solving<'_> {
         found.any(|(i, (contact, found))| given(found) && !rests(i, contact))
     }
 
-    /// What joints of a strength carry, where nothing gives an impulse.
+    /// Loads of joints with a strength, in a part without impulses.
     fn joint_loads(&self, trial: &Trial, rule: &Integration) -> Vec<JointLoad> {
         let impulses = self.is_impulsive(trial.h) || trial.carries_impulses();
         if self.model.joints.is_empty() || impulses {

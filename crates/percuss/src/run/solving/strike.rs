@@ -11,7 +11,7 @@ use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase, RigidContact};
 use crate::step::newton::Failure;
 
 impl Solving<'_> {
-    /// The impact interval in which all contacts that touch strike; those that rest stay closed.
+    /// The impact interval of all touching contacts; resting ones remain closed.
     pub fn strike(&mut self, part: &Part) -> Result<Trial, Failure> {
         self.solve_impact(part.interval, part.active.clone(), PartKind::Impact)
     }
@@ -37,7 +37,7 @@ impl Solving<'_> {
         ActiveContact { pair: i, phase: Phase::Impact { restitution, tangential } }
     }
 
-    /// Solves a part with impulses by the contacts' impact law, or by another one where that would give energy.
+    /// Solves a part with impulses by the contacts' impact law, or by another one if that would create energy.
     pub(super) fn solve_impact(
         &mut self,
         h: f64,
@@ -64,7 +64,7 @@ impl Solving<'_> {
         outcome.map(|fallback_law| Trial { h, active, fallback_law, kind })
     }
 
-    /// Whether the impulses of the step solved last, and those before that did so much work, give energy.
+    /// Whether the impulses of the last solved step, and previous ones with the given work, create energy.
     pub(super) fn impulses_give(&self, h: f64, before: f64) -> bool {
         let rate = |row: &Row| row.on(&self.state.velocity);
         let rates = |found: &RigidContact| {

@@ -1,4 +1,4 @@
-//! A part of a step that stands solved: what it is, how it began, what it came to, and its acceptance as observers see it.
+//! A solved part of a step: its kind, start and results, and its acceptance for observers.
 
 use crate::ledger::Measures;
 use crate::model::Model;
@@ -11,23 +11,23 @@ use crate::step::integration::Integration;
 use crate::step::newton::seen;
 use crate::step::workspace::Workspace;
 
-/// A sequence of impacts under way.
+/// Progress of a sequence of impacts.
 #[derive(Clone, Debug)]
 pub struct Sequence {
     /// Length of an impact interval \[s\].
     pub(super) interval: f64,
-    /// Contacts that take part: those that touched at its beginning, and those that rested, shape (such contacts) \[index of a pair\].
+    /// Active contacts: those that touched at its beginning, and those that rested, shape (such contacts) \[index of a pair\].
     pub(super) members: Vec<usize>,
-    /// What approaches slower than this has no impact of its own \[m/s\].
+    /// Contacts with a slower approach have no impact of their own \[m/s\].
     pub(super) least: f64,
     /// Impacts that it may still have.
     pub(super) left: usize,
 }
 
-/// What a part of a step is.
+/// Kind of a part of a step.
 #[derive(Clone, Debug)]
 pub enum PartKind {
-    /// Nothing strikes; it may end at an instant of contact, that of the pair `located`.
+    /// No impact; it may end at an instant of contact, that of the pair `located`.
     Free { located: Option<usize> },
     /// Prescribed velocities jump in it, which is as short as an impact.
     Jump,
@@ -35,29 +35,29 @@ pub enum PartKind {
     Impact,
     /// One of several impact intervals, one for each impact.
     InSequence(Sequence),
-    /// The last of several, in which nothing bounces.
+    /// The last of several, without rebound.
     EndOfSequence,
-    /// Impacts have accumulated: what would end inside something was held.
+    /// Impacts have accumulated: contacts that would overlap at the end were held.
     Held,
-    /// What was held comes to rest.
+    /// Held contacts come to rest.
     PlasticPostStep,
     /// A step of the paper's: impulses act over all of it.
     TimeStepping {
-        /// Which of the active contacts rest, shape (active contacts).
+        /// Whether each active contact rests, shape (active contacts).
         persistent: Vec<bool>,
     },
 }
 
-/// What a part of a step was solved as.
+/// Kind of a part of a step.
 #[derive(Clone, Debug)]
 pub struct Trial {
     /// Its size \[s\].
     pub h: f64,
-    /// Rigid contacts that took part, in the order of the workspace's, shape (active contacts).
+    /// Active rigid contacts, in the order of the workspace's, shape (active contacts).
     pub active: Vec<ActiveContact>,
-    /// Whether their impulses obey a law that stands in for their own, which would have given energy.
+    /// Whether their impulses obey a replacement for their law, which would have created energy.
     pub fallback_law: bool,
-    /// What it is.
+    /// Kind.
     pub kind: PartKind,
 }
 
@@ -93,13 +93,13 @@ pub struct Encounters {
     pub near: Vec<usize>,
     /// Those that its motion brought within reach of each other, shape (such pairs) \[index of a pair\].
     pub reached: Vec<usize>,
-    /// Those seen otherwise than the state knows them, in their order, shape (such pairs) \[index of a pair\]: sleeping ones that were
-    /// looked at on that account, and what came from a side that was not known. They stay until a part is accepted.
+    /// Pairs whose evaluation differs from the state, in their order, shape (such pairs) \[index of a pair\]: sleeping ones that were evaluated,
+    /// and those whose side was unknown. They are stored until a part is accepted.
     pub sights: Vec<(usize, PairState)>,
 }
 
 impl Encounters {
-    /// A pair as it was seen, to be changed.
+    /// The evaluation of a pair, to be changed.
     pub fn sight_mut(&mut self, state: &State, pair: usize) -> &mut PairState {
         let found = self.sights.binary_search_by_key(&pair, |sight| sight.0);
         let k = found.unwrap_or_else(|k| {
@@ -110,7 +110,7 @@ impl Encounters {
     }
 }
 
-/// What stood where a part of a step began, as far as its end is compared with it.
+/// Values at the start of a part of a step that are compared with its end.
 #[derive(Clone, Debug, Default)]
 pub struct PartStart {
     /// Time \[s\].
@@ -123,21 +123,21 @@ pub struct PartStart {
     pub points: Vec<[[f64; 2]; 2]>,
 }
 
-/// What a part of a step is solved in, and comes to.
+/// Memory and results of a part of a step.
 #[derive(Clone, Debug)]
 pub struct PartSolution {
     /// Increment, contacts with their forces and impulses, multipliers, residual; scratch of the solver.
     pub work: Workspace,
     /// Loads and motions over it.
     pub forcing: Forcing,
-    /// What came near in it.
+    /// Pairs that came close in it.
     pub encounters: Encounters,
-    /// How it began.
+    /// Values at its start.
     pub start: PartStart,
 }
 
 impl PartSolution {
-    /// Room for a part of a step.
+    /// Memory of a part of a step.
     pub fn new(model: &Model) -> Self {
         Self {
             work: Workspace::new(model),
@@ -161,27 +161,27 @@ impl PartSolution {
     }
 }
 
-/// A part of a step that stands solved.
+/// A solved part of a step.
 #[derive(Debug)]
 pub struct Solved {
-    /// What it was solved as.
+    /// Kind.
     pub trial: Trial,
     /// Scheme and size.
     pub rule: Integration,
     /// Whether it is as short as an impact, so that quotients over it are impulsive.
     pub impulsive: bool,
-    /// Whether velocities jump in it: whether it is as short, or something strikes.
+    /// Whether velocities jump in it: whether it is as short as an impact interval, or has an impact.
     pub jumps: bool,
-    /// Contacts that shared its blow, if bodies that touch did, shape (2) \[index of a contact\].
+    /// Contacts of a simultaneous impact of touching bodies, shape (2) \[index of a contact\].
     pub shared: Option<[usize; 2]>,
-    /// What joints of a strength carried, shape (such joints); empty where that is no force.
+    /// Loads of joints with a strength, shape (such joints); empty if they are not forces.
     pub joint_loads: Vec<JointLoad>,
-    /// What it came to.
+    /// Results.
     pub solution: Box<PartSolution>,
 }
 
 impl Solved {
-    /// Whether it is an impact, at least one of whose contacts gave an impulse.
+    /// Whether it is an impact with a non-zero impulse of at least one contact.
     pub fn strikes(&self) -> bool {
         let struck = |(contact, found): (&ActiveContact, &RigidContact)| {
             matches!(contact.phase, Phase::Impact { .. }) && found.impulse[0] > 0.0
@@ -194,18 +194,18 @@ impl Solved {
     }
 }
 
-/// A part of a step that was accepted, as observers see it: how it began stands in its solution.
+/// An accepted part of a step for observers: its solution has the values at its start.
 #[derive(Clone, Copy, Debug)]
 pub struct Accepted<'a> {
-    /// What moves.
+    /// The model.
     pub model: &'a Model,
-    /// What was solved.
+    /// The solution.
     pub solved: &'a Solved,
-    /// Where it ended.
+    /// State at its end.
     pub after: &'a State,
     /// Energies and momenta there.
     pub measures: &'a Measures,
-    /// Pairs that were looked at there, shape (such pairs) \[index of a pair\].
+    /// Pairs evaluated there, shape (such pairs) \[index of a pair\].
     pub awake: &'a [usize],
     /// Elements that parted there, shape (such elements).
     pub parted: &'a [PartedElement],
@@ -214,12 +214,12 @@ pub struct Accepted<'a> {
 }
 
 impl<'a> Accepted<'a> {
-    /// What it was solved in.
+    /// Its memory.
     pub fn work(&self) -> &'a Workspace {
         &self.solved.solution.work
     }
 
-    /// How it began.
+    /// Values at its start.
     pub fn before(&self) -> &'a PartStart {
         &self.solved.solution.start
     }

@@ -1,4 +1,4 @@
-//! Reactions of an instant, and means over a step that lie between two of them.
+//! Reactions of an instant, and means over a step between two of them.
 
 use crate::state::{Instant, State};
 use crate::step::integration::Integration;
@@ -9,7 +9,7 @@ pub(super) fn supports_so_far(state: &State) -> [f64; 3] {
     [x, y, state.ledger.angular_impulse_supports]
 }
 
-/// Reactions that the part at hand has entered in the ledger, as those of an instant.
+/// Reactions that the current part has entered in the ledger, as those of an instant.
 pub(super) fn instant(state: &State, h: f64, before: [f64; 3], since: f64) -> Instant {
     let mut reactions = vec![[0.0; 3]; state.reactions.len()];
     for (support, before) in state.reacting.list() {
@@ -21,8 +21,8 @@ pub(super) fn instant(state: &State, h: f64, before: [f64; 3], since: f64) -> In
     Instant { since, reactions, total }
 }
 
-/// Schemes that advance accelerations balance forces at an instant late in the step: mean reactions over it lie on the line through
-/// those of this instant and of the one before.
+/// Schemes that advance accelerations balance forces at an instant late in the step: mean reactions over it are on the line through those of this
+/// instant and of the previous one.
 pub(super) fn average_reactions(state: &mut State, rule: &Integration, before: [f64; 3]) {
     let (h, theta) = (rule.h, rule.theta());
     let now = instant(state, h, before, (1.0 - theta) * h);

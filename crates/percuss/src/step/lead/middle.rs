@@ -14,7 +14,7 @@ pub(super) struct Middle<'a> {
     /// Their increments over the step, shape (nodes, 4) \[m, -, rad\].
     pub increment: &'a [[f64; 4]],
     pub share: f64,
-    /// Whether no element spans from a node to the next one, as the state says, shape (beam nodes), or empty \[-\].
+    /// Whether no element connects a node to the next one, from the state, shape (beam nodes), or empty \[-\].
     pub parted: &'a [bool],
 }
 
@@ -32,7 +32,7 @@ impl<'a> Middle<'a> {
         add(row.reference.tangent, add(at(self.start), scale(self.share, at(self.increment))))
     }
 
-    /// `(g x g_dot) / a` there, of a nodal field; nothing turns the sections of an element that has parted.
+    /// `(g x g_dot) / a` there, of a nodal field; sections of a fractured element do not rotate.
     pub fn turning(&self, a: usize, j: usize, field: &[[f64; 4]]) -> f64 {
         if self.parted.get(a).is_some_and(|parted| *parted) {
             return 0.0;

@@ -1,10 +1,10 @@
-//! Bodies: what elements, joints and springs hold together, and moves as a whole where nothing holds it.
+//! Bodies: parts connected by elements, joints and springs, which move as a whole if they are unsupported.
 
 use super::ModalDamping;
 use super::ground::{StepView, acts, apart};
 use crate::model::Model;
 
-/// Bodies of a structure as it stands, and how each of them stood at the start.
+/// Bodies of a structure in the current state, and the initial configuration of each.
 #[derive(Clone, Debug, Default)]
 pub struct Bodies {
     /// Body of each node, shape (nodes of beams) \[index of a body\].
@@ -14,11 +14,11 @@ pub struct Bodies {
     /// `M X` and `M J X` with positions and tangents X at the start, about each body's centre of mass, shape (2, nodes of beams, 4)
     /// \[kg m, kg m^2\].
     pub weighed: [Vec<[f64; 4]>; 2],
-    /// What holds nodes together, shape (elements, constraints and connectors).
+    /// Connections of nodes, shape (elements, constraints and connectors).
     links: Vec<bool>,
 }
 
-/// What holds nodes together in a step: flags of elements that have not parted, of constraints and of connectors.
+/// Connections of nodes in a step: flags of intact elements, of constraints and of connectors.
 fn links(view: &StepView) -> impl Iterator<Item = bool> {
     let (model, state) = (view.model, view.state);
     let whole = model.each_element().map(|(_, _, a, _)| !state.has_parted(a));
@@ -76,13 +76,13 @@ fn numbered(view: &StepView, links: &[bool]) -> (Vec<usize>, usize) {
     (of_node, count)
 }
 
-/// The node that a point knows best.
+/// The node with the largest share of a point.
 fn near(p: &crate::model::frozen::MaterialPoint) -> usize {
     p.node + usize::from(p.shape[2] > p.shape[0])
 }
 
 impl Bodies {
-    /// Takes in what has parted, let go or closed since the last step.
+    /// Updates the connections that have failed, opened or closed since the last step.
     pub fn follow(&mut self, damping: &ModalDamping, view: &StepView) {
         if self.lengths.is_empty() || !links(view).eq(self.links.iter().copied()) {
             *self = Self::new(damping, view);

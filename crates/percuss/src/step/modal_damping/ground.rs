@@ -8,16 +8,16 @@ use crate::step::constraint::ConstraintStep;
 use crate::step::forcing::Forcing;
 use crate::step::integration::Integration;
 
-/// A step as bodies that move as a whole see it.
+/// A step for bodies that move as a whole.
 #[derive(Clone, Copy, Debug)]
 pub struct StepView<'a> {
-    /// What moves.
+    /// The model.
     pub model: &'a Model,
     /// Start of the step.
     pub state: &'a State,
     /// Scheme and size of the step.
     pub rule: &'a Integration,
-    /// What supports do in the step.
+    /// Supports in the step.
     pub forcing: &'a Forcing,
     /// Increment of the nodal displacements, shape (nodes, 4) \[m, -, rad\].
     pub increment: &'a [[f64; 4]],
@@ -28,13 +28,13 @@ pub struct StepView<'a> {
 pub struct Tie {
     /// Its number among all that the model has.
     pub number: usize,
-    /// A node of the body that it holds.
+    /// A supported node of the body.
     pub node: usize,
-    /// What it does to a translation of one and to a rotation about the origin, shape (3) \[-, -, m\].
+    /// Its effect on a translation of one and on a rotation about the origin, shape (3) \[-, -, m\].
     pub row: [f64; 3],
-    /// What its ground moves by in the step, in the same measure.
+    /// Motion of its ground in the step, in the same measure.
     pub moved: f64,
-    /// Whether it never lets go, never yields and is always closed.
+    /// Whether it is never released, never yields and is always closed.
     pub lasts: bool,
     /// Whether its ground can turn the body.
     pub turns: bool,
@@ -97,7 +97,7 @@ pub fn each_tie(view: &StepView, mut tell: impl FnMut(Tie)) {
     sprung(view, number + model.constraints.len(), &mut tell);
 }
 
-/// Supports that constraints stand for.
+/// Supports given by constraints.
 fn held(view: &StepView, first: usize, tell: &mut impl FnMut(Tie)) {
     let (forcing, start) = (view.forcing, &view.state.displacement[..]);
     let step = ConstraintStep { start, increment: view.increment, forcing, share: 0.5 };
@@ -163,18 +163,18 @@ pub(super) fn acts(view: &StepView, i: usize) -> bool {
     stiff && view.forcing.connected[i] && !c.has_failed(&view.state.memories)
 }
 
-/// Motions of a body as a whole that its ties give and leave free, in (a, w L), with a translation a, a rotation w and a length L.
+/// Motions of a body as a whole that its ties prescribe and leave free, in (a, w L), with a translation a, a rotation w and a length L.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Freedom {
-    /// Motion that the ties give, shape (3) \[m\].
+    /// Motion prescribed by the ties, shape (3) \[m\].
     pub given: [f64; 3],
-    /// Orthonormal directions that they hold, shape (3, 3) \[-\]; the first `held` of them.
+    /// Orthonormal fixed directions, shape (3, 3) \[-\]; the first `held` of them.
     directions: [[f64; 3]; 3],
-    /// How many they hold.
+    /// Number of fixed directions.
     pub held: usize,
 }
 
-/// Conditions that differ by less than this part from a sum of others say nothing new.
+/// Conditions that differ by less than this share from a sum of others are redundant.
 const SAME: f64 = 1e-6;
 
 fn dot3(a: &[f64; 3], b: &[f64; 3]) -> f64 {
@@ -193,7 +193,7 @@ fn rest(mut a: [f64; 3], directions: &[[f64; 3]]) -> [f64; 3] {
 }
 
 impl Freedom {
-    /// From conditions about a centre, each with what it gives; the independent ones count, best first.
+    /// From conditions about a centre, each with its motion; the independent ones are used, best first.
     pub fn new(conditions: &[([f64; 3], f64)]) -> Self {
         let mut own = Self::default();
         while own.held < 3 {
@@ -203,7 +203,7 @@ impl Freedom {
                 let size = dot3(row, row).sqrt();
                 let new = rest(row.map(|c| c / size), known);
                 let share = dot3(&new, &new).sqrt();
-                // The first of equals, so that round-off does not choose.
+                // The first of equals, so that round-off does not decide.
                 if share > SAME && best.is_none_or(|(_, most, _)| share > 1.001 * most) {
                     let missing = (moved - dot3(row, &own.given)) / size;
                     best = Some((new.map(|c| c / share), share, missing / share));

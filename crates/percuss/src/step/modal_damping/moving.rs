@@ -1,4 +1,4 @@
-//! Modes that turn with their bodies, and what of the motion is a body's as a whole.
+//! Modes that rotate with their bodies, and the motion of bodies as a whole.
 
 use super::ModalDamping;
 use super::bodies::Bodies;
@@ -11,31 +11,31 @@ use crate::state::State;
 use crate::step::constraint::turn;
 use crate::step::external::middle;
 
-/// Vectors of modal damping in the middle of a step, and what supports that move bring along.
+/// Vectors of modal damping in the middle of a step, and the contribution of moving supports.
 #[derive(Clone, Debug, Default)]
 pub struct MovingModes {
     bodies: Bodies,
     /// `P^T Q M phi`, shape (modes, nodes, 4) \[kg^(1/2), kg^(1/2) m\].
     vectors: Vec<Vec<[f64; 4]>>,
-    /// What each mode's coordinate moves by with the supports, shape (modes) \[kg^(1/2) m\].
+    /// Change of each mode's coordinate with the supports, shape (modes) \[kg^(1/2) m\].
     followed: Vec<f64>,
 }
 
-/// What modal damping does in a step.
+/// Effect of modal damping in a step.
 #[derive(Clone, Copy, Debug)]
 pub struct ModalFlow {
     /// Work, impulse and angular impulse of its forces on the structure.
     pub done: StepWork,
-    /// Energy that it takes \[J\].
+    /// Dissipated energy \[J\].
     pub loss: f64,
-    /// Of that, what supports that move have brought \[J\].
+    /// Its part supplied by moving supports \[J\].
     pub brought: f64,
 }
 
 /// A body in the middle of a step.
 #[derive(Clone, Debug)]
 struct BodyMiddle {
-    /// A point near it, about which it turns, shape (2) \[m\].
+    /// A point near it, the centre of its rotation, shape (2) \[m\].
     centre: [f64; 2],
     length: f64,
     freedom: Freedom,
@@ -66,7 +66,7 @@ impl MovingModes {
         if damping.moves { &self.vectors } else { &damping.vectors }
     }
 
-    /// Takes in an increment.
+    /// Enters an increment.
     pub fn set(&mut self, damping: &ModalDamping, view: &StepView) {
         if damping.is_empty() || !damping.moves {
             return;
@@ -87,7 +87,7 @@ impl MovingModes {
                     followed += dot4(v, &by);
                 }
             }
-            // What supports move by against each other the structure follows as at rest.
+            // The structure follows relative motions of supports statically.
             for tie in &ties {
                 let middle = &middles[self.bodies.of_node[tie.node]];
                 let row = about(tie.row, middle.centre, middle.length);
@@ -115,7 +115,7 @@ impl MovingModes {
         parts.iter().flatten().map(|p| p * p).sum()
     }
 
-    /// Number of motions as a whole that ties leave to the bodies, and whether any body can ever move as a whole.
+    /// Number of motions as a whole that ties leave free, and whether any body can ever move as a whole.
     pub fn freedoms(damping: &ModalDamping, view: &StepView) -> (usize, bool) {
         let mut own = Self::default();
         own.bodies.follow(damping, view);
@@ -153,7 +153,7 @@ impl MovingModes {
         (ties, freedom.into_iter().enumerate().map(middle).collect())
     }
 
-    /// Centre of each body, and what the ties give and leave free about it.
+    /// Centre of each body, and the motions that the ties prescribe and leave free about it.
     fn freedom(&self, ties: &[Tie], x: &[[f64; 4]]) -> Vec<([f64; 2], Freedom)> {
         let count = self.bodies.count();
         let mut sums = vec![[0.0; 3]; count];
@@ -224,12 +224,12 @@ impl MovingModes {
         }
     }
 
-    /// What a mode's coordinate moves by, relative to rigid motion and supports.
+    /// Change of a mode's coordinate, relative to rigid motion and supports.
     fn moved(&self, k: usize, vector: &[[f64; 4]], increment: &[[f64; 4]]) -> f64 {
         inner(vector, increment) - self.followed.get(k).unwrap_or(&0.0)
     }
 
-    /// What the damping does in a step by an increment from a state.
+    /// Effect of the damping in a step by an increment from a state.
     pub fn flow(
         &self,
         model: &Model,
@@ -293,7 +293,7 @@ fn orthonormal(motions: &[[f64; 3]], gram: &[[f64; 3]; 3]) -> Vec<[f64; 3]> {
     out
 }
 
-/// Turns a vector with the bodies and takes its resultants against their free motions from it: `P^T Q v`.
+/// Rotates a vector with the bodies and subtracts its resultants against their free motions: `P^T Q v`.
 fn project(
     vector: &mut [[f64; 4]],
     bodies: &Bodies,
@@ -306,7 +306,7 @@ fn project(
             *v = turned(middles[*body].turned, v);
         }
     }
-    // Twice: what is left of resultants of round-off size is round-off of round-off.
+    // Twice: the remainder of resultants of round-off size is round-off of round-off.
     for _ in 0..2 {
         let sums = resultants(vector, bodies, x, middles);
         let taken: Vec<[f64; 3]> = middles.iter().zip(&sums).map(|(m, s)| taken(m, s)).collect();

@@ -1,4 +1,4 @@
-//! Whether a step is solved: what is left unbalanced beside the energy and the momentum of the run.
+//! Whether a step is solved: unbalanced work and impulse relative to the energy and the momentum of the run.
 
 use super::{IMPULSE_TOLERANCE, MOST_IMPULSE, StepProblem, TURNED_TOLERANCE, largest};
 use crate::model::frozen::Constraint;
@@ -8,8 +8,7 @@ use crate::step::tangent::project;
 use crate::step::workspace::Workspace;
 
 impl StepProblem<'_> {
-    /// The largest energy of the run so far, or what the loads bring in this step; in a first step without either, the work of
-    /// the first correction.
+    /// The largest energy of the run so far, or the work of the loads in this step; in a first step without either, the work of the first correction.
     pub(super) fn energy_in_play(&self, work: &Workspace, correction_work: f64) -> f64 {
         let rule = &self.integration;
         let loads = external::work(
@@ -20,7 +19,7 @@ impl StepProblem<'_> {
             self.forcing,
             &work.increment,
         );
-        // Supports that move leave nothing unbalanced at the predictor.
+        // Moving supports cause no unbalanced forces at the predictor.
         let moved = |(c, m): (&Constraint, &f64)| (m * self.forcing.increment(&c.drive)).abs();
         let mut supports: f64 =
             self.model.constraints.iter().zip(&work.multiplier).map(moved).sum();
@@ -34,7 +33,7 @@ impl StepProblem<'_> {
         if energy > 0.0 { energy } else { correction_work }
     }
 
-    /// Whether nothing is left unbalanced, or nothing but round-off.
+    /// Whether the unbalanced forces are zero or round-off.
     pub(super) fn balanced(&self, work: &Workspace, convergence: &ConvergenceMonitor<f64>) -> bool {
         let impulse = self.unbalanced_impulse(work) / self.momentum_in_play(convergence.energy);
         if convergence.settled() && (impulse <= MOST_IMPULSE || impulse.is_nan()) {
@@ -51,7 +50,7 @@ impl StepProblem<'_> {
     /// Work of the unbalanced forces over the step, all taken with the same sign \[J\].
     pub(super) fn unbalanced_work(&self, work: &mut Workspace) -> f64 {
         let Workspace { residual, correction, increment, .. } = work;
-        // The correction is free now: it holds the residual without the reactions of the supports.
+        // The correction is free now: it stores the residual without the reactions of the supports.
         correction.copy_from_slice(residual);
         project(self.model, correction);
         let mut sum = 0.0;
@@ -73,7 +72,7 @@ impl StepProblem<'_> {
         self.integration.h * sum[0].hypot(sum[1])
     }
 
-    /// The largest momentum of the run so far, or the one that goes with the energy scale; NaN where nothing moves.
+    /// The largest momentum of the run so far, or the one corresponding to the energy scale; NaN without motion.
     pub(super) fn momentum_in_play(&self, energy: f64) -> f64 {
         let scale = (2.0 * self.model.total_mass * energy).sqrt();
         let scale = scale.max(self.state.ledger.linear_scale);
@@ -84,7 +83,7 @@ impl StepProblem<'_> {
         let u = &self.state.displacement;
         let reach = largest(u, self.size);
         let step = largest(&work.increment, self.size);
-        // Of places, and of angles times the size of the structure.
+        // Tolerance of positions, and of angles times the size of the structure.
         let tolerance = ROUND_OFF * (step + self.feedback * (self.size + reach));
         let seen = self.constraint_step(&work.increment);
         self.model.constraints.iter().zip(&self.forcing.constrained).all(|(c, acts)| {

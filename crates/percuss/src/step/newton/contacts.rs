@@ -37,12 +37,12 @@ impl StepProblem<'_> {
         }
     }
 
-    /// Bounds the elements' lengths at the increment as it stands.
+    /// Bounds the elements' lengths at the current increment.
     pub(super) fn measure_arcs(&self, work: &mut Workspace) {
         longest_arcs(self.model, self.arcs, &work.increment, &mut work.arcs);
     }
 
-    /// The same within the iteration, where something is looked for all along a beam.
+    /// The same within the iteration, for a search along a whole beam.
     pub(super) fn measure_arcs_if_needed(&self, work: &mut Workspace) {
         if self.reach == Reach::All || !self.active.is_empty() {
             self.measure_arcs(work);
@@ -104,7 +104,7 @@ impl StepProblem<'_> {
         if TANGENT && force.force > 0.0 {
             let mid = at.at(0.5);
             let middle = &pair.normal_row(&step.middle, &mid);
-            // Where the closest point crosses into another element the gradients know other nodes; those of the middle will do.
+            // If the closest point crosses into another element, the gradients have other nodes; those of the middle are used.
             let crosses = step.end.closest.node != step.middle.closest.node;
             let end = &if crosses { *middle } else { pair.normal_row(&step.end, &at) };
             let (turning, bend) = (pair.turning(&step.middle, &mid), 0.5 * force.force);
@@ -115,8 +115,8 @@ impl StepProblem<'_> {
         Some(SmoothContact { pair: index, force, row, end: Some(step.end.memory) })
     }
 
-    /// A guided projectile's contact, whose gap is linear: what a [`StepGap`](crate::contact::discrete_gradient::StepGap) would hold besides,
-    /// it does without.
+    /// A guided projectile's contact, whose gap is linear: it does not need the other data of a
+    /// [`StepGap`](crate::contact::discrete_gradient::StepGap).
     fn guided_contact<const TANGENT: bool>(
         &self,
         index: usize,
@@ -143,7 +143,7 @@ impl StepProblem<'_> {
         Some(SmoothContact { pair: index, force, row, end: Some(seen.memory) })
     }
 
-    /// Rows of the active rigid contacts at the increment as it stands, and their impulses' part of the residual.
+    /// Rows of the active rigid contacts at the current increment, and the contribution of their impulses to the residual.
     pub(super) fn rigid_contacts(&self, work: &mut Workspace) {
         let h = self.integration.h;
         work.turned = 0.0;
@@ -178,7 +178,7 @@ impl StepProblem<'_> {
         let at = self.configuration(&work.increment, &work.arcs);
         let mid = at.at(0.5);
         let (touch, normal) = match contact.phase {
-            // What stays closed does so at the end of the step: the form must give the change of the gap.
+            // A closed contact remains closed at the end of the step: the form must give the change of the gap.
             Phase::Resting { .. } => {
                 let step =
                     pair.over_step(self.model, &at, &seen.memory, seen.gap, true, Reach::All)?;

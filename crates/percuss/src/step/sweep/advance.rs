@@ -1,4 +1,4 @@
-//! Fibres on their way to the end of a step, element beside element.
+//! Fibres over a step, elements in lanes.
 
 use pulp::{Simd, WithSimd};
 
@@ -23,7 +23,7 @@ pub struct AdvanceFibres<'a> {
 }
 
 impl AdvanceFibres<'_> {
-    /// Advances; returns elements in which a fibre has come to its failure strain, numbers in the span.
+    /// Advances; returns elements in which a fibre has reached its failure strain, numbers in the span.
     pub fn advance(self) -> Vec<usize> {
         in_lanes(self)
     }

@@ -11,11 +11,11 @@ use crate::model::frozen::{Span, SpanFibres};
 use crate::scalar::{Lanes, Real};
 use crate::state::State;
 
-/// The fibres of a span, so many elements in a register as the processor takes; of what type, is known only where its registers are.
+/// The fibres of a span, with as many elements in a register as the processor supports; the type is known only with its registers.
 #[derive(Default)]
 pub struct SweptFibres(Option<Box<dyn HeldFibres>>);
 
-/// What is held without its type.
+/// The fibres without their type.
 trait HeldFibres: Any + Send + Sync {
     fn copy(&self) -> Box<dyn HeldFibres>;
 }
@@ -43,12 +43,12 @@ impl fmt::Debug for SweptFibres {
 pub struct FibresInLanes<P: Simd> {
     /// Laws and layout, the same in every lane.
     of: SpanFibres<Lanes<P>>,
-    /// What the fibres remember at the start of the step, dissipation apart, shape (registers of elements, fibres of an element).
+    /// State variables of the fibres at the start of the step, without dissipation, shape (registers of elements, fibres of an element).
     states: Vec<FibreState<Lanes<P>>>,
 }
 
 impl SweptFibres {
-    /// Whether fibres of a span can stand side by side: those of its elements are alike.
+    /// Whether fibres of a span can share registers: those of its elements are equal in kind.
     pub fn can_hold(span: &Span) -> bool {
         span.fibres.as_ref().is_none_or(|of| of.at.len() == 1 && span.tables.len() == 1)
     }
@@ -60,7 +60,7 @@ impl SweptFibres {
         held.downcast_ref()
     }
 
-    /// Takes in what the fibres of a span remember.
+    /// Copies the state variables of the fibres of a span.
     pub fn begin<P: Simd>(&mut self, span: &Span, state: &State, like: Lanes<P>) {
         let Some(of) = &span.fibres else { return };
         if self.lanes::<P>().is_none() {
@@ -109,5 +109,5 @@ impl<P: Simd> FibresInLanes<P> {
     }
 }
 
-/// More than any vector register holds.
+/// More than the lanes of any vector register.
 const MOST_LANES: usize = 8;

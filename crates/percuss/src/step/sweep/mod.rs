@@ -1,7 +1,7 @@
 //! Elements side by side in vector registers: energies and momenta, residual and tangent of the invariant scheme.
 //!
-//! Every element sees the same operations in the same order, whatever registers the processor has, and nodal sums are taken element
-//! by element: bits depend on neither.
+//! Every element has the same operations in the same order, for any registers of the processor, and nodal sums are taken element by element: bits
+//! depend on neither.
 
 mod advance;
 mod fibres;
@@ -27,11 +27,11 @@ pub use span::SpanStep;
 /// Numbers of an [`End`].
 const END: usize = 7;
 
-/// What is kept of the elements while a step is iterated, and what an evaluation leaves.
+/// Data of the elements during the iteration of a step, and results of an evaluation.
 #[derive(Clone, Debug, Default)]
 pub struct Sweep {
-    /// Numbers of the elements' tables, one entry a span, shape (spans, numbers of a table, elements) \[each its own\]: empty if its elements
-    /// share one; nothing if it is not swept.
+    /// Numbers of the elements' tables, one entry per span, shape (spans, numbers of a table, elements) \[each its own\]: empty if its elements
+    /// share one; `None` if it is not swept.
     tables: Vec<Option<Columns>>,
     /// Positions and tangents of the nodes in the reference configuration, shape (4, beam nodes) \[m, -\].
     frames: Columns,
@@ -51,18 +51,18 @@ pub struct Sweep {
     spin: Columns,
     /// The same at the end, shape (Gauss points, elements) \[rad/s\].
     end_spin: Columns,
-    /// Accelerations as [`EndForces::inertia()`](super::end_forces::EndForces::inertia()) tells, shape (4, beam nodes) \[m/s^2, 1/s^2\].
+    /// Accelerations as in [`EndForces::inertia()`](super::end_forces::EndForces::inertia()), shape (4, beam nodes) \[m/s^2, 1/s^2\].
     inertia: Columns,
     /// Forces on both nodes, shape (8, elements) \[N, N m\].
     forces: Columns,
     /// Fibres, one entry a span, shape (spans).
     fibres: Vec<SweptFibres>,
-    /// Whether all fibres of a span bear, shape (spans); failed ones are looked at one by one.
+    /// Whether all fibres of a span are intact, shape (spans); failed ones are evaluated one by one.
     bears: Vec<bool>,
 }
 
 impl Sweep {
-    /// Nothing evaluated yet.
+    /// State before any evaluation.
     pub fn new(model: &Model) -> Self {
         let (nodes, elements) = (model.beam_node_count(), model.element_count());
         let nodal = || Columns::zeros(4, nodes);
@@ -94,7 +94,7 @@ impl Sweep {
         self.tables.get(span).is_some_and(Option::is_some) && self.bears[span]
     }
 
-    /// Whether the elements of a span are swept, and what acts on them is what the last evaluation found.
+    /// Whether the elements of a span are swept, and the forces on them are those of the last evaluation.
     pub fn has_evaluated(&self, span: usize) -> bool {
         self.evaluated && self.has(span)
     }
@@ -129,14 +129,14 @@ impl Sweep {
         self.end_spin.row(element)
     }
 
-    /// Takes in those of an element that is not swept.
+    /// Enters the forces of an element that is not swept.
     pub fn set_end_spin(&mut self, element: usize, spin: [f64; GAUSS]) {
         for (j, spin) in spin.into_iter().enumerate() {
             self.end_spin.set(j, element, spin);
         }
     }
 
-    /// Tables of elements from number `k` of a span on; nothing if they share one.
+    /// Tables of elements from number `k` of a span on; `None` if they share one.
     #[inline(always)]
     pub fn table<P: Simd>(
         &self,
@@ -148,7 +148,7 @@ impl Sweep {
         Some(span.tables[0].map(&mut Each { like, numbers, k, column: 0 }))
     }
 
-    /// What acts on elements from `element` on, whose first node is `a`.
+    /// Forces on elements from `element` on, whose first node is `a`.
     #[inline(always)]
     pub fn acting<P: Simd>(
         &self,
@@ -201,7 +201,7 @@ impl Sweep {
     }
 }
 
-/// What acts on an element in a step, at both nodes.
+/// Forces on an element in a step, at both nodes.
 #[derive(Clone, Copy, Debug)]
 pub struct EndActions<S> {
     /// Reference position and tangent, shape (2, 4) \[m, -\].
@@ -243,7 +243,7 @@ impl<P: Simd> Replacement<f64, Lanes<P>> for Each<'_, P> {
     }
 }
 
-/// Numbers of a span's tables, if its elements are alike enough to stand side by side.
+/// Numbers of a span's tables, if its elements are similar enough to share registers.
 fn tables(span: &Span) -> Option<Columns> {
     let sampled = |t: &ElementTable| t.membrane.as_ref().map(|m| m.is_nodal);
     let alike = span.tables.windows(2).all(|t| sampled(&t[0]) == sampled(&t[1]));

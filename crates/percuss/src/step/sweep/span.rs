@@ -1,4 +1,4 @@
-//! Residual and tangent of a span, element beside element.
+//! Residual and tangent of a span, elements in lanes.
 
 use pulp::{Simd, WithSimd};
 
@@ -53,7 +53,7 @@ impl<const TANGENT: bool> WithSimd for SpanStep<'_, TANGENT> {
 }
 
 impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
-    /// Accelerations of the nodes in the equation of motion, less gravity, with what mass-proportional damping adds.
+    /// Accelerations of the nodes in the equation of motion, less gravity, with the term of mass-proportional damping.
     #[inline(always)]
     fn accelerations<P: Simd>(&mut self, like: Lanes<P>) {
         let span = &self.model.spans[self.span];
@@ -97,7 +97,7 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
                 table = own;
             }
             let (a, element) = (span.nodes.start + k, span.elements.start + k);
-            // Others know the start from their Gauss points.
+            // Others have their start at their Gauss points.
             let start = match table.membrane {
                 Some(_) => values(&sweep.displacement, like, a),
                 None => ElementValues { chord: [like; 2], slope_a: [like; 2], slope_b: [like; 2] },
@@ -139,7 +139,7 @@ impl<const TANGENT: bool> SpanStep<'_, TANGENT> {
         }
     }
 
-    /// Sums the forces up at the nodes: of the element before a node, then of the one behind it.
+    /// Sums the forces up at the nodes: of the element before a node, then of the one after it.
     #[inline(always)]
     fn sum<P: Simd>(&mut self, like: Lanes<P>) {
         let span = &self.model.spans[self.span];

@@ -1,4 +1,4 @@
-//! The start of a step, element beside element: its Gauss points, energies and momenta.
+//! The start of a step, elements in lanes: its Gauss points, energies and momenta.
 
 use pulp::{Simd, WithSimd};
 
@@ -13,7 +13,7 @@ use crate::state::State;
 use crate::step::columns::Columns;
 
 impl Sweep {
-    /// Takes in a state, the start of the step to come.
+    /// Enters a state, the start of the next step.
     pub fn begin(&mut self, model: &Model, state: &State) {
         in_lanes(Begin { sweep: self, model, state });
         self.begun = true;
@@ -40,7 +40,7 @@ impl Sweep {
         self.begun = false;
     }
 
-    /// Energies and momenta of a span in the state taken in, and what hardening has stored \[J\].
+    /// Energies and momenta of a span in the entered state, and the energy stored in hardening \[J\].
     pub fn measure(&mut self, model: &Model, span: usize) -> (ElementMeasures<f64>, f64) {
         in_lanes(Measure { span: &model.spans[span], number: span, sweep: self })
     }
@@ -130,7 +130,7 @@ impl WithSimd for Measure<'_> {
             } else {
                 own.add_strains(&table, span.measure, &sweep.starts(like, element), &u);
             }
-            // Element by element, whatever the registers hold.
+            // Element by element, for any registers.
             for lane in 0..P::F64_LANES.min(count - k) {
                 sums.add(&ElementMeasures {
                     translation: own.translation.at(lane),

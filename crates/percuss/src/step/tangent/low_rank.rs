@@ -29,7 +29,7 @@ pub struct DampedVectors<'a> {
 }
 
 impl LowRank {
-    /// Takes in the vectors of modal damping, with what `solve` makes of them; `false` if the system between them is singular.
+    /// Enters the vectors of modal damping, with their solutions by `solve`; `false` if the system between them is singular.
     pub(super) fn factor(
         &mut self,
         damping: Option<DampedVectors>,
@@ -59,7 +59,7 @@ impl LowRank {
         self.lu.factor(n, &matrix)
     }
 
-    /// Takes from a solution without modal damping what the damping takes.
+    /// Subtracts the effect of the damping from a solution without modal damping.
     pub(super) fn correct(&mut self, x: &mut [[f64; 4]], border: &mut [f64]) {
         if self.columns.is_empty() {
             return;

@@ -1,7 +1,7 @@
 //! Random scenes that are the same in every run.
 #![allow(dead_code)] // each test file uses its own part
 
-/// Numbers that look random, the same every time.
+/// Pseudo-random numbers, the same every time.
 pub struct Numbers(pub u64);
 
 impl Numbers {

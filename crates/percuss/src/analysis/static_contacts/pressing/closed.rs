@@ -19,7 +19,7 @@ impl StaticContacts {
         self.places.iter_mut().filter(|p| p.is_exact).for_each(|p| p.change = 0.0);
     }
 
-    /// Which contacts press, by place; of rigid ones those whose forces corrections find.
+    /// Active contacts, by place; for rigid ones those whose forces are determined by corrections.
     pub fn pressing(&self) -> Vec<bool> {
         self.places.iter().map(CandidatePair::presses).collect()
     }
@@ -54,7 +54,7 @@ impl StaticContacts {
         all.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
     }
 
-    /// The gap at which a contact counts as just touching: a compliant one presses there a little, and gives way no more.
+    /// The gap at which a contact counts as just touching: a compliant one has a small force there, and constant penetration.
     pub fn touching(&self, place: usize) -> f64 {
         if self.places[place].is_compliant() { -TOUCHING * self.size } else { 0.0 }
     }

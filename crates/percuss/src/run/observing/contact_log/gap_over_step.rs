@@ -7,14 +7,14 @@ use crate::model::SmoothLaw;
 use crate::state::PairState;
 use crate::summary::Peak;
 
-/// Instants within a step at which the force of several points, or of one with losses, is looked at.
+/// Number of instants within a step at which the force of several points, or of one with losses, is evaluated.
 const LOOKS: u32 = 16;
 
 /// The gap of a closed pair over a step: a cubic through gaps and rates at its ends.
 #[derive(Clone, Copy, Debug)]
 pub struct GapOverStep {
     gap: Cubic,
-    /// Deepest penetration before the step, and what stays of it, of a law that crushes; else zero \[m\].
+    /// Deepest penetration before the step, and the permanent indentation, for a law with crushing; otherwise zero \[m\].
     deepest: f64,
     permanent: f64,
 }
@@ -32,9 +32,9 @@ impl GapOverStep {
         self.gap.start[0].is_finite() && self.gap.end[0].is_finite()
     }
 
-    /// Gap and rate at a time from the start of the step, on the cubic as far as the rates seen in the step allow.
+    /// Gap and rate at a time from the start of the step, on the cubic within the limits of the rates in the step.
     ///
-    /// Where a velocity jumps within the step the cubic overshoots: it supposes rates that nothing had, and depths that nothing reached.
+    /// If a velocity jumps within the step, the cubic overshoots: its rates and penetrations exceed the actual ones.
     fn at(&self, t: f64) -> [f64; 2] {
         let Cubic { h, start: [g0, v0], end: [g1, v1] } = self.gap;
         let mean = (g1 - g0) / h;
@@ -43,7 +43,7 @@ impl GapOverStep {
         [self.gap.value(t).max(least), self.gap.slope(t).clamp(slowest, fastest)]
     }
 
-    /// Force at a time from the start of the step; of a pair that is handed over to another one, only that at the end.
+    /// Force at a time from the start of the step; for a pair that moves to another one, only that at the end.
     fn force(&self, law: &SmoothLaw, t: f64) -> f64 {
         let [gap, rate] = if t == self.gap.h {
             self.gap.end
@@ -62,7 +62,7 @@ impl GapOverStep {
     /// before.
     pub fn touch_down(&self, acceleration: f64) -> [f64; 2] {
         let Cubic { h, start, end } = self.gap;
-        // What has crushed before is struck where it stands now.
+        // A surface with crushing is struck at its current position.
         let [start, end] = [start, end].map(|[gap, rate]| [gap + self.permanent, rate]);
         let gap = &Cubic { h, start, end };
         if gap.start[0] < 0.0 {
@@ -116,7 +116,7 @@ pub fn highest(gaps: &[GapOverStep], law: &SmoothLaw, start: f64) -> Peak {
     Peak { time: start + best.time, ..best }
 }
 
-/// The first instant within the step at which a gap that stands open at its start closes; its least where it only comes near.
+/// The first closing instant within the step of a gap that is open at its start; its minimum if it does not close.
 fn crossing(gap: &Cubic) -> f64 {
     let start = gap.start[0];
     if start <= 0.0 {

@@ -1,11 +1,11 @@
-//! Contacts under rigid laws: what strikes at one instant is one impact, what rests one interval, however many pairs take part.
+//! Contacts under rigid laws: simultaneous impacts are one impact, resting contact is one interval, for any number of pairs.
 
 use super::{ContactLog, StepViews, opened, rate_of_rest};
 use crate::run::solving::trial::Trial;
 use crate::step::contacts::Phase;
 use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
 
-/// What a pair did in a step.
+/// Impulse and motion of a pair in a step.
 struct PairPart {
     contact: usize,
     pair: usize,
@@ -74,7 +74,7 @@ impl ContactLog {
             interval.place_end = seen.place(done.pair, 0.0);
             return;
         }
-        // Nothing has pressed since the step began; an impact interval is the end of what pressed before it.
+        // No contact force since the step began; an impact interval is the end of the previous contact.
         let settles = matches!(done.phase, Phase::PlasticPostStep { .. });
         let end = match settles {
             true => [seen.state.time, done.after.max(0.0)],
@@ -90,7 +90,7 @@ impl ContactLog {
         let (now, rests, records) = (self.part, &mut self.rests, &mut self.records);
         self.resting.retain(|contact| {
             let resting = &mut rests[*contact];
-            // Short parts of a step may leave out what rests.
+            // Short parts of a step may omit resting contacts.
             if resting.pressed == now || (seen.span.impulsive && resting.ceased != now) {
                 return true;
             }
@@ -118,7 +118,7 @@ impl ContactLog {
         else {
             return;
         };
-        // An instant is the middle of an impact interval, or the start of a step at which contacts are looked at.
+        // An instant is the middle of an impact interval, or the start of a step at which contacts are evaluated.
         let back = if span.impulsive { 0.5 } else { 1.0 };
         let another = std::mem::replace(&mut self.struck[done.contact], self.part) == self.part;
         let alone = Impact {
@@ -147,7 +147,7 @@ impl ContactLog {
 }
 
 impl Impact {
-    /// Takes in another point that strikes at the same instant.
+    /// Adds another point with an impact at the same instant.
     fn join(&mut self, other: &Self) {
         self.impulse += other.impulse;
         self.tangential_impulse += other.tangential_impulse;
@@ -165,7 +165,7 @@ impl Impact {
 fn done(seen: StepViews<'_>, trial: &Trial, k: usize) -> PairPart {
     let (contact, found, h) = (&trial.active[k], &seen.work.rigid[k], seen.span.h);
     let pair = &seen.model.pairs[contact.pair];
-    // The row on velocities: before from the mean and what comes after.
+    // The row on velocities: those before from the mean and those after.
     let after = found.normal.on(&seen.state.velocity);
     let before = 2.0 * found.normal.on(&seen.work.increment) / h - after;
     let mut energy = EnergySplit::default();

@@ -17,7 +17,7 @@ struct FirstPoint {
     after: f64,
     approach: f64,
     pair: usize,
-    /// What its rate changes by in a step \[m/s\].
+    /// Change of its rate in a step \[m/s\].
     change: f64,
 }
 
@@ -37,7 +37,7 @@ impl ContactLog {
         }
     }
 
-    /// Whether pair `k` of the step at hand was closed in it.
+    /// Whether pair `k` of the current step was closed in it.
     fn pressed(&self, seen: StepViews<'_>, k: usize) -> bool {
         let contact = &seen.work.smooth[k];
         let after = &seen.state.pairs[contact.pair];
@@ -55,7 +55,7 @@ impl ContactLog {
         if !pairs.clone().any(|k| self.pressed(seen, k)) {
             return pairs.for_each(|k| self.open_throughout(seen, k));
         }
-        // What closes again at once has not flown freely over a step.
+        // A contact that closes again at once has no free motion over a step.
         if let Some(released) = self.take_released(|r| r.contact == contact) {
             self.tell(&released, f64::NAN);
         }
@@ -90,7 +90,7 @@ impl ContactLog {
         }
     }
 
-    /// How deep the pairs of a contact are pressed in at the end of the step.
+    /// Penetration of the pairs of a contact at the end of the step.
     fn note_depth(&mut self, seen: StepViews<'_>, contact: usize, pairs: Range<usize>) {
         let (model, end) = (seen.model, seen.span.start + seen.span.h);
         for k in pairs {
@@ -174,14 +174,14 @@ impl ContactLog {
         }
     }
 
-    /// A pair that stood open over a step: its free motion tells with what velocity it parted in the step before.
+    /// A pair with an open gap over a step: its free motion gives the separation velocity in the previous step.
     fn open_throughout(&mut self, seen: StepViews<'_>, k: usize) {
         let span = seen.span;
         if span.impulsive {
             return;
         }
         let i = seen.work.smooth[k].pair;
-        // One that sleeps was looked at when the step began, not when it ended.
+        // A sleeping pair was evaluated at the start of the step, not at its end.
         let Some(touch) = super::touch(seen.model, seen.state, i, Reach::Near) else { return };
         let row = seen.model.pairs[i].normal_row(&touch, &seen.state.configuration());
         let acceleration = (row.on(&seen.state.velocity) - seen.before[k].rate) / span.h;
@@ -197,8 +197,8 @@ impl ContactLog {
         Some(self.released.swap_remove(k))
     }
 
-    /// When an interval ended and with what velocity, the gap's motion since followed backwards with the acceleration of the
-    /// step after; NaN where there was no such step, because the contact closed again within it.
+    /// End of an interval and separation velocity, with the motion of the gap traced back with the acceleration of the next step; NaN without such
+    /// a step, if the contact closed again within it.
     fn tell(&mut self, released: &Released, acceleration: f64) {
         let ContactRecord::Smooth { intervals, .. } = &mut self.records[released.contact] else {
             return;
@@ -207,7 +207,7 @@ impl ContactLog {
         let flown = if acceleration.is_nan() { 0.0 } else { acceleration };
         let [since, separation] = released.parted(flown);
         interval.end = released.span.start + (released.span.h - since);
-        // What has left cannot do so with a velocity of approach.
+        // A contact that has separated cannot have a velocity of approach.
         interval.separation_velocity = if separation >= 0.0 { separation } else { f64::NAN };
         let change = acceleration * released.span.h;
         interval.steady &= change.abs() <= separation;
@@ -224,7 +224,7 @@ impl Released {
 }
 
 impl Free {
-    /// The acceleration of the gap in a step that begins at `start`, if it was seen until then \[m/s^2\].
+    /// The acceleration of the gap in a step that begins at `start`, if it was evaluated until then \[m/s^2\].
     fn before(&self, start: f64) -> f64 {
         if (start - self.until).abs() <= SAME_INSTANT * start.abs() {
             self.acceleration

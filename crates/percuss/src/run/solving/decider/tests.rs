@@ -1,4 +1,4 @@
-//! A mass and a wall, without a solver: what is decided, told where they stand.
+//! A mass and a wall, without a solver: decisions for given motions.
 
 use super::*;
 
@@ -38,7 +38,7 @@ fn a_size_that_failed_is_tried_again_behind_a_whole_part_alone() {
     assert!(decider.goes_on(&at) && decider.part.size == 0.1);
 }
 
-/// A mass in free flight towards a wall: what would be solved is its path.
+/// A mass in free motion towards a wall: its path replaces the solution.
 #[test]
 fn an_instant_of_contact_is_located_and_then_struck_until_impacts_accumulate() {
     let mut decider = first_step();
@@ -69,7 +69,7 @@ fn an_instant_of_contact_is_located_and_then_struck_until_impacts_accumulate() {
     assert!(decider.accumulates() && decider.goes_on(&at));
     assert_eq!(decider.part.resolution, Resolution::Accumulated);
     assert_eq!(decider.part.active, [ActiveContact::resting(4)]);
-    // What ends inside something is held as well.
+    // A contact that would overlap at the end is held as well.
     let inside = Seen { contact: 5, start: [1.0, rate], end: [-0.1, rate] };
     assert_eq!(decider.judge(&[inside], |_| None), Verdict::Again);
     assert_eq!(decider.part.active[1..], [ActiveContact::resting(5)]);

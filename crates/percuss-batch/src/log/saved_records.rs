@@ -7,7 +7,7 @@ use percuss::internals::scalar::Number;
 
 /// Saved records of the lanes whose step is not accepted.
 #[derive(Clone, Debug)]
-pub(super) struct Kept<S: Number> {
+pub(super) struct SavedRecords<S: Number> {
     /// Extremes of the recorded points, shape (recorded points, 2).
     points: Vec<[Crest<S>; 2]>,
     /// Numbers recorded for the projectiles, shape (such numbers) \[unit of each\].
@@ -18,7 +18,7 @@ pub(super) struct Kept<S: Number> {
     yields: Vec<YieldLog<S>>,
 }
 
-impl<S: Number> Default for Kept<S> {
+impl<S: Number> Default for SavedRecords<S> {
     fn default() -> Self {
         let (points, guides) = (Vec::new(), Vec::new());
         Self { points, guides, released: Vec::new(), yields: Vec::new() }
@@ -29,10 +29,10 @@ impl<S: Number> Default for Kept<S> {
 pub(super) type Records<'a, S> =
     (&'a mut [[Crest<S>; 2]], &'a mut [GuideLog<S>], &'a mut [YieldLog<S>]);
 
-impl<S: Number> Kept<S> {
+impl<S: Number> SavedRecords<S> {
     /// Saves the current records.
     #[inline(always)]
-    pub fn keep(&mut self, (points, guides, yields): Records<'_, S>) {
+    pub fn save(&mut self, (points, guides, yields): Records<'_, S>) {
         self.points.clear();
         self.points.extend_from_slice(points);
         self.yields.clear();
@@ -47,18 +47,18 @@ impl<S: Number> Kept<S> {
 
     /// Restores the saved records of all lanes except those of the mask `go`.
     #[inline(always)]
-    pub fn put_back(&self, (points, guides, yields): Records<'_, S>, go: S::Mask) {
-        for (now, kept) in points.as_flattened_mut().iter_mut().zip(self.points.as_flattened()) {
-            now.put_back(kept, go);
+    pub fn restore(&self, (points, guides, yields): Records<'_, S>, go: S::Mask) {
+        for (now, saved) in points.as_flattened_mut().iter_mut().zip(self.points.as_flattened()) {
+            now.put_back(saved, go);
         }
-        for (now, kept) in yields.iter_mut().zip(&self.yields) {
-            now.put_back(kept, go);
+        for (now, saved) in yields.iter_mut().zip(&self.yields) {
+            now.put_back(saved, go);
         }
-        let mut kept = self.guides.iter();
+        let mut saved = self.guides.iter();
         for (log, released) in guides.iter_mut().zip(&self.released) {
             log.released = log.released & go | *released & !go;
-            for (now, kept) in log.numbers().zip(&mut kept) {
-                *now = S::choose(go, *now, *kept);
+            for (now, saved) in log.numbers().zip(&mut saved) {
+                *now = S::choose(go, *now, *saved);
             }
         }
     }
