@@ -152,7 +152,7 @@ fn a_base_acceleration_is_a_prescribed_motion_seen_from_the_base() {
             let most = right.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
             assert!(most > 1e-3, "component {component}: {most}");
             for (k, (a, b)) in found.iter().zip(&right).enumerate().skip(1) {
-                assert!((a - b).abs() < 2e-3 * most, "component {component}, row {k}: {a} {b}");
+                assert!((a - b).abs() < 2e-5 * most, "component {component}, row {k}: {a} {b}");
             }
         }
     }
