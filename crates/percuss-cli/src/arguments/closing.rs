@@ -16,7 +16,7 @@ To begin:
 and open runs/my/report.html in a browser.";
 
 pub(super) const STATIC: &str = "\
-Prints displacements of the recorded points, reactions of the supports (on the structure, signed),
+Prints the largest displacement, displacements and rotations of the recorded points, reactions of the supports (on the structure, signed),
 smallest and largest section forces of every beam, and the factor at which the loads buckle the
 linearised structure, if they do.
 
