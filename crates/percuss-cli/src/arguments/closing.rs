@@ -16,9 +16,9 @@ To begin:
 and open runs/my/report.html in a browser.";
 
 pub(super) const STATIC: &str = "\
-Prints the largest displacement, displacements and rotations of the recorded points, reactions of the supports (on the structure, signed),
-smallest and largest section forces of every beam, and the factor at which the loads buckle the
-linearised structure, if they do.
+Prints the largest displacement, displacements and rotations of the recorded points, reactions of
+the supports (on the structure, signed), smallest and largest section forces of every beam, and the
+factor at which the loads buckle the linearised structure, if they do.
 
 With --path all loads grow with one factor, and the path is followed by arc length: past limit
 points, where a search in load steps ends. Where it begins and ends is set by [path] in the scenario;
