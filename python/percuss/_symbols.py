@@ -212,16 +212,18 @@ class Symbols:
             elif load["kind"] == "distributed":
                 self._distributed_load(load, float(factor), most["distributed"])
             else:
-                self._gravity(load)
+                self._acceleration(load, float(factor))
 
     def _direction(self, load: dict[str, Any], force: Any, tangent: Floats) -> Floats:
         force = np.asarray(force, float)
         return np.asarray(force[0] * tangent + force[1] * left_of(tangent)) if load["follower"] else force
 
-    def _gravity(self, load: dict[str, Any]) -> None:
-        g = np.array(load["acceleration"], float)
+    def _acceleration(self, load: dict[str, Any], factor: float) -> None:
+        # Gravity at the corner, the acceleration of the base beside it.
+        g = np.sign(factor) * np.array(load["acceleration"], float)
         if (size := float(np.linalg.norm(g))) > 0:
-            tip = np.array([self.drawing.high[0], self.drawing.low[1]]) + 1.2 * self.unit * g / size
+            aside = 4.0 * self.unit if load["kind"] == "base" else 0.0
+            tip = np.array([self.drawing.high[0] - aside, self.drawing.low[1]]) + 1.2 * self.unit * g / size
             self.drawing.arrow(tip - 2.4 * self.unit * g / size, tip, "load", 1.4)
 
     def _point_load(self, load: dict[str, Any], factor: float, most: float) -> None:

@@ -101,20 +101,22 @@ Object.assign(Drawing.prototype, {
     };
     scene.loads.forEach((load, k) => {
       const factor = (frames.loads[this.state.index * count + k] ?? 0) / this.motion.size.loads;
-      if (load.kind === "gravity") this.gravity(load, factor);
+      if (load.kind === "gravity") this.acceleration(load, factor, "g", 22);
+      if (load.kind === "base") this.acceleration(load, factor, "a", 70);
       if (factor === 0) return;
       if (load.kind === "point") this.pointLoad(load, factor, most.point);
       if (load.kind === "distributed") this.distributedLoad(load, factor, most.distributed);
     });
   },
 
-  gravity(load, factor) {
-    const size = Math.hypot(...load.acceleration);
-    if (!(size > 0) || factor === 0) return;
+  // Gravity, or the acceleration of the base, so many pixels from the right edge.
+  acceleration(load, factor, name, aside) {
+    const size = Math.hypot(...load.acceleration) * Math.sign(factor);
+    if (!size) return;
     const d = [load.acceleration[0] / size, -load.acceleration[1] / size];
-    const from = [this.view.width - 22 - 12 * d[0], this.view.height - 34 - 12 * d[1]];
+    const from = [this.view.width - aside - 12 * d[0], this.view.height - 34 - 12 * d[1]];
     this.arrow(from, [from[0] + 26 * d[0], from[1] + 26 * d[1]], { stroke: this.palette.load, width: 1.5 });
-    this.pen.text([from[0] - 12, from[1] + 4], "g", { fill: this.palette.load, size: 12 });
+    this.pen.text([from[0] - 12, from[1] + 4], name, { fill: this.palette.load, size: 12 });
   },
 
   // A force as pixels: along e1, e2, or with the tangent.

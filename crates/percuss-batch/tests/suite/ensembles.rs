@@ -60,11 +60,15 @@ fn loaded(
     b.build().unwrap()
 }
 
-/// Gravity, also across the line of flight, a force of limited duration, and an oscillating pressure.
+/// Gravity, also across the line of flight, a base acceleration, a force of limited duration, and an oscillating pressure.
 fn loads(b: &mut ModelBuilder, g: BeamId, k: usize) {
     let x = k as f64 / 20.0;
     let gravity = LoadKind::Gravity { acceleration: [-2.0 * x, -9.81] };
     b.load(Load::new("gravity", gravity));
+    let (times, values) = (vec![1e-3, 4e-3, 8e-3], vec![0.2, 1.0, 0.4]);
+    let function = TimeFunction::Table { times, values, smooth: false };
+    let base = LoadKind::Base { acceleration: [3.0, 5.0 - 8.0 * x] };
+    b.load(Load { function, ..Load::new("base", base) });
     let push = LoadKind::Point {
         at: at("pushed", g, 0.3),
         force: [1e4 * x, 2e5],

@@ -16,7 +16,7 @@ To begin:
 and open runs/my/report.html in a browser.";
 
 pub(super) const STATIC: &str = "\
-Prints displacements of the recorded points, reactions of the supports (on the structure, signed), smallest and largest section \
+Prints the largest displacement, displacements and rotations of the recorded points, reactions of the supports (on the structure, signed), smallest and largest section \
 forces of every beam, and the linear buckling factor.
 
 With --path all loads grow with one factor, and the equilibrium path is followed by arc length, past limit points. [path] in the \

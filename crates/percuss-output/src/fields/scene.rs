@@ -100,6 +100,9 @@ fn load_value(load: &SceneLoad) -> Value {
         SceneLoadKind::Gravity { acceleration } => {
             json!({ "kind": "gravity", "acceleration": acceleration })
         }
+        SceneLoadKind::Base { acceleration } => {
+            json!({ "kind": "base", "acceleration": acceleration })
+        }
         SceneLoadKind::Point { at, force, moment } => {
             json!({ "kind": "point", "at": on(at), "force": force, "moment": moment })
         }

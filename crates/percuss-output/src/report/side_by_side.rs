@@ -273,6 +273,9 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
         row(format!("impacts, {name}"), format!("/contact/{key}/impact_count"), "1");
         let pressed = format!("/contact/{key}/permanent_penetration");
         row(format!("permanent indentation, {name}"), pressed, "m");
+        let slid = format!("/contact/{key}/sliding_distance");
+        row(format!("sliding distance, {name}"), slid, "m");
+        row(format!("friction work, {name}"), format!("/contact/{key}/friction_work"), "J");
     }
     for (name, key) in named("projectile") {
         for (k, axis) in [(0, "x"), (1, "y")] {

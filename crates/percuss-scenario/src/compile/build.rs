@@ -219,6 +219,7 @@ fn load_kind(kind: &LoadKind, beams: &Beams<'_>) -> percuss::LoadKind {
         LoadKind::Gravity { acceleration } => {
             percuss::LoadKind::Gravity { acceleration: *acceleration }
         }
+        LoadKind::Base { acceleration } => percuss::LoadKind::Base { acceleration: *acceleration },
         LoadKind::Point { at, force, moment, follower } => percuss::LoadKind::Point {
             at: beams.point(at),
             force: *force,

@@ -107,7 +107,9 @@ fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c str> {
             let mass = table(&content.mass, "mass", owner).map(|m| &m.at);
             let load = table(&content.load, "load", owner).and_then(|l| match &l.kind {
                 LoadKind::Point { at, .. } => Some(at),
-                LoadKind::Gravity { .. } | LoadKind::Distributed { .. } => None,
+                LoadKind::Gravity { .. } | LoadKind::Base { .. } | LoadKind::Distributed { .. } => {
+                    None
+                }
             });
             let obstacle = table(&content.obstacle, "obstacle", owner);
             let obstacle = obstacle.and_then(|o| match &o.kind {

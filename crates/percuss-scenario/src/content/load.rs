@@ -20,6 +20,14 @@ kinds! {
             /// Acceleration (m/s^2).
             acceleration: [f64; 2] as Vector<measure::Acceleration>,
         },
+        /// An acceleration of the base: of the ground, and of all supports and obstacles with it, as of an accelerogram (`acceleration =
+        /// [1, 0]` with a table of the record in m/s^2). Displacements, velocities and energies are those against the base, which do not
+        /// drift away with it; reactions are those of the true motion. Outside the times of its table it is zero. In statics it counts with its
+        /// value at time zero, as other loads do.
+        Base = "base" {
+            /// Acceleration of the base (m/s^2).
+            acceleration: [f64; 2] as Vector<measure::Acceleration>,
+        },
         /// A force and a moment at a point.
         Point = "point" {
             /// The point loaded.

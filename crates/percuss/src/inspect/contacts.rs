@@ -91,7 +91,7 @@ fn shape(target: &Target) -> TargetShape {
 pub struct LoadView<'m>(pub(super) &'m LoadData);
 
 impl LoadView<'_> {
-    /// The acceleration of all masses, for a factor of one, if it is gravity \[m/s^2\].
+    /// The acceleration of all masses, for a factor of one, if it is gravity or an acceleration of the base \[m/s^2\].
     pub fn gravity(&self) -> Option<[f64; 2]> {
         match self.0.kind {
             LoadAction::Gravity { acceleration } => Some(acceleration),

@@ -16,7 +16,7 @@ pub struct LoadData {
 /// Nodal forces of a load for a factor of one.
 #[derive(Clone, Debug)]
 pub enum LoadAction {
-    /// Acceleration of everything that has mass.
+    /// Acceleration of everything that has mass: by gravity, or against a base that is accelerated the other way.
     Gravity {
         /// The acceleration, shape (2) \[m/s^2\].
         acceleration: [f64; 2],

@@ -134,6 +134,9 @@ impl ModelBuilder {
                 LoadKind::Gravity { acceleration } => {
                     (SceneLoadKind::Gravity { acceleration: *acceleration }, false)
                 }
+                LoadKind::Base { acceleration } => {
+                    (SceneLoadKind::Base { acceleration: *acceleration }, false)
+                }
                 LoadKind::Point { at, force, moment, follower } => {
                     let at = on_beam(model, at);
                     (SceneLoadKind::Point { at, force: *force, moment: *moment }, *follower)

@@ -4,7 +4,7 @@ use super::builder::ModelBuilder;
 use super::definition::*;
 use super::frozen::*;
 use super::material_points::{locate, point_at};
-use super::time_function::PreparedFunction;
+use super::time_function::{PreparedFunction, TimeFunction};
 use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
 
 /// Adds the loads.
@@ -13,6 +13,10 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
         let kind = match &load.kind {
             LoadKind::Gravity { acceleration } => {
                 LoadAction::Gravity { acceleration: *acceleration }
+            }
+            // Against a base that is accelerated, what has mass is as heavy the other way.
+            LoadKind::Base { acceleration } => {
+                LoadAction::Gravity { acceleration: acceleration.map(|a| -a) }
             }
             LoadKind::Point { at, force, moment, follower } => LoadAction::Point {
                 point: locate(model, at),
@@ -25,10 +29,29 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
                 if *follower { LoadAction::Follower { points } } else { dead(&points) }
             }
         };
+        let load = match load.kind {
+            LoadKind::Base { .. } => &within_its_table(load),
+            _ => load,
+        };
         let function = PreparedFunction::new(&load.function);
         let (name, from, until) = (load.name.clone(), load.from, load.until);
         model.loads.push(LoadData { name, kind, function, from, until });
     }
+}
+
+/// The same load, acting only at the times of its table, if it has one: a record that ends with a small value does not push on for ever.
+fn within_its_table(load: &Load) -> Load {
+    let mut load = load.clone();
+    if let TimeFunction::Table { times, .. } = &mut load.function
+        && let [first, .., last] = times[..]
+    {
+        // What comes before `from` does not act.
+        let start = first.max(0.0);
+        load.until = load.until.min(load.from + last);
+        load.from += start;
+        times.iter_mut().for_each(|t| *t -= start);
+    }
+    load
 }
 
 /// Quadrature points of a force per length along a stretch of a beam; elements it covers in part count in part.

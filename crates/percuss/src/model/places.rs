@@ -87,7 +87,7 @@ impl<'b> Places<'b> {
 
     fn add_load(&mut self, load: &LoadKind) {
         match load {
-            LoadKind::Gravity { .. } => {}
+            LoadKind::Gravity { .. } | LoadKind::Base { .. } => {}
             LoadKind::Point { at, force, follower, .. } => {
                 self.add(at, Acts::Force { force: *force, follower: *follower });
             }

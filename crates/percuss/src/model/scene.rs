@@ -252,6 +252,11 @@ pub enum SceneLoadKind {
         /// Acceleration, shape (2) \[m/s^2\].
         acceleration: [f64; 2],
     },
+    /// Acceleration of the base.
+    Base {
+        /// Acceleration, shape (2) \[m/s^2\].
+        acceleration: [f64; 2],
+    },
     /// A force and a moment at a point.
     Point {
         /// Position.

@@ -270,7 +270,7 @@ pub struct ContactSummary {
     pub carried_crush: Option<CarriedCrush>,
     /// Largest penetration of a compliant contact, compared with the size of its partners; `None` for guided projectiles and half-planes.
     pub pressed_in: Option<PressedIn>,
-    /// How far the two slid on each other, of a contact with friction.
+    /// Sliding distance and friction work, of a contact with friction.
     pub sliding: Option<Sliding>,
     /// Equivalent static force of the impacts, if only weight at rest acts on the structure as well.
     pub equivalent_force: Option<EquivalentForce>,
@@ -280,7 +280,7 @@ pub struct ContactSummary {
     pub record: ContactRecord,
 }
 
-/// How far the surfaces of a contact slid on each other while it pressed, and what friction took: what wear goes by.
+/// Sliding distance and friction work of a contact while it pressed, for estimates of wear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Sliding {
     /// Sum of the sizes of the tangential displacements of one surface against the other, where several points press at once their mean,

@@ -4,6 +4,7 @@ mod accuracy;
 mod angular_rates;
 mod arrays;
 mod audit;
+mod base_acceleration;
 mod beam_ends;
 mod common;
 mod contact;

@@ -24,19 +24,7 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
         text.push_str("  unstable equilibrium; see `percuss modes --about static`\n");
     }
     text.push_str(&failures(&found.failures));
-    text.push_str(&found.largest_displacement.as_ref().map_or(String::new(), farthest));
-    let moved = largest(found.points.iter().flat_map(|(_, u)| u));
-    let turned = largest(found.rotations.iter());
-    for ((name, u), rotation) in found.points.iter().zip(&found.rotations) {
-        let [x, y] = u.map(|u| beside(moved, u, "m"));
-        let rotation = beside(turned, *rotation, "rad");
-        text.push_str(&format!(
-            "  '{name}': displacement (x, y) = ({x}, {y}), rotation {rotation}\n"
-        ));
-    }
-    if found.points.is_empty() {
-        text.push_str("  no recorded points; add `[record] points = [\"beam.mid\"]`\n");
-    }
+    text.push_str(&displacements(found));
     if !found.reactions.is_empty() {
         text.push_str("reactions, on the structure\n");
     }
@@ -83,6 +71,24 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
     }
     if let Some(stability) = linear.stability {
         text.push_str(&format!("{}\n", under_followers(stability)));
+    }
+    text
+}
+
+/// The largest displacement, and those of the recorded points with their rotations.
+fn displacements(found: &Equilibrium) -> String {
+    let mut text = found.largest_displacement.as_ref().map_or(String::new(), farthest);
+    let moved = largest(found.points.iter().flat_map(|(_, u)| u));
+    let turned = largest(found.rotations.iter());
+    for ((name, u), rotation) in found.points.iter().zip(&found.rotations) {
+        let [x, y] = u.map(|u| beside(moved, u, "m"));
+        let rotation = beside(turned, *rotation, "rad");
+        text.push_str(&format!(
+            "  '{name}': displacement (x, y) = ({x}, {y}), rotation {rotation}\n"
+        ));
+    }
+    if found.points.is_empty() {
+        text.push_str("  no recorded points; add `[record] points = [\"beam.mid\"]`\n");
     }
     text
 }

@@ -67,7 +67,7 @@ pub(super) fn check_projectile(model: &ModelBuilder, projectile: &Projectile, ou
 pub(super) fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
     let path = |field: &str| format!("load.{}.{field}", load.name);
     match &load.kind {
-        LoadKind::Gravity { acceleration } => {
+        LoadKind::Gravity { acceleration } | LoadKind::Base { acceleration } => {
             out.finite(path("acceleration"), acceleration, "m/s^2");
         }
         LoadKind::Distributed { beam, stretch, force, .. } => {

@@ -11,6 +11,13 @@ pub enum LoadKind {
         /// Acceleration, shape (2) \[m/s^2\].
         acceleration: [f64; 2],
     },
+    /// An acceleration of the base: of the ground, and of all supports and obstacles with it. Positions, displacements, velocities, energies and
+    /// momenta are those against the base, so that nothing drifts away with it: everything that has mass is pushed the other way by
+    /// mass times this acceleration. Reactions are those of the true motion. Outside the times of its table it is zero.
+    Base {
+        /// Acceleration of the base, shape (2) \[m/s^2\].
+        acceleration: [f64; 2],
+    },
     /// A force and a moment at a point of a beam.
     Point {
         /// The loaded point.
