@@ -78,7 +78,7 @@ impl<'m> StaticSearch<'m> {
         let loaded = largest(&state.displacement) > 0.0;
         let mut search = Self::at_share(model, state, f64::from(u8::from(loaded)));
         let stressed = model.connectors.iter().zip(&search.base.coordinates);
-        let stressed = stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) > 0.0);
+        let stressed = stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) != 0.0);
         search.stressed = loaded || !stressed || search.is_balanced();
         search
     }

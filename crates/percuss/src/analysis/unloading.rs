@@ -69,8 +69,9 @@ fn without_flow(model: &Model) -> Model {
     for fibres in structure.spans.iter_mut().filter_map(|span| span.fibres.as_mut()) {
         fibres.laws.iter_mut().for_each(|law| *law = law.without_flow());
     }
-    for own in structure.connectors.iter_mut().filter_map(|c| c.yielding.as_mut()) {
-        own.law = StressLaw::Elastic { young: own.law.young() };
+    let yielding = structure.connectors.iter_mut().filter_map(|c| c.yielding.as_mut());
+    for law in yielding.filter_map(|own| own.law.as_mut()) {
+        *law = StressLaw::Elastic { young: law.young() };
     }
     structure
 }

@@ -85,6 +85,16 @@ pub enum ConnectorCoordinate {
     Angle,
 }
 
+impl ConnectorCoordinate {
+    /// Its value in the reference configuration \[m, rad\].
+    pub fn reference(self) -> f64 {
+        match self {
+            Self::Distance { reference } => reference,
+            Self::Displacement | Self::Angle => 0.0,
+        }
+    }
+}
+
 impl<'m> ConnectorView<'m> {
     /// Its material points, one or two.
     pub fn points(&self) -> impl Iterator<Item = PointView<'m>> + use<'m> {
@@ -101,7 +111,7 @@ impl<'m> ConnectorView<'m> {
 
     /// Its potential.
     pub fn law(&self) -> ConnectorLaw {
-        self.0.law
+        self.0.law.clone()
     }
 
     /// What it acts on.

@@ -50,7 +50,8 @@ pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
                     let drive = drive_of(support, model, index, direction);
                     let coordinate =
                         Coordinate::Displacement { point: point.clone(), direction, drive };
-                    let law = ConnectorLaw::OneSided { stiffness, gap };
+                    let from = ActsFrom::Above;
+                    let law = ConnectorLaw::OneSided { stiffness, gap, from };
                     push(model, coordinate, law, 0.0, index, support);
                 }
             }
@@ -96,10 +97,28 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
         let distance = norm(sub(ends[0].reference(), ends[1].reference()));
         let rest = spring.length.unwrap_or(distance);
         let name = format!("spring.{}", spring.name);
-        let yielding = yielding(model, name, spring.stiffness, (spring.yielding.as_ref(), 1.0));
+        let law = match &spring.law {
+            SpringLaw::Linear { stiffness } => ConnectorLaw::Linear { stiffness: *stiffness, rest },
+            SpringLaw::Tension { stiffness, slack } => ConnectorLaw::OneSided {
+                stiffness: *stiffness,
+                gap: rest + slack,
+                from: ActsFrom::Above,
+            },
+            SpringLaw::Compression { stiffness, gap } => ConnectorLaw::OneSided {
+                stiffness: *stiffness,
+                gap: rest - gap,
+                from: ActsFrom::Below,
+            },
+            SpringLaw::Table { extension, force } => {
+                ConnectorLaw::Tabulated { table: ForceTable::new(extension, force), rest }
+            }
+        };
+        let flow = (spring.yielding.as_ref(), 1.0);
+        let strength = spring.strength.unwrap_or(f64::INFINITY);
+        let yielding = yielding(model, name, spring.law.stiffness(), flow, strength);
         model.connectors.push(Connector {
             coordinate: Coordinate::Distance { ends },
-            law: ConnectorLaw::Linear { stiffness: spring.stiffness, rest },
+            law,
             yielding,
             damping: spring.damping,
             support: None,
@@ -113,7 +132,8 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
             let sign = as_the_moment(model, [&a, &b]);
             let (a, b) = (Box::new(a), Some(Box::new(b)));
             let name = format!("joint.{}", joint.name);
-            let yielding = yielding(model, name, stiffness, (joint.yielding.as_ref(), sign));
+            let flow = (joint.yielding.as_ref(), sign);
+            let yielding = yielding(model, name, stiffness, flow, f64::INFINITY);
             model.connectors.push(Connector {
                 coordinate: Coordinate::Angle { a, b, cosine, sine },
                 law: ConnectorLaw::Linear { stiffness, rest: 0.0 },
@@ -145,27 +165,36 @@ fn as_the_moment(model: &Model, places: [&MaterialPoint; 2]) -> f64 {
 /// Nearer to an end of a beam than this share of its length is there.
 const AT_END: f64 = 1e-9;
 
-/// How the next connector yields, by the law of a fibre, and the sign that it is told with.
+/// How the next connector yields, by the law of a fibre, with the sign that it is told with, and breaks.
 fn yielding(
     model: &Model,
     name: String,
     stiffness: f64,
     (plasticity, sign): (Option<&Plasticity>, f64),
+    strength: f64,
 ) -> Option<YieldingLaw> {
-    let plasticity = plasticity?.clone();
-    let law = StressLaw::Plastic(PlasticLaw { young: stiffness, plasticity, slack: None });
-    Some(YieldingLaw { name, law, sign, memory: model.memory_count() })
+    let plastic =
+        |plasticity| StressLaw::Plastic(PlasticLaw { young: stiffness, plasticity, slack: None });
+    let law = plasticity.cloned().map(plastic);
+    let memory = model.memory_count();
+    (law.is_some() || strength < f64::INFINITY).then_some(YieldingLaw {
+        name,
+        law,
+        strength,
+        sign,
+        memory,
+    })
 }
 
 impl Model {
-    /// Number of connectors that can yield.
+    /// Number of connectors that can yield or break.
     #[doc(hidden)]
     pub fn memory_count(&self) -> usize {
         let last = self.connectors.iter().rev().find_map(|c| c.yielding.as_ref());
         last.map_or(0, |own| own.memory + 1)
     }
 
-    /// Connectors that can yield, their number and how, in the model's order.
+    /// Connectors that can yield or break, their number and how, in the model's order.
     pub(crate) fn yielding(&self) -> impl Iterator<Item = (usize, &Connector, &YieldingLaw)> {
         let each = self.connectors.iter().enumerate();
         each.filter_map(|(i, c)| c.yielding.as_ref().map(|own| (i, c, own)))

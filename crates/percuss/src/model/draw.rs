@@ -43,7 +43,7 @@ impl ModelBuilder {
         let spring = |s: &super::definition::Spring| SceneSpring {
             name: s.name.clone(),
             between: [anchor(&s.between[0]), anchor(&s.between[1])],
-            springs: s.stiffness > 0.0,
+            springs: s.law != super::definition::SpringLaw::Linear { stiffness: 0.0 },
         };
         scene.springs = self.springs.iter().map(spring).collect();
         let mass = |m: &super::definition::PointMass| SceneMass {

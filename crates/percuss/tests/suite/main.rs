@@ -35,6 +35,7 @@ mod schemes;
 mod section_forces;
 mod slack;
 mod spectra;
+mod spring_laws;
 mod static_contact;
 mod static_contact_stretches;
 mod static_failures;
