@@ -83,6 +83,7 @@ fn connections(
     for Named { name, table } in &content.spring {
         let anchor = |anchor: &Anchor| match anchor {
             Anchor::Point(point) => percuss::Anchor::Point(beams.point(point)),
+            Anchor::Projectile(name) => percuss::Anchor::Projectile(name.clone()),
             Anchor::Ground(place) => percuss::Anchor::Ground(*place),
         };
         builder.spring(percuss::Spring {

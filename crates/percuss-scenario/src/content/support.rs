@@ -170,7 +170,7 @@ kinds! {
 table! {
     /// A spring and damper between two points; it acts along the line between them.
     pub struct Spring {
-        /// Its ends: points on beams, or places on the ground as [x, y] (m).
+        /// Its ends: points on beams, names of projectiles (their centres), or places on the ground as [x, y] (m).
         between: [Anchor; 2] as Pair<AnchorText>,
         /// Damping (N s/m); of a spring of tension or compression alone it acts where the spring does.
         damping: f64 as Quantity<measure::Damping> = 0.0,

@@ -139,7 +139,7 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
         pair.movers.iter().filter(|m| **m < beams).for_each(|m| touchable[*m] = true);
     }
     for stop in model.connectors.iter().filter(|c| c.law.may_give_way()) {
-        stop.attachments().for_each(|(_, (point, _))| touchable[point.beam] = true);
+        stop.on_beams().for_each(|point| touchable[point.beam] = true);
     }
     let model = &model.structure();
     let rest = State::at_rest(model, crate::settings::Scheme::EnergyMomentum);

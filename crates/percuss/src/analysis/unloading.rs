@@ -45,7 +45,7 @@ pub fn set_beside(
     connector: &Connector,
     sets: &[Result<PermanentSet, NoPermanentSet>],
 ) -> Result<SetOfBeam, NoPermanentSet> {
-    let beams = connector.attachments().map(|(_, (point, _))| point.beam);
+    let beams = connector.on_beams().map(|point| point.beam);
     let of =
         |beam: usize| sets[beam].map(|set| SetOfBeam { beam: model.beams[beam].name.clone(), set });
     let larger = |a: Result<SetOfBeam, _>, b: Result<SetOfBeam, _>| match (&a, &b) {

@@ -89,8 +89,9 @@ fn push(
 /// Adds springs between points, and those of elastic hinges.
 pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
     for spring in &builder.springs {
-        let place = |anchor: &Anchor| match anchor {
+        let mut place = |anchor: &Anchor| match anchor {
             Anchor::Point(p) => ConnectorEnd::Point(locate(model, p)),
+            Anchor::Projectile(name) => ConnectorEnd::Body(centre(model, name)),
             Anchor::Ground(x) => ConnectorEnd::Ground(*x),
         };
         let ends = Box::new([place(&spring.between[0]), place(&spring.between[1])]);
@@ -143,6 +144,30 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
                 until: f64::INFINITY,
             });
         }
+    }
+}
+
+/// The centre of a body that strikes as a point of the mesh: the shape function of its node alone.
+fn centre(model: &mut Model, name: &str) -> MaterialPoint {
+    let own = |i: &usize| model.bodies[*i].name == name;
+    let body = model.striking_bodies().find(own).unwrap_or_default();
+    let own = model.body_node(body);
+    if model.node_count() == 1 {
+        super::bodies::ground(model); // a point lies between two nodes
+    }
+    let (node, shape) = match own.checked_sub(1) {
+        Some(before) => (before, [0.0, 0.0, 1.0, 0.0]),
+        None => (own, [1.0, 0.0, 0.0, 0.0]),
+    };
+    MaterialPoint {
+        label: name.into(),
+        beam: usize::MAX,
+        node,
+        s: f64::NAN,
+        shape,
+        slope: [0.0; 4],
+        position: model.nodes[own].position,
+        tangent: [0.0; 2],
     }
 }
 
@@ -201,7 +226,48 @@ impl Model {
     }
 }
 
+impl Model {
+    /// Whether any spring ends at a body.
+    pub(crate) fn has_tied_bodies(&self) -> bool {
+        self.connectors.iter().any(|c| c.tied_nodes().next().is_some())
+    }
+
+    /// Whether a spring ends at a body.
+    pub(crate) fn is_tied(&self, body: usize) -> bool {
+        let node = self.body_node(body);
+        self.connectors.iter().flat_map(Connector::tied_nodes).any(|tied| tied == node)
+    }
+}
+
 impl Connector {
+    /// Nodes of the bodies that it ends at.
+    pub(crate) fn tied_nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        let ends = match &self.coordinate {
+            Coordinate::Distance { ends } => ends.as_slice(),
+            _ => &[],
+        };
+        ends.iter().filter_map(|end| match end {
+            ConnectorEnd::Body(p) if p.shape[0] != 0.0 => Some(p.node),
+            ConnectorEnd::Body(p) => Some(p.node + 1),
+            _ => None,
+        })
+    }
+
+    /// The same without what ties it to bodies that are not there: it does nothing then.
+    pub(crate) fn without_bodies(&mut self) {
+        if self.tied_nodes().next().is_none() {
+            return;
+        }
+        if let Coordinate::Distance { ends } = &mut self.coordinate {
+            for end in ends.iter_mut().filter(|end| matches!(end, ConnectorEnd::Body(_))) {
+                *end = ConnectorEnd::Ground(end.reference());
+            }
+        }
+        let rest = self.law.free();
+        (self.law, self.yielding) = (ConnectorLaw::Linear { stiffness: 0.0, rest }, None);
+        self.damping = 0.0;
+    }
+
     /// Whether it acts on an angle.
     pub(crate) fn turns(&self) -> bool {
         matches!(self.coordinate, Coordinate::Angle { .. })
@@ -212,7 +278,7 @@ impl ConnectorEnd {
     /// Position in the reference configuration \[m\].
     pub fn reference(&self) -> [f64; 2] {
         match self {
-            Self::Point(p) => p.position,
+            Self::Point(p) | Self::Body(p) => p.position,
             Self::Ground(x) => *x,
         }
     }

@@ -38,6 +38,10 @@ impl ModelBuilder {
         scene.joints = self.joints.iter().map(joint).collect();
         let anchor = |anchor: &Anchor| match anchor {
             Anchor::Point(at) => SceneAnchor::Beam(on_beam(model, at)),
+            Anchor::Projectile(name) => {
+                let own = |i: &usize| model.bodies[*i].name == *name;
+                SceneAnchor::Body(model.striking_bodies().find(own).unwrap_or_default())
+            }
             Anchor::Ground(place) => SceneAnchor::Ground(*place),
         };
         let spring = |s: &super::definition::Spring| SceneSpring {

@@ -265,10 +265,12 @@ pub enum Coordinate {
     Angle { a: Box<MaterialPoint>, b: Option<Box<MaterialPoint>>, cosine: f64, sine: f64 },
 }
 
-/// A place on a beam or in space.
+/// A place on a beam, on a body or in space.
 #[derive(Clone, Debug)]
 pub enum ConnectorEnd {
     Point(MaterialPoint),
+    /// The centre of a body, as a point that follows its node alone.
+    Body(MaterialPoint),
     /// A point fixed in space, shape (2) \[m\].
     Ground([f64; 2]),
 }

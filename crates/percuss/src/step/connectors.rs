@@ -39,16 +39,21 @@ pub struct ConnectorStep {
     turning: Blocks,
 }
 
-/// An end of a connector on a beam: its point and whether the coordinate knows the slope there, or the displacement.
+/// An end of a connector on a beam or a body: its point and whether the coordinate knows the slope there, or the displacement.
 pub type Attachment<'a> = (&'a MaterialPoint, bool);
 
 impl Connector {
-    /// Its ends on beams, with their number.
+    /// Its ends on beams alone.
+    pub fn on_beams(&self) -> impl Iterator<Item = &MaterialPoint> {
+        self.attachments().map(|(_, (point, _))| point).filter(|point| point.beam != usize::MAX)
+    }
+
+    /// Its ends on beams and bodies, with their number.
     pub fn attachments(&self) -> impl Iterator<Item = (usize, Attachment<'_>)> {
         let pair: [Option<Attachment<'_>>; 2] = match &self.coordinate {
             Coordinate::Displacement { point, .. } => [Some((point, false)), None],
             Coordinate::Distance { ends } => ends.each_ref().map(|place| match place {
-                ConnectorEnd::Point(p) => Some((p, false)),
+                ConnectorEnd::Point(p) | ConnectorEnd::Body(p) => Some((p, false)),
                 ConnectorEnd::Ground(_) => None,
             }),
             Coordinate::Angle { a, b, .. } => {
@@ -170,14 +175,14 @@ impl ConnectorEnd {
     /// Position in a configuration \[m\].
     pub fn position(&self, u: &[[f64; 4]]) -> [f64; 2] {
         match self {
-            Self::Point(p) => add(p.position, p.value(u)),
+            Self::Point(p) | Self::Body(p) => add(p.position, p.value(u)),
             Self::Ground(x) => *x,
         }
     }
 
     fn increment(&self, increment: &[[f64; 4]]) -> [f64; 2] {
         match self {
-            Self::Point(p) => p.value(increment),
+            Self::Point(p) | Self::Body(p) => p.value(increment),
             Self::Ground(_) => [0.0; 2],
         }
     }

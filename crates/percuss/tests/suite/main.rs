@@ -45,6 +45,7 @@ mod statics;
 mod structures;
 mod structures_in_motion;
 mod tapers;
+mod tied_bodies;
 mod violent_connectors;
 mod violent_yielding;
 mod yielding;

@@ -2,11 +2,12 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
+use super::actions::line_of_flight;
 use super::beams::{arc, check_point, length, position};
 use super::faults::{Faults, quantity};
 use super::functions::check_function;
 use super::yielding::{check_yielding_joint, check_yielding_length, check_yielding_spring};
-use crate::math::vec2::{norm, sub};
+use crate::math::vec2::{norm, scale, sub};
 
 pub(super) fn check_support(model: &ModelBuilder, support: &Support, out: &mut Faults) {
     let path = |field: &str| format!("support.{}.{field}", support.name);
@@ -101,6 +102,7 @@ pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faul
     let mut place = |anchor: &Anchor| match anchor {
         Anchor::Point(p) => check_point(model, p, path("between"), out)
             .then(|| position(&model.beams[p.beam.0 as usize], p.along)),
+        Anchor::Projectile(name) => projectile(model, name, path("between"), out),
         Anchor::Ground(x) => {
             out.finite(path("between"), x, "m");
             Some(*x)
@@ -108,7 +110,11 @@ pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faul
     };
     let ends = [place(&spring.between[0]), place(&spring.between[1])];
     if spring.between.iter().all(|a| matches!(a, Anchor::Ground(_))) {
-        out.add(path("between"), "two points of the ground", "at least one point of a beam");
+        out.add(
+            path("between"),
+            "two points of the ground",
+            "at least one point of a beam, or a projectile",
+        );
     } else if let [Some(a), Some(b)] = ends
         && norm(sub(a, b)) == 0.0
     {
@@ -127,6 +133,32 @@ pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faul
             out.add(path("gap"), found, "a gap below the length");
         }
     }
+}
+
+/// The centre of a projectile or a disc in the reference configuration, if a spring can end there.
+fn projectile(
+    model: &ModelBuilder,
+    name: &str,
+    path: String,
+    out: &mut Faults,
+) -> Option<[f64; 2]> {
+    if let Some(disc) = model.discs.iter().find(|disc| disc.name == name) {
+        return Some(disc.position);
+    }
+    let Some(guided) = model.projectiles.iter().find(|own| own.name == name) else {
+        out.add(path, format!("the unknown projectile {name:?}"), "a projectile of this model");
+        return None;
+    };
+    if guided.rear.is_some() {
+        let found = format!("the projectile {name:?}, which has a rear mass");
+        out.add(path, found, "a projectile of one mass");
+        return None;
+    }
+    let strikes = &guided.strikes;
+    let line = line_of_flight(guided)?;
+    let beam = model.beams.get(strikes.beam.0 as usize)?;
+    let place = beam.line_point(strikes.along)?.position;
+    Some(sub(place, scale(guided.standoff / norm(line), line)))
 }
 
 /// What its law asks for.

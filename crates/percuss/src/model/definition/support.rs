@@ -144,6 +144,8 @@ impl Joint {
 pub enum Anchor {
     /// A point of a beam.
     Point(PointRef),
+    /// The centre of a projectile or a disc, by its name.
+    Projectile(String),
     /// A point fixed in space, shape (2) \[m\].
     Ground([f64; 2]),
 }

@@ -124,7 +124,8 @@ fn sprung(view: &StepView, first: usize, tell: &mut impl FnMut(Tie)) {
         let to_ground = match &c.coordinate {
             Coordinate::Displacement { .. } => true,
             Coordinate::Distance { ends } => {
-                ends.iter().any(|end| matches!(end, ConnectorEnd::Ground(_)))
+                let ground = |end: &ConnectorEnd| matches!(end, ConnectorEnd::Ground(_));
+                ends.iter().any(ground) && c.on_beams().next().is_some()
             }
             Coordinate::Angle { b, .. } => b.is_none(),
         };
