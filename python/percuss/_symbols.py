@@ -110,7 +110,7 @@ class Symbols:
     def springs(self) -> None:
         """Springs and dampers between points."""
         for spring in self.scene["springs"]:
-            ends = [np.array(e["position"], float) if "position" in e else self.drawing.on(e)[0] for e in spring["between"]]
+            ends = [self._end(end) for end in spring["between"]]
             if spring["springs"]:
                 self.coil(ends[0], ends[1])
             else:
@@ -118,6 +118,15 @@ class Symbols:
             for end, place in zip(spring["between"], ends):
                 if "position" in end:
                     self.drawing.circle(place, 0.25 * self.unit, "symbol", "symbol")
+
+    def _end(self, end: dict[str, Any]) -> Floats:
+        """An end of a spring: fixed in space, at the centre of a body, or on a beam."""
+        if "position" in end:
+            return np.array(end["position"], float)
+        if "body" in end:
+            u = self.drawing.u[self.drawing.fields.stations + end["body"]]
+            return np.array(self.scene["bodies"][end["body"]]["position"], float) + u[:2]
+        return self.drawing.on(end)[0]
 
     def joints_and_masses(self) -> None:
         """Hinges, and masses fixed to beams."""

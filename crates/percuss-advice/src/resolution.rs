@@ -112,11 +112,11 @@ impl Desk<'_> {
         (lasting.from == From::Modes && lasting.deflection > limit).then_some(limit)
     }
 
-    /// Least gap of a stop \[m\].
+    /// Least gap of a stop, or of a spring of one side \[m\].
     fn nearest_stop(&self) -> f64 {
         let gaps = self.model.connectors().map(|one| match one.law() {
-            ConnectorLaw::OneSided { gap, .. } => gap,
-            ConnectorLaw::Linear { .. } => f64::INFINITY,
+            ConnectorLaw::OneSided { gap, .. } => (gap - one.coordinate().reference()).abs(),
+            ConnectorLaw::Linear { .. } | ConnectorLaw::Tabulated { .. } => f64::INFINITY,
         });
         gaps.fold(f64::INFINITY, f64::min)
     }

@@ -271,7 +271,10 @@ fn springs(model: &Model, all: &mut Vec<Advice>) {
     }
     for one in model.connectors() {
         let (ConnectorLaw::Linear { stiffness, .. } | ConnectorLaw::OneSided { stiffness, .. }) =
-            one.law();
+            one.law()
+        else {
+            continue;
+        };
         if one.coordinate() == ConnectorCoordinate::Displacement
             && let Some(point) = one.points().next()
         {

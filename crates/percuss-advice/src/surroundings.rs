@@ -59,11 +59,12 @@ impl Surroundings {
     pub fn is_relaxed(&self, model: &Model) -> bool {
         model.connectors().all(|one| {
             let own = one.points().any(|p| self.beams[p.beam]);
-            !own || match one.law() {
-                ConnectorLaw::Linear { rest, .. } => {
+            let law = one.law();
+            !own || match law {
+                ConnectorLaw::Linear { rest, .. } | ConnectorLaw::Tabulated { rest, .. } => {
                     rest == 0.0 || is_distance(one.coordinate(), rest)
                 }
-                ConnectorLaw::OneSided { gap, .. } => gap >= 0.0,
+                ConnectorLaw::OneSided { .. } => !law.acts_at(one.coordinate().reference()),
             }
         })
     }

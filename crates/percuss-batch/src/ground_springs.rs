@@ -41,7 +41,12 @@ impl GroundSpringNumbers<f64> {
         if !drive.is_empty() {
             return Err("supports that move");
         }
-        Ok(Self { point: point.clone(), direction: *direction, law: c.law, damping: c.damping })
+        Ok(Self {
+            point: point.clone(),
+            direction: *direction,
+            law: c.law.clone(),
+            damping: c.damping,
+        })
     }
 }
 

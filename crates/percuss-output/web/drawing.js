@@ -262,7 +262,9 @@ class Drawing {
   springs() {
     for (const spring of this.motion.scene.springs) {
       const [a, b] = spring.between.map((end) =>
-        this.view.to(end.position ?? this.motion.on(end, this.state.u, this.e).place),
+        this.view.to(
+          end.position ?? (end.body == null ? this.motion.on(end, this.state.u, this.e) : this.motion.body(end.body, this.state.u)).place,
+        ),
       );
       if (spring.springs) this.coil(a, b, 5, { stroke: this.palette.symbol, width: 1.4 });
       else this.pen.path([a, b], { stroke: this.palette.symbol, width: 3, dash: [2, 3] });

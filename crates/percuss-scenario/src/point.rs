@@ -10,7 +10,7 @@ use crate::measure::{self, Length, Measure, Ratio};
 use crate::name::known_name;
 use crate::node::{Node, Reader};
 use crate::quantity::{Quantity, Vector};
-use crate::reach::Reached;
+use crate::reach::{Lost, Reached};
 use crate::suggest;
 use crate::units;
 use crate::write;
@@ -216,11 +216,13 @@ impl Inline for Place {
 pub enum Anchor {
     /// A point of a beam.
     Point(Point),
+    /// The centre of a projectile, by its name.
+    Projectile(String),
     /// A point fixed in space (m), shape (2) \[m\].
     Ground([f64; 2]),
 }
 
-/// A point on a beam as a text, or a position in space as a list.
+/// A point on a beam or the name of a projectile as a text, or a position in space as a list.
 pub(crate) struct AnchorText;
 
 impl Format for AnchorText {
@@ -228,6 +230,15 @@ impl Format for AnchorText {
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Anchor> {
         match node.value {
+            DeValue::String(text) if reader.knows("projectile", text) => {
+                Some(Anchor::Projectile(text.to_string()))
+            }
+            DeValue::String(text) if !text.contains(['@', '.']) => {
+                let near = suggest::nearest(text, reader.names("projectile").iter().copied());
+                let near = near.map(|n| format!(" (did you mean `{n}`?)")).unwrap_or_default();
+                reader.wrong(node, node.found(), Self::expected() + &near);
+                None
+            }
             DeValue::String(_) => PointText::read(node, reader).map(Anchor::Point),
             DeValue::Array(_) => Vector::<Length>::read(node, reader).map(Anchor::Ground),
             _ => {
@@ -242,16 +253,20 @@ impl Format for AnchorText {
     }
 
     fn expected() -> String {
-        format!("{}; or a place on the ground, such as [0, \"2 m\"]", PointText::expected())
+        format!(
+            "{}; the name of a projectile; or a place on the ground, such as [0, \"2 m\"]",
+            PointText::expected()
+        )
     }
 
     fn schema() -> Json {
-        json!({ "anyOf": [PointText::schema(), Vector::<Length>::schema()] })
+        json!({ "anyOf": [PointText::schema(), { "type": "string" }, Vector::<Length>::schema()] })
     }
 
     fn reach<'c>(value: &'c mut Anchor, path: &[String]) -> Reached<'c> {
         match value {
             Anchor::Point(point) => PointText::reach(point, path),
+            Anchor::Projectile(_) => Err(Lost::Anew),
             Anchor::Ground(place) => Vector::<Length>::reach(place, path),
         }
     }
@@ -261,6 +276,7 @@ impl Inline for AnchorText {
     fn text(value: &Anchor) -> Option<String> {
         match value {
             Anchor::Point(point) => PointText::text(point),
+            Anchor::Projectile(name) => Some(write::text(name)),
             Anchor::Ground(place) => Vector::<Length>::text(place),
         }
     }

@@ -207,17 +207,19 @@ fn springs_and_masses(b: &mut ModelBuilder, [frame, arch, arm]: [BeamId; 3]) {
     b.spring(Spring {
         name: "brace".into(),
         between: [Anchor::Point(a), Anchor::Point(z)],
-        stiffness: 2e5,
+        law: SpringLaw::Linear { stiffness: 2e5 },
         damping: 80.0,
         length: None,
+        strength: None,
         yielding: None,
     });
     b.spring(Spring {
         name: "stay".into(),
         between: [Anchor::Point(at("arch@0.5", arch, 0.5)), Anchor::Ground([3.0, 4.0])],
-        stiffness: 1e5,
+        law: SpringLaw::Linear { stiffness: 1e5 },
         damping: 20.0,
         length: Some(1.5),
+        strength: None,
         yielding: None,
     });
     let mass = |name: &str, at, mass, rotary_inertia| PointMass {

@@ -84,9 +84,10 @@ pub fn mass_on_a_rod() -> Report {
     b.spring(Spring {
         name: "rod".into(),
         between: [Anchor::Point(end.clone()), Anchor::Ground([0.1 - 100.0 * INCH, 0.0])],
-        stiffness,
+        law: SpringLaw::Linear { stiffness },
         damping: 0.0,
         length: None,
+        strength: None,
         yielding: perfect(limit),
     });
     let kind =

@@ -183,6 +183,11 @@ impl Settings {
             let expected = "energy-momentum: the work of crushing is exact only in it";
             add("integrator.scheme", found.into(), expected);
         }
+        if self.scheme.advances_accelerations() && model.has_tied_bodies() {
+            let found = "a scheme that advances accelerations, with a spring at a projectile";
+            let expected = "energy-momentum, strain-rate or midpoint";
+            add("integrator.scheme", found.into(), expected);
+        }
         if self.scheme.advances_accelerations() && model.has_rigid_contact() {
             let found = "a scheme that advances accelerations, with a rigid contact";
             let expected = "energy-momentum, strain-rate or midpoint: \

@@ -120,6 +120,7 @@ fn on(place: OnBeam) -> Value {
 fn anchor(anchor: SceneAnchor) -> Value {
     match anchor {
         SceneAnchor::Beam(place) => on(place),
+        SceneAnchor::Body(body) => json!({ "body": body }),
         SceneAnchor::Ground(position) => json!({ "position": position }),
     }
 }

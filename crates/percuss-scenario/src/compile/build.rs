@@ -6,7 +6,8 @@ use super::beams::Beams;
 use super::function::function;
 use super::{contact, law, yielding};
 use crate::content::{
-    self, Anchor, Content, JointKind, LoadKind, ModalRatios, ProjectileKind, SupportKind, Touch,
+    self, Anchor, Content, JointKind, LoadKind, ModalRatios, ProjectileKind, SpringLaw,
+    SupportKind, Touch,
 };
 use crate::given::Given;
 use crate::node::count;
@@ -82,14 +83,16 @@ fn connections(
     for Named { name, table } in &content.spring {
         let anchor = |anchor: &Anchor| match anchor {
             Anchor::Point(point) => percuss::Anchor::Point(beams.point(point)),
+            Anchor::Projectile(name) => percuss::Anchor::Projectile(name.clone()),
             Anchor::Ground(place) => percuss::Anchor::Ground(*place),
         };
         builder.spring(percuss::Spring {
             name: name.clone(),
             between: [anchor(&table.between[0]), anchor(&table.between[1])],
-            stiffness: table.stiffness,
+            law: spring_law(&table.law),
             damping: table.damping,
             length: table.length,
+            strength: table.strength,
             yielding: yielding::of_spring(name, table, faults),
         });
     }
@@ -100,6 +103,21 @@ fn connections(
             mass: table.mass,
             rotary_inertia: table.rotary_inertia,
         });
+    }
+}
+
+fn spring_law(law: &SpringLaw) -> percuss::SpringLaw {
+    match law {
+        SpringLaw::Linear { stiffness } => percuss::SpringLaw::Linear { stiffness: *stiffness },
+        SpringLaw::Tension { stiffness, slack } => {
+            percuss::SpringLaw::Tension { stiffness: *stiffness, slack: *slack }
+        }
+        SpringLaw::Compression { stiffness, gap } => {
+            percuss::SpringLaw::Compression { stiffness: *stiffness, gap: *gap }
+        }
+        SpringLaw::Table { extensions, forces } => {
+            percuss::SpringLaw::Table { extension: extensions.clone(), force: forces.clone() }
+        }
     }
 }
 

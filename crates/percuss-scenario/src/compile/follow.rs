@@ -132,7 +132,7 @@ fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c str> {
             let spring = table(&content.spring, "spring", owner).into_iter();
             let ends = spring.flat_map(|s| &s.between).filter_map(|anchor| match anchor {
                 Anchor::Point(point) => Some(point),
-                Anchor::Ground(_) => None,
+                Anchor::Projectile(_) | Anchor::Ground(_) => None,
             });
             let points = joint.flat_map(|j| &j.between).chain(ends).map(|p| p.beam.as_str());
             let contact = table(&content.contact, "contact", owner).into_iter();

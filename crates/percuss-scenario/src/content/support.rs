@@ -135,23 +135,59 @@ fn settle_joint(_: &mut Joint, body: &Body<'_>, reader: &mut Reader<'_>) {
     settle_connector_yield(["yield_moment", "hardening", "failure_rotation"], body, reader);
 }
 
+kinds! {
+    /// How the force of a spring follows from its extension: the distance of its ends less the length without force.
+    pub enum SpringLaw by "law" default "linear" {
+        /// In proportion to it: it pulls and pushes.
+        Linear = "linear" {
+            /// Stiffness (N/m).
+            stiffness: f64 as Quantity<measure::Stiffness>,
+        },
+        /// Tension only, from a slack on: ropes, hooks, slender braces.
+        Tension = "tension" {
+            /// Stiffness (N/m).
+            stiffness: f64 as Quantity<measure::Stiffness>,
+            /// Extension up to which it is slack (m).
+            slack: f64 as Quantity<measure::Length> = 0.0,
+        },
+        /// Compression only, behind a gap: buffers, clearances.
+        Compression = "compression" {
+            /// Stiffness (N/m).
+            stiffness: f64 as Quantity<measure::Stiffness>,
+            /// Shortening up to which it is open (m).
+            gap: f64 as Quantity<measure::Length> = 0.0,
+        },
+        /// Along straight lines between given values, and on beyond the first and the last one.
+        Table = "table" {
+            /// Extensions, increasing; shortenings are negative (m).
+            extensions: Vec<f64> as List<Quantity<measure::Length>>,
+            /// Forces there (N), positive in tension, zero without extension; they may fall.
+            forces: Vec<f64> as List<Quantity<measure::Force>>,
+        },
+    }
+}
+
 table! {
-    /// A spring and damper between two points, in tension and compression along the line between them.
+    /// A spring and damper between two points; it acts along the line between them.
     pub struct Spring {
-        /// Its ends: points on beams, or places on the ground as [x, y] (m).
+        /// Its ends: points on beams, names of projectiles (their centres), or places on the ground as [x, y] (m).
         between: [Anchor; 2] as Pair<AnchorText>,
-        /// Stiffness (N/m).
-        stiffness: f64 as Quantity<measure::Stiffness>,
-        /// Damping (N s/m).
+        /// Damping (N s/m); of a spring of tension or compression alone it acts where the spring does.
         damping: f64 as Quantity<measure::Damping> = 0.0,
         /// Unstrained length (m); that of the reference configuration if none is given.
         length: Option<f64> as Maybe<Quantity<measure::Length>> = None,
-        /// Yield force, in tension and compression (N); elastic if omitted.
+        /// Breaking force, damper included (N): the spring fails after a step whose mean force is larger in magnitude; without it it does not break.
+        strength: Option<f64> as Maybe<Quantity<measure::Force>> = None,
+        /// Yield force, in tension and compression (N), of a linear spring; elastic if omitted.
         yield_force: Option<f64> as Maybe<Quantity<measure::Force>> = None,
         /// Hardening with plastic extension; perfectly plastic if omitted.
         hardening: Option<SpringHardening> as Maybe<Braces<SpringHardening>> = None,
         /// Extension or shortening, from the unstrained length, at which it fails permanently (m); no failure if omitted.
         failure_extension: Option<f64> as Maybe<Quantity<measure::Length>> = None,
+    }
+    with {
+        /// Its law.
+        law: SpringLaw
     }
     then settle_spring
 }

@@ -114,7 +114,23 @@ fn springs_reach_beams_and_ground() {
     bad(
         "[spring.a]\nbetween = [3, \"b.mid\"]\nstiffness = 1\n",
         &["14:12: spring.a.between: found the number 3, expected a point on a beam: \
-             BEAM.start, BEAM.mid, BEAM.end, BEAM@0.25 or BEAM@0.75m; or a place on the ground, such as [0, \"2 m\"]"],
+             BEAM.start, BEAM.mid, BEAM.end, BEAM@0.25 or BEAM@0.75m; the name of a projectile; or a place on the ground, such as [0, \"2 m\"]"],
+    );
+}
+
+#[test]
+fn springs_end_at_projectiles() {
+    let ball = "[projectile.ball]\nkind = \"rigid\"\nrestitution = 1\nmass = 1\nvelocity = [0, 0]\n\
+                contact = \"surface\"\nradius = 0.1\nposition = [1, -1]\n";
+    let text =
+        |end: &str| format!("{ball}[spring.a]\nbetween = [\"b.mid\", \"{end}\"]\nstiffness = 1\n");
+    let content = good(&text("ball"));
+    assert_eq!(content.spring[0].table.between[1], Anchor::Projectile("ball".into()));
+    bad(
+        &text("bal"),
+        &["22:21: spring.a.between: found the text \"bal\", expected a point on a beam: \
+             BEAM.start, BEAM.mid, BEAM.end, BEAM@0.25 or BEAM@0.75m; the name of a projectile; or a place on the \
+             ground, such as [0, \"2 m\"] (did you mean `ball`?)"],
     );
 }
 

@@ -1,5 +1,7 @@
 //! Springs and hinges that yield: what they accept and what they say of the rest.
 
+use percuss_scenario::content::SpringLaw;
+
 use crate::structures::{BEAM, HEAD, bad, file, good};
 
 /// A second beam beside `BEAM`, for joints.
@@ -25,6 +27,42 @@ fn springs_and_hinges_yield_as_materials_do() {
     assert_eq!((spring.yield_force, spring.failure_extension), (Some(1e4), Some(0.02)));
     let hardening = spring.hardening.as_ref().unwrap();
     assert_eq!((hardening.isotropic, hardening.kinematic), (Some(5e4), 2e4));
+}
+
+#[test]
+fn springs_have_laws() {
+    let law = |text: &str| {
+        let content = good(&file(&[HEAD, BEAM, SPRING, text]));
+        content.spring[0].table.law.clone()
+    };
+    assert_eq!(law("stiffness = 5\n"), SpringLaw::Linear { stiffness: 5.0 });
+    assert_eq!(
+        law("law = \"tension\"\nstiffness = \"2 kN/m\"\nslack = \"3 mm\"\nstrength = \"9 kN\"\n"),
+        SpringLaw::Tension { stiffness: 2e3, slack: 3e-3 }
+    );
+    assert_eq!(
+        law("law = \"compression\"\nstiffness = 1\n"),
+        SpringLaw::Compression { stiffness: 1.0, gap: 0.0 }
+    );
+    assert_eq!(
+        law("law = \"table\"\nextensions = [0, \"1 cm\"]\nforces = [0, \"1 kN\"]\n"),
+        SpringLaw::Table { extensions: vec![0.0, 0.01], forces: vec![0.0, 1e3] }
+    );
+    wrong(
+        &[HEAD, BEAM, SPRING, "law = \"hook\"\nstiffness = 1\n"],
+        "14:7: spring.k.law: found the text \"hook\", expected one of `linear`, `tension`, `compression`, \
+         `table` (did you mean `tension`?)",
+    );
+    wrong(
+        &[HEAD, BEAM, SPRING, "law = \"table\"\nextensions = [0, 1]\nforces = [1, 2]\n"],
+        "16:10: spring.k.forces: found a force of 1 N without extension, expected no force without extension: \
+         `length` sets where that is",
+    );
+    wrong(
+        &[HEAD, BEAM, SPRING, "law = \"tension\"\nstiffness = 9\nyield_force = 1\n"],
+        "16:15: spring.k.yield_force: found a yield force of a spring whose law is not linear, expected a \
+         linear spring, or none",
+    );
 }
 
 /// A file with a spring or a joint of which one thing is wrong, and the fault.

@@ -116,11 +116,12 @@ pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
 /// Closing of gaps under the loads is neglected, as are all other displacements.
 pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> LinearBuckling {
     let mut structure = model.structure();
+    let reference = vec![[0.0; 4]; structure.node_count()];
     for (c, q) in structure.connectors.iter_mut().zip(&found.state.coordinates) {
         // A closed stop is a spring, an open one is none.
-        if let ConnectorLaw::OneSided { stiffness, .. } = c.law {
-            let stiffness = if c.law.acts_at(*q) { stiffness } else { 0.0 };
-            c.law = ConnectorLaw::Linear { stiffness, rest: 0.0 };
+        if !matches!(c.law, ConnectorLaw::Linear { .. }) {
+            let stiffness = c.law.stiffness_at(*q);
+            c.law = ConnectorLaw::Linear { stiffness, rest: c.value(&reference, 0.0) };
         }
     }
     result(&structure, found.held.clone(), count)

@@ -79,7 +79,7 @@ pub(crate) fn modal_damping(full: &Model, state: &State) -> ModalDamping {
 /// Whether supports move, or connections of bodies can change.
 fn changes(model: &Model) -> bool {
     let weak =
-        |c: &Connector| c.yielding.is_some() || matches!(c.law, ConnectorLaw::OneSided { .. });
+        |c: &Connector| c.yielding.is_some() || !matches!(c.law, ConnectorLaw::Linear { .. });
     !model.motions.is_empty()
         || model.has_fibres()
         || model.constraints.iter().any(|c| c.joint.is_some())
@@ -202,7 +202,7 @@ impl<'a> SlowSupports<'a> {
             if let (
                 Coordinate::Displacement { point, direction, .. },
                 ConnectorLaw::Linear { stiffness, .. },
-            ) = (&c.coordinate, c.law)
+            ) = (&c.coordinate, &c.law)
             {
                 *out = stiffness * dot(*direction, point.value(&mode.shape)) / mode.eigenvalue;
             }

@@ -104,10 +104,12 @@ fn refuse_what_is_not_linear(model: &Model, run: &RunSummary) -> Result<(), &'st
     Ok(())
 }
 
-/// Whether all springs are linear ones without force at the start.
+/// Whether all springs are linear ones of the structure without force at the start.
 fn has_slack_springs(model: &Model) -> bool {
     let start = State::at_rest(model, Scheme::EnergyMomentum);
-    let linear = |c: &Connector| matches!(c.law, ConnectorLaw::Linear { .. });
+    let linear = |c: &Connector| {
+        matches!(c.law, ConnectorLaw::Linear { .. }) && c.tied_nodes().next().is_none()
+    };
     model
         .connectors
         .iter()

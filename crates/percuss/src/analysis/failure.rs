@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::static_search::StaticSearch;
 use crate::element::beam::ElementValues;
+use crate::element::fibre::StressLaw;
 use crate::element::yielding::gauss_strains;
 use crate::math::hermite::gauss_points;
 use crate::model::Model;
@@ -34,7 +35,7 @@ pub enum FailureKind {
     Fibres,
     /// All fibres of a section of a beam have failed: the beam fractured.
     Parted,
-    /// A spring or a hinge reached its failure extension or rotation.
+    /// A spring or a hinge reached its failure extension or rotation, or a spring its strength.
     Extension,
     /// A joint carried its strength, and tore.
     Torn,
@@ -206,8 +207,11 @@ impl StaticSearch<'_> {
         }
         let displacement = self.displacement();
         for (i, c, own) in model.yielding().filter(|(.., c)| !self.base.memories[c.memory].failed) {
-            let extension = c.value(&displacement, self.base.coordinates[i]) - c.law.free();
-            each(Breakable::Connector(own.memory), own.law.use_of_failure_strain(extension));
+            let q = c.value(&displacement, self.base.coordinates[i]);
+            let strained = |law: &StressLaw| law.use_of_failure_strain(q - c.law.free());
+            let strained = own.law.as_ref().map_or(0.0, strained);
+            let pulled = c.reached_force(q, &self.base.memories).abs() / own.strength;
+            each(Breakable::Connector(own.memory), strained.max(pulled));
         }
         for (span, k, a, _) in model.each_element() {
             let Some(fibres) = &span.fibres else { continue };

@@ -18,7 +18,7 @@ pub(super) fn loose(search: &StaticSearch, state: &State) -> Option<String> {
     let structure = search.model.structure();
     let alone = search.of_structure(&structure, state);
     let free = free_motions(&Layout::new(&structure), &alone).motions;
-    let stopped = structure.connectors.iter().any(|c| c.law.is_one_sided());
+    let stopped = structure.connectors.iter().any(|c| c.law.may_give_way());
     let beam = structure.beams.iter().find(|beam| moves(&free, beam));
     beam.filter(|_| stopped && search.contacts.is_empty()).map(|beam| beam.name.clone())
 }

@@ -137,7 +137,7 @@ impl<'m> Linearized<'m> {
         let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
         let stressed = state.displacement.as_flattened().iter().any(|u| *u != 0.0)
             || (model.connectors.iter().zip(&state.coordinates))
-                .any(|(c, q)| c.potential(*q, &state.memories) > 0.0);
+                .any(|(c, q)| c.potential(*q, &state.memories) != 0.0);
         let mass = mass_band(model, &state.displacement);
         Self { layout, search, tangent, mass, stressed, free }
     }

@@ -78,7 +78,7 @@ impl<'m> StaticSearch<'m> {
         let loaded = largest(&state.displacement) > 0.0;
         let mut search = Self::at_share(model, state, f64::from(u8::from(loaded)));
         let stressed = model.connectors.iter().zip(&search.base.coordinates);
-        let stressed = stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) > 0.0);
+        let stressed = stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) != 0.0);
         search.stressed = loaded || !stressed || search.is_balanced();
         search
     }
@@ -298,8 +298,9 @@ impl<'m> StaticSearch<'m> {
         }
         weigh_masses(model, forcing, residual);
         external::apply::<TANGENT>(model, base, forcing, 1.0, increment, residual, tangent);
+        contacts.bodies::<TANGENT>(model, forcing, residual, tangent);
         connectors::apply::<TANGENT>(model, base, &RULE, forcing, increment, residual, tangent);
-        contacts.assemble::<TANGENT>(model, base, forcing, increment, residual, tangent);
+        contacts.assemble::<TANGENT>(model, base, increment, residual, tangent);
         let step = constraint_step(base, increment, forcing);
         for (i, (c, multiplier)) in model.constraints.iter().zip(multiplier.iter()).enumerate() {
             step.add_gradient(c, *multiplier, residual);

@@ -126,7 +126,7 @@ pub(super) fn leans_on_stops(model: &Model) -> bool {
     let structure = model.structure();
     let rest = State::at_rest(&structure, crate::settings::Scheme::EnergyMomentum);
     let layout = Layout::new(&structure);
-    structure.connectors.iter().any(|c| c.law.is_one_sided())
+    structure.connectors.iter().any(|c| c.law.may_give_way())
         && !free_motions(&layout, &StaticSearch::at(&structure, &rest)).motions.is_empty()
 }
 
@@ -141,8 +141,8 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
     for pair in model.pairs.iter().filter(|pair| takes_part(model, pair)) {
         pair.movers.iter().filter(|m| **m < beams).for_each(|m| touchable[*m] = true);
     }
-    for stop in model.connectors.iter().filter(|c| c.law.is_one_sided()) {
-        stop.attachments().for_each(|(_, (point, _))| touchable[point.beam] = true);
+    for stop in model.connectors.iter().filter(|c| c.law.may_give_way()) {
+        stop.on_beams().for_each(|point| touchable[point.beam] = true);
     }
     let model = &model.structure();
     let rest = State::at_rest(model, crate::settings::Scheme::EnergyMomentum);

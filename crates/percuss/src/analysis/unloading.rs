@@ -43,7 +43,7 @@ pub fn set_beside(
     connector: &Connector,
     sets: &[Result<PermanentSet, NoPermanentSet>],
 ) -> Result<SetOfBeam, NoPermanentSet> {
-    let beams = connector.attachments().map(|(_, (point, _))| point.beam);
+    let beams = connector.on_beams().map(|point| point.beam);
     let of =
         |beam: usize| sets[beam].map(|set| SetOfBeam { beam: model.beams[beam].name.clone(), set });
     let larger = |a: Result<SetOfBeam, _>, b: Result<SetOfBeam, _>| match (&a, &b) {
@@ -67,8 +67,9 @@ fn without_flow(model: &Model) -> Model {
     for fibres in structure.spans.iter_mut().filter_map(|span| span.fibres.as_mut()) {
         fibres.laws.iter_mut().for_each(|law| *law = law.without_flow());
     }
-    for own in structure.connectors.iter_mut().filter_map(|c| c.yielding.as_mut()) {
-        own.law = StressLaw::Elastic { young: own.law.young() };
+    let yielding = structure.connectors.iter_mut().filter_map(|c| c.yielding.as_mut());
+    for law in yielding.filter_map(|own| own.law.as_mut()) {
+        *law = StressLaw::Elastic { young: law.young() };
     }
     structure
 }

@@ -84,7 +84,8 @@ pub(super) fn between<'m>(
     let crossing = |(i, c, own): (usize, &Connector, &'m YieldingLaw)| {
         let extension = |u: &[[f64; 4]]| c.value(u, base.coordinates[i]) - c.law.free();
         let (from, to) = (extension(&start), extension(&end));
-        let share = (first_yield(&own.law, to) - from) / (extension(&ahead) - from);
+        let limit = own.law.as_ref().map_or(to, |law| first_yield(law, to));
+        let share = (limit - from) / (extension(&ahead) - from);
         Crossing { own, rise: share * rise }
     };
     let mut out: Vec<Crossing> =

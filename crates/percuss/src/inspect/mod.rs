@@ -15,7 +15,7 @@ pub use ties::*;
 
 use crate::math::vec2::{add, rot90, scale, sub};
 pub use crate::model::striking::{Body, BodyKind};
-pub use crate::model::ties::ConnectorLaw;
+pub use crate::model::ties::{ActsFrom, ConnectorLaw, ForceTable};
 use crate::model::{InitialMotion, Model};
 
 impl Model {

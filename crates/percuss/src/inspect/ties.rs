@@ -85,14 +85,24 @@ pub enum ConnectorCoordinate {
     Angle,
 }
 
+impl ConnectorCoordinate {
+    /// Its value in the reference configuration \[m, rad\].
+    pub fn reference(self) -> f64 {
+        match self {
+            Self::Distance { reference } => reference,
+            Self::Displacement | Self::Angle => 0.0,
+        }
+    }
+}
+
 impl<'m> ConnectorView<'m> {
-    /// Its material points, one or two.
+    /// Its material points on beams, two at most; a spring may end at a projectile or on the ground.
     pub fn points(&self) -> impl Iterator<Item = PointView<'m>> + use<'m> {
         let points: [Option<&'m MaterialPoint>; 2] = match &self.0.coordinate {
             Coordinate::Displacement { point, .. } => [Some(point), None],
             Coordinate::Distance { ends } => ends.each_ref().map(|end| match end {
                 ConnectorEnd::Point(point) => Some(point),
-                ConnectorEnd::Ground(_) => None,
+                ConnectorEnd::Body(_) | ConnectorEnd::Ground(_) => None,
             }),
             Coordinate::Angle { a, b, .. } => [Some(a), b.as_deref()],
         };
@@ -101,7 +111,7 @@ impl<'m> ConnectorView<'m> {
 
     /// Its potential.
     pub fn law(&self) -> ConnectorLaw {
-        self.0.law
+        self.0.law.clone()
     }
 
     /// Point of action.
@@ -110,7 +120,7 @@ impl<'m> ConnectorView<'m> {
             Coordinate::Displacement { .. } => ConnectorCoordinate::Displacement,
             Coordinate::Distance { ends } => {
                 let [a, b] = ends.each_ref().map(|end| match end {
-                    ConnectorEnd::Point(point) => point.position,
+                    ConnectorEnd::Point(point) | ConnectorEnd::Body(point) => point.position,
                     ConnectorEnd::Ground(position) => *position,
                 });
                 ConnectorCoordinate::Distance { reference: norm(sub(a, b)) }

@@ -105,7 +105,7 @@ fn obstacle(item: &Obstacle, model: &mut Model) {
 }
 
 /// The body of all fixed obstacles.
-fn ground(model: &mut Model) -> usize {
+pub(super) fn ground(model: &mut Model) -> usize {
     let known = |b: &Body| b.kind == BodyKind::Obstacle && b.name.is_empty();
     let found = model.bodies.iter().position(known);
     found.unwrap_or_else(|| held_body(model, "", [0.0; 2], None, [0.0; 2]))

@@ -50,7 +50,8 @@ pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
                     let drive = drive_of(support, model, index, direction);
                     let coordinate =
                         Coordinate::Displacement { point: point.clone(), direction, drive };
-                    let law = ConnectorLaw::OneSided { stiffness, gap };
+                    let from = ActsFrom::Above;
+                    let law = ConnectorLaw::OneSided { stiffness, gap, from };
                     push(model, coordinate, law, 0.0, index, support);
                 }
             }
@@ -88,18 +89,37 @@ fn push(
 /// Adds springs between points, and those of elastic hinges.
 pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
     for spring in &builder.springs {
-        let place = |anchor: &Anchor| match anchor {
+        let mut place = |anchor: &Anchor| match anchor {
             Anchor::Point(p) => ConnectorEnd::Point(locate(model, p)),
+            Anchor::Projectile(name) => ConnectorEnd::Body(centre(model, name)),
             Anchor::Ground(x) => ConnectorEnd::Ground(*x),
         };
         let ends = Box::new([place(&spring.between[0]), place(&spring.between[1])]);
         let distance = norm(sub(ends[0].reference(), ends[1].reference()));
         let rest = spring.length.unwrap_or(distance);
         let name = format!("spring.{}", spring.name);
-        let yielding = yielding(model, name, spring.stiffness, (spring.yielding.as_ref(), 1.0));
+        let law = match &spring.law {
+            SpringLaw::Linear { stiffness } => ConnectorLaw::Linear { stiffness: *stiffness, rest },
+            SpringLaw::Tension { stiffness, slack } => ConnectorLaw::OneSided {
+                stiffness: *stiffness,
+                gap: rest + slack,
+                from: ActsFrom::Above,
+            },
+            SpringLaw::Compression { stiffness, gap } => ConnectorLaw::OneSided {
+                stiffness: *stiffness,
+                gap: rest - gap,
+                from: ActsFrom::Below,
+            },
+            SpringLaw::Table { extension, force } => {
+                ConnectorLaw::Tabulated { table: ForceTable::new(extension, force), rest }
+            }
+        };
+        let flow = (spring.yielding.as_ref(), 1.0);
+        let strength = spring.strength.unwrap_or(f64::INFINITY);
+        let yielding = yielding(model, name, spring.law.stiffness(), flow, strength);
         model.connectors.push(Connector {
             coordinate: Coordinate::Distance { ends },
-            law: ConnectorLaw::Linear { stiffness: spring.stiffness, rest },
+            law,
             yielding,
             damping: spring.damping,
             support: None,
@@ -113,7 +133,8 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
             let sign = as_the_moment(model, [&a, &b]);
             let (a, b) = (Box::new(a), Some(Box::new(b)));
             let name = format!("joint.{}", joint.name);
-            let yielding = yielding(model, name, stiffness, (joint.yielding.as_ref(), sign));
+            let flow = (joint.yielding.as_ref(), sign);
+            let yielding = yielding(model, name, stiffness, flow, f64::INFINITY);
             model.connectors.push(Connector {
                 coordinate: Coordinate::Angle { a, b, cosine, sine },
                 law: ConnectorLaw::Linear { stiffness, rest: 0.0 },
@@ -123,6 +144,30 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
                 until: f64::INFINITY,
             });
         }
+    }
+}
+
+/// The centre of a body that strikes as a point of the mesh: the shape function of its node alone.
+fn centre(model: &mut Model, name: &str) -> MaterialPoint {
+    let own = |i: &usize| model.bodies[*i].name == name;
+    let body = model.striking_bodies().find(own).unwrap_or_default();
+    let own = model.body_node(body);
+    if model.node_count() == 1 {
+        super::bodies::ground(model); // a point lies between two nodes
+    }
+    let (node, shape) = match own.checked_sub(1) {
+        Some(before) => (before, [0.0, 0.0, 1.0, 0.0]),
+        None => (own, [1.0, 0.0, 0.0, 0.0]),
+    };
+    MaterialPoint {
+        label: name.into(),
+        beam: usize::MAX,
+        node,
+        s: f64::NAN,
+        shape,
+        slope: [0.0; 4],
+        position: model.nodes[own].position,
+        tangent: [0.0; 2],
     }
 }
 
@@ -145,34 +190,84 @@ fn as_the_moment(model: &Model, places: [&MaterialPoint; 2]) -> f64 {
 /// A point closer to an end of a beam than this share of its length is at the end.
 const AT_END: f64 = 1e-9;
 
-/// Yield law of the next connector, as the law of a fibre, and the sign of its results.
+/// Yield law of the next connector, as the law of a fibre, the sign of its results, and its strength.
 fn yielding(
     model: &Model,
     name: String,
     stiffness: f64,
     (plasticity, sign): (Option<&Plasticity>, f64),
+    strength: f64,
 ) -> Option<YieldingLaw> {
-    let plasticity = plasticity?.clone();
-    let law = StressLaw::Plastic(PlasticLaw { young: stiffness, plasticity, slack: None });
-    Some(YieldingLaw { name, law, sign, memory: model.memory_count() })
+    let plastic =
+        |plasticity| StressLaw::Plastic(PlasticLaw { young: stiffness, plasticity, slack: None });
+    let law = plasticity.cloned().map(plastic);
+    let memory = model.memory_count();
+    (law.is_some() || strength < f64::INFINITY).then_some(YieldingLaw {
+        name,
+        law,
+        strength,
+        sign,
+        memory,
+    })
 }
 
 impl Model {
-    /// Number of connectors that can yield.
+    /// Number of connectors that can yield or break.
     #[doc(hidden)]
     pub fn memory_count(&self) -> usize {
         let last = self.connectors.iter().rev().find_map(|c| c.yielding.as_ref());
         last.map_or(0, |own| own.memory + 1)
     }
 
-    /// Connectors that can yield, their number and how, in the model's order.
+    /// Connectors that can yield or break, their number and how, in the model's order.
     pub(crate) fn yielding(&self) -> impl Iterator<Item = (usize, &Connector, &YieldingLaw)> {
         let each = self.connectors.iter().enumerate();
         each.filter_map(|(i, c)| c.yielding.as_ref().map(|own| (i, c, own)))
     }
 }
 
+impl Model {
+    /// Whether any spring ends at a body.
+    pub(crate) fn has_tied_bodies(&self) -> bool {
+        self.connectors.iter().any(|c| c.tied_nodes().next().is_some())
+    }
+
+    /// Whether a spring ends at a body.
+    pub(crate) fn is_tied(&self, body: usize) -> bool {
+        let node = self.body_node(body);
+        self.connectors.iter().flat_map(Connector::tied_nodes).any(|tied| tied == node)
+    }
+}
+
 impl Connector {
+    /// Nodes of the bodies that it ends at.
+    pub(crate) fn tied_nodes(&self) -> impl Iterator<Item = usize> + '_ {
+        let ends = match &self.coordinate {
+            Coordinate::Distance { ends } => ends.as_slice(),
+            _ => &[],
+        };
+        ends.iter().filter_map(|end| match end {
+            ConnectorEnd::Body(p) if p.shape[0] != 0.0 => Some(p.node),
+            ConnectorEnd::Body(p) => Some(p.node + 1),
+            _ => None,
+        })
+    }
+
+    /// The same without what ties it to bodies that are not there: it does nothing then.
+    pub(crate) fn without_bodies(&mut self) {
+        if self.tied_nodes().next().is_none() {
+            return;
+        }
+        if let Coordinate::Distance { ends } = &mut self.coordinate {
+            for end in ends.iter_mut().filter(|end| matches!(end, ConnectorEnd::Body(_))) {
+                *end = ConnectorEnd::Ground(end.reference());
+            }
+        }
+        let rest = self.law.free();
+        (self.law, self.yielding) = (ConnectorLaw::Linear { stiffness: 0.0, rest }, None);
+        self.damping = 0.0;
+    }
+
     /// Whether it acts on an angle.
     pub(crate) fn turns(&self) -> bool {
         matches!(self.coordinate, Coordinate::Angle { .. })
@@ -183,7 +278,7 @@ impl ConnectorEnd {
     /// Position in the reference configuration \[m\].
     pub fn reference(&self) -> [f64; 2] {
         match self {
-            Self::Point(p) => p.position,
+            Self::Point(p) | Self::Body(p) => p.position,
             Self::Ground(x) => *x,
         }
     }

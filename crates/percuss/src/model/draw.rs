@@ -38,12 +38,16 @@ impl ModelBuilder {
         scene.joints = self.joints.iter().map(joint).collect();
         let anchor = |anchor: &Anchor| match anchor {
             Anchor::Point(at) => SceneAnchor::Beam(on_beam(model, at)),
+            Anchor::Projectile(name) => {
+                let own = |i: &usize| model.bodies[*i].name == *name;
+                SceneAnchor::Body(model.striking_bodies().find(own).unwrap_or_default())
+            }
             Anchor::Ground(place) => SceneAnchor::Ground(*place),
         };
         let spring = |s: &super::definition::Spring| SceneSpring {
             name: s.name.clone(),
             between: [anchor(&s.between[0]), anchor(&s.between[1])],
-            springs: s.stiffness > 0.0,
+            springs: s.law != super::definition::SpringLaw::Linear { stiffness: 0.0 },
         };
         scene.springs = self.springs.iter().map(spring).collect();
         let mass = |m: &super::definition::PointMass| SceneMass {

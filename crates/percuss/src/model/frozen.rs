@@ -276,6 +276,7 @@ impl Model {
         structure.obstacles.clear();
         structure.contacts.clear();
         structure.pairs.clear();
+        structure.connectors.iter_mut().for_each(Connector::without_bodies);
         structure
     }
 

@@ -207,6 +207,8 @@ pub struct SceneJoint {
 pub enum SceneAnchor {
     /// On a beam.
     Beam(OnBeam),
+    /// At the centre of a body, by its number.
+    Body(usize),
     /// Fixed in space, shape (2) \[m\].
     Ground([f64; 2]),
 }

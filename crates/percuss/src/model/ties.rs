@@ -217,7 +217,7 @@ impl<S> Constraint<S> {
 pub struct Connector {
     pub coordinate: Coordinate,
     pub law: ConnectorLaw,
-    /// Yield law, if any; its linear law is then the elastic part.
+    /// How it yields or breaks, if it does; its linear law is then the elastic part.
     pub yielding: Option<YieldingLaw>,
     /// Viscous damping of the coordinate, force per rate.
     pub damping: f64,
@@ -227,13 +227,15 @@ pub struct Connector {
     pub until: f64,
 }
 
-/// Yield law of a spring or an elastic hinge.
+/// Yield law and strength of a spring or an elastic hinge.
 #[derive(Clone, Debug)]
 pub struct YieldingLaw {
     /// Kind and name, `spring.brace` or `joint.knee`.
     pub name: String,
-    /// Force over extension from the length without force, or moment over rotation.
-    pub law: StressLaw,
+    /// Force over extension from the length without force, or moment over rotation; none if it only breaks.
+    pub law: Option<StressLaw>,
+    /// Magnitude of the force, a mean over a step, beyond which it breaks \[N\].
+    pub strength: f64,
     /// Sign of its extension or rotation, and of its force or moment, in results: 1 or, for a hinge, -1 if its coordinate (the rotation of the
     /// first point relative to the second) is opposite to the bending moment beside it.
     pub sign: f64,
@@ -262,16 +264,18 @@ pub enum Coordinate {
     Angle { a: Box<MaterialPoint>, b: Option<Box<MaterialPoint>>, cosine: f64, sine: f64 },
 }
 
-/// A place on a beam or in space.
+/// A place on a beam, on a body or in space.
 #[derive(Clone, Debug)]
 pub enum ConnectorEnd {
     Point(MaterialPoint),
+    /// The centre of a body, as a point that follows its node alone.
+    Body(MaterialPoint),
     /// A point fixed in space, shape (2) \[m\].
     Ground([f64; 2]),
 }
 
 /// Potential of a connector.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub enum ConnectorLaw<S = f64> {
     /// `k (q - rest)^2 / 2`.
     Linear {
@@ -280,50 +284,105 @@ pub enum ConnectorLaw<S = f64> {
         /// Coordinate without force.
         rest: S,
     },
-    /// `k <q - gap>^2 / 2`: no force before the gap is closed.
+    /// `k <q - gap>^2 / 2`, or `k <gap - q>^2 / 2` of what acts from above down: no force before the gap is closed.
     OneSided {
         /// Stiffness k, force per unit of the coordinate.
         stiffness: S,
         /// Coordinate from which on it presses.
         gap: S,
+        /// To which side it acts.
+        from: ActsFrom,
     },
+    /// The integral of a force along straight lines.
+    Tabulated {
+        /// Its lines.
+        table: ForceTable<S>,
+        /// Coordinate without force.
+        rest: S,
+    },
+}
+
+/// On which side of its gap a spring of one side acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ActsFrom {
+    /// Where the coordinate is larger.
+    Above,
+    /// Where it is smaller.
+    Below,
+}
+
+/// A force along straight lines over an extension, through zero.
+#[derive(Clone, Debug)]
+pub struct ForceTable<S = f64> {
+    /// Slope next to zero, force per extension.
+    pub slope: S,
+    /// Bends from zero up and below it: extension and change of the slope, shape (bends, 2).
+    pub above: Vec<[S; 2]>,
+    pub below: Vec<[S; 2]>,
 }
 
 impl<S: Copy> ConnectorLaw<S> {
     /// The same with every number replaced, in a fixed order.
     #[doc(hidden)]
     #[inline(always)]
-    pub fn map<T>(self, f: &mut impl FnMut(S) -> T) -> ConnectorLaw<T> {
+    pub fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> ConnectorLaw<T> {
         match self {
             Self::Linear { stiffness, rest } => {
-                ConnectorLaw::Linear { stiffness: f(stiffness), rest: f(rest) }
+                ConnectorLaw::Linear { stiffness: f(*stiffness), rest: f(*rest) }
             }
-            Self::OneSided { stiffness, gap } => {
-                ConnectorLaw::OneSided { stiffness: f(stiffness), gap: f(gap) }
+            Self::OneSided { stiffness, gap, from } => {
+                ConnectorLaw::OneSided { stiffness: f(*stiffness), gap: f(*gap), from: *from }
+            }
+            Self::Tabulated { table: ForceTable { slope, above, below }, rest } => {
+                let slope = f(*slope);
+                let mut bends =
+                    |all: &[[S; 2]]| all.iter().map(|bend| bend.map(&mut *f)).collect::<Vec<_>>();
+                let (above, below) = (bends(above), bends(below));
+                let table = ForceTable { slope, above, below };
+                ConnectorLaw::Tabulated { table, rest: f(*rest) }
             }
         }
     }
 
     /// Whether it presses only while its gap is closed.
-    pub fn is_one_sided(self) -> bool {
+    pub fn is_one_sided(&self) -> bool {
         matches!(self, Self::OneSided { .. })
     }
 
     /// A value of the coordinate without force and energy.
-    pub fn free(self) -> S {
+    pub fn free(&self) -> S {
         match self {
-            Self::Linear { rest, .. } => rest,
-            Self::OneSided { gap, .. } => gap,
+            Self::Linear { rest, .. } | Self::Tabulated { rest, .. } => *rest,
+            Self::OneSided { gap, .. } => *gap,
         }
     }
 }
 
 impl ConnectorLaw {
     /// Whether it acts at a value of the coordinate: an open one has neither force nor stiffness.
-    pub fn acts_at(self, q: f64) -> bool {
+    pub fn acts_at(&self, q: f64) -> bool {
         match self {
-            Self::Linear { .. } => true,
-            Self::OneSided { gap, .. } => q > gap,
+            Self::Linear { .. } | Self::Tabulated { .. } => true,
+            Self::OneSided { gap, from: ActsFrom::Above, .. } => q > *gap,
+            Self::OneSided { gap, from: ActsFrom::Below, .. } => q < *gap,
+        }
+    }
+
+    /// Whether it has no stiffness, or a negative one, for some values of the coordinate.
+    pub fn may_give_way(&self) -> bool {
+        match self {
+            Self::Linear { .. } => false,
+            Self::OneSided { .. } => true,
+            Self::Tabulated { table, .. } => {
+                let (mut up, mut down) = (table.slope, table.slope);
+                let falls = |slope: &mut f64, change: f64| {
+                    *slope += change;
+                    *slope <= 0.0
+                };
+                table.slope <= 0.0
+                    || table.above.iter().any(|[_, change]| falls(&mut up, *change))
+                    || table.below.iter().rev().any(|[_, change]| falls(&mut down, -change))
+            }
         }
     }
 }

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use super::solving::jumps;
+use crate::analysis::static_contacts::hangs;
 use crate::analysis::static_search::{stored_strains, unbalanced_forces};
 use crate::analysis::{equilibrium, mechanisms};
 use crate::error::Error;
@@ -219,8 +220,8 @@ pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<
         state.memories = found.memories;
         state.joints_parted = found.joints_parted;
         state.pairs = found.pairs;
-        // Standoffs of projectiles are relative to the moved points.
-        for p in &model.projectiles {
+        // Standoffs of projectiles are relative to the moved points; those on springs are in equilibrium where they are.
+        for p in model.projectiles.iter().filter(|p| !hangs(model, p.body)) {
             let moved = dot(p.direction, p.point.value(&state.displacement));
             for node in (0..=usize::from(p.has_rear)).map(|k| model.body_node(p.body + k)) {
                 let [x, y] = scale(moved, p.direction);

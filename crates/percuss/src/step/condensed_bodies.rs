@@ -28,20 +28,20 @@ impl CondensedBodies {
         self.bodies.clear();
     }
 
-    /// Eliminates bodies (nodes from `first` on) whose couplings are all with one element; removes their couplings.
+    /// Eliminates bodies (nodes from `first` on) whose couplings are all with one element and that no spring ties to others; removes their couplings.
     ///
     /// # Errors
     /// The node of a body whose block is singular.
     pub fn eliminate(
         &mut self,
         chain: &mut Chain,
-        linked: &[bool],
+        (linked, tied): (&[bool], &[usize]),
         first: usize,
         couplings: &mut Vec<(usize, usize, Block)>,
     ) -> Result<(), usize> {
         for (a, b, _) in couplings.iter() {
             let body = (*a).max(*b);
-            if body < first || self.bodies.iter().any(|s| s.body == body) {
+            if body < first || tied.contains(&body) || self.bodies.iter().any(|s| s.body == body) {
                 continue;
             }
             if let Some(found) = condensed_body(body, linked, first, couplings) {

@@ -11,10 +11,10 @@ mod law;
 use super::forcing::Forcing;
 use super::integration::{Integration, Rule};
 use super::tangent::Tangent;
-use crate::element::fibre::FibreState;
+use crate::element::fibre::{FibreState, StressLaw};
 use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 use crate::model::Model;
-use crate::model::frozen::{Connector, ConnectorEnd, Coordinate, MaterialPoint};
+use crate::model::frozen::{Connector, ConnectorEnd, Coordinate, MaterialPoint, YieldingLaw};
 use crate::state::State;
 use form::{Blocks, CoordinateForm, add_to, angle_form, distance_form, product};
 pub use inelastic::{advanced, bring_to_rest};
@@ -39,16 +39,21 @@ pub struct ConnectorStep {
     turning: Blocks,
 }
 
-/// An end of a connector on a beam: its point and whether the coordinate knows the slope there, or the displacement.
+/// An end of a connector on a beam or a body: its point and whether the coordinate knows the slope there, or the displacement.
 pub type Attachment<'a> = (&'a MaterialPoint, bool);
 
 impl Connector {
-    /// Its ends on beams, with their number.
+    /// Its ends on beams alone.
+    pub fn on_beams(&self) -> impl Iterator<Item = &MaterialPoint> {
+        self.attachments().map(|(_, (point, _))| point).filter(|point| point.beam != usize::MAX)
+    }
+
+    /// Its ends on beams and bodies, with their number.
     pub fn attachments(&self) -> impl Iterator<Item = (usize, Attachment<'_>)> {
         let pair: [Option<Attachment<'_>>; 2] = match &self.coordinate {
             Coordinate::Displacement { point, .. } => [Some((point, false)), None],
             Coordinate::Distance { ends } => ends.each_ref().map(|place| match place {
-                ConnectorEnd::Point(p) => Some((p, false)),
+                ConnectorEnd::Point(p) | ConnectorEnd::Body(p) => Some((p, false)),
                 ConnectorEnd::Ground(_) => None,
             }),
             Coordinate::Angle { a, b, .. } => {
@@ -82,19 +87,26 @@ impl Connector {
         [g(a), b.as_ref().map_or(a.tangent, |b| turned(g(b)))]
     }
 
-    /// Potential at a value of the coordinate, elastic energy where it yields \[J\].
+    /// Potential at a value of the coordinate, elastic energy where it yields, nothing once it is gone \[J\].
     pub fn potential(&self, q: f64, memories: &[FibreState]) -> f64 {
-        if let Some((own, state)) = self.memory(memories) {
-            return own.law.elastic_energy(state, q - self.law.free());
+        match self.memory(memories) {
+            Some((_, state)) if state.failed => 0.0,
+            Some((YieldingLaw { law: Some(law), .. }, state)) => {
+                law.elastic_energy(state, q - self.law.free())
+            }
+            _ => self.law.energy(q),
         }
-        self.law.energy(q)
     }
 
     /// Force and its derivative with respect to the coordinate at the end of a step from `q0` by `change`.
     fn force(&self, rule: &Integration, q0: f64, change: f64, memories: &[FibreState]) -> [f64; 2] {
-        if let Some((own, memory)) = self.memory(memories) {
-            let from = q0 - self.law.free();
-            return inelastic::force(&own.law, memory, rule, [from, from + change]);
+        match self.memory(memories) {
+            Some((_, memory)) if memory.failed => return [0.0; 2],
+            Some((YieldingLaw { law: Some(law), .. }, memory)) => {
+                let from = q0 - self.law.free();
+                return inelastic::force(law, memory, rule, [from, from + change]);
+            }
+            _ => {}
         }
         match rule.rule {
             Rule::Midpoint(_) => self.law.quotient(q0, change),
@@ -131,8 +143,9 @@ impl Connector {
         let [elastic, slope] = self.force(rule, q0, form.change, &state.memories);
         let gone = self.has_failed(&state.memories);
         let rate = if gone { 0.0 } else { rule.lag(self.damping) };
-        let damper = rate * form.change;
-        let (force, slope) = (elastic + damper, slope + rate);
+        let [damped, share] = self.law.damped(q0, form.change);
+        let damper = rate * damped;
+        let (force, slope) = (elastic + damper, slope + rate * share);
         let turning = form.bend.map(|row| row.map(|b| b.map(|row| row.map(|k| force * k))));
         let mut tangent = turning;
         add_to(&mut tangent, &product(&form.mean, &form.end, slope));
@@ -162,14 +175,14 @@ impl ConnectorEnd {
     /// Position in a configuration \[m\].
     pub fn position(&self, u: &[[f64; 4]]) -> [f64; 2] {
         match self {
-            Self::Point(p) => add(p.position, p.value(u)),
+            Self::Point(p) | Self::Body(p) => add(p.position, p.value(u)),
             Self::Ground(x) => *x,
         }
     }
 
     fn increment(&self, increment: &[[f64; 4]]) -> [f64; 2] {
         match self {
-            Self::Point(p) => p.value(increment),
+            Self::Point(p) | Self::Body(p) => p.value(increment),
             Self::Ground(_) => [0.0; 2],
         }
     }
@@ -192,7 +205,8 @@ pub fn apply_turning(
         }
         let mut step = connector.step(i, rule, forcing, state, &still);
         if let Some((own, memory)) = connector.memory(&state.memories) {
-            step.slope = if memory.failed { 0.0 } else { own.law.young() };
+            let elastic = own.law.as_ref().map_or(step.slope, StressLaw::young);
+            step.slope = if memory.failed { 0.0 } else { elastic };
         }
         tangent.add_connector(i, connector, &step.turning);
         each(connector, &step);

@@ -170,7 +170,11 @@ impl Entry<'_> {
                     for (k, (end, other)) in
                         [(&ends[0], &ends[1]), (&ends[1], &ends[0])].iter().enumerate()
                     {
-                        if let (ConnectorEnd::Point(p), ConnectorEnd::Ground(_)) = (end, other) {
+                        if let (
+                            ConnectorEnd::Point(p) | ConnectorEnd::Body(p),
+                            ConnectorEnd::Ground(_),
+                        ) = (end, other)
+                        {
                             let [x, _] = self.middle(p);
                             self.reaction(None, x, force(k), 0.0);
                         }

@@ -23,6 +23,8 @@ pub struct Tangent {
     linked: Vec<bool>,
     /// Couplings of contacts, which vary: (row node, column node, block), shape (couplings, 4, 4) \[index of a node, index of a node, N/m, N, N m\].
     contacts: Vec<(usize, usize, Block)>,
+    /// Nodes of bodies that springs end at, shape (such ends).
+    tied: Vec<usize>,
     /// Bodies that touch one element only, eliminated first.
     condensed_bodies: CondensedBodies,
     /// Number of permanent couplings; those of contacts without a condensed body follow.
@@ -94,6 +96,7 @@ impl Tangent {
             permanent: couplings.len(),
             linked,
             contacts: Vec::new(),
+            tied: model.connectors.iter().flat_map(Connector::tied_nodes).collect(),
             condensed_bodies: CondensedBodies::default(),
             of_connector,
             of_constraint,
@@ -222,7 +225,7 @@ impl Tangent {
         let first = model.beam_node_count();
         let chain = &mut self.matrix.chain;
         self.condensed_bodies
-            .eliminate(chain, &self.linked, first, &mut self.contacts)
+            .eliminate(chain, (&self.linked, &self.tied), first, &mut self.contacts)
             .map_err(Singular::Node)?;
         let known = |m: &Condensed, c: &(usize, usize, Block)| {
             m.couplings.iter().position(|k| (k.0, k.1) == (c.0, c.1))

@@ -40,9 +40,10 @@ fn helped(force: f64, fails_at: Option<f64>) -> Model {
     b.spring(Spring {
         name: "k".into(),
         between: [Anchor::Point(at("tip", g, 1.0)), Anchor::Ground([1.0, 0.4])],
-        stiffness: 1e6,
+        law: SpringLaw::Linear { stiffness: 1e6 },
         damping: 0.0,
         length: None,
+        strength: None,
         yielding: Some(law(3e3, 0.0, fails_at)),
     });
     pull(&mut b, g, [0.0, -force]);

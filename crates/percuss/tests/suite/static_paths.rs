@@ -173,9 +173,10 @@ fn a_strip_pressed_down_by_a_spring_lifts_off() {
     b.spring(Spring {
         name,
         between,
-        stiffness: 100.0,
+        law: SpringLaw::Linear { stiffness: 100.0 },
         damping: 0.0,
         length: Some(0.95),
+        strength: None,
         yielding: None,
     });
     let (at, force) = (at("tip", bar, 1.0), [0.0, 8.0]);

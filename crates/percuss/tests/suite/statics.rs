@@ -167,9 +167,10 @@ fn a_spring_that_pushes_makes_no_mechanism() {
     b.spring(Spring {
         name,
         between,
-        stiffness: 1e6,
+        law: SpringLaw::Linear { stiffness: 1e6 },
         damping: 0.0,
         length: Some(1.5),
+        strength: None,
         yielding: None,
     });
     assert_eq!(mechanisms(&b.build().unwrap()), []);
@@ -263,7 +264,15 @@ fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
             held(b, girder);
             let between = [Anchor::Point(at("end", girder, 1.0)), Anchor::Ground([3.0, 1.0])];
             let (name, stiffness) = ("stay".into(), 1e3);
-            b.spring(Spring { name, between, stiffness, damping: 0.0, length, yielding: None });
+            b.spring(Spring {
+                name,
+                between,
+                law: SpringLaw::Linear { stiffness },
+                damping: 0.0,
+                length,
+                strength: None,
+                yielding: None,
+            });
         }
     };
     assert!(told(&spring(None)), "a spring of the length it has");
@@ -363,9 +372,10 @@ fn tied(springs: &[([f64; 2], Option<f64>)]) -> Model {
         b.spring(Spring {
             name: format!("tie{i}"),
             between: [Anchor::Point(at("tip", column, 1.0)), Anchor::Ground(*ground)],
-            stiffness: 1e7,
+            law: SpringLaw::Linear { stiffness: 1e7 },
             damping: 0.0,
             length: *length,
+            strength: None,
             yielding: None,
         });
     }

@@ -68,7 +68,15 @@ fn a_spring_between_beam_and_ground_pulls_along_its_line() {
         b.support(Support::new("hinge", at("hinge", beam, 0.0), SupportKind::Pin));
         let between = [Anchor::Point(at("tip", beam, 1.0)), Anchor::Ground([0.0, 2.0])];
         let name = "stay".into();
-        b.spring(Spring { name, between, stiffness, damping: 0.0, length: None, yielding: None });
+        b.spring(Spring {
+            name,
+            between,
+            law: SpringLaw::Linear { stiffness },
+            damping: 0.0,
+            length: None,
+            strength: None,
+            yielding: None,
+        });
         force(b, beam, 1.0, [0.0, -SMALL], 0.0);
     });
     // The bar's own axial flexibility adds F L / (E A) once over.
@@ -325,9 +333,10 @@ fn a_path_begins_where_stressed_springs_have_drawn_the_beam() {
         b.spring(Spring {
             name,
             between,
-            stiffness: 1e4,
+            law: SpringLaw::Linear { stiffness: 1e4 },
             damping: 0.0,
             length: Some(0.9),
+            strength: None,
             yielding: None,
         });
         force(b, beam, 1.0, [0.0, -500.0], 0.0);

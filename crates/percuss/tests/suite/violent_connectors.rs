@@ -80,9 +80,10 @@ fn hold(b: &mut ModelBuilder, r: &mut Numbers, bars: &[(BeamId, [[f64; 2]; 2])])
         b.spring(Spring {
             name: format!("spring{i}"),
             between: [Anchor::Point(at("hung", bar, f)), Anchor::Ground(foot)],
-            stiffness,
+            law: SpringLaw::Linear { stiffness },
             damping: if r.chance(0.3) { stiffness * r.decades(1e-5, 1e-3) } else { 0.0 },
             length: r.chance(0.3).then(|| length + 0.9 * first * r.between(-1.0, 1.0)),
+            strength: None,
             yielding,
         });
     }

@@ -40,9 +40,10 @@ fn braced(law: Option<Plasticity>, more: impl FnOnce(&mut ModelBuilder, BeamId))
     b.spring(Spring {
         name: "brace".into(),
         between: [Anchor::Point(end.clone()), Anchor::Ground([1.0, -0.5])],
-        stiffness: STIFFNESS,
+        law: SpringLaw::Linear { stiffness: STIFFNESS },
         damping: 0.0,
         length: None,
+        strength: None,
         yielding: law,
     });
     b.record_point(end);
@@ -267,9 +268,10 @@ fn analyses_without_yielding_connectors_say_so() {
     let spring = |name: &str, stiffness: f64, law: Plasticity| Spring {
         name: name.into(),
         between: [Anchor::Point(at("end", bar, 1.0)), Anchor::Ground([2.0, 1.0])],
-        stiffness,
+        law: SpringLaw::Linear { stiffness },
         damping: 1.0,
         length: None,
+        strength: None,
         yielding: Some(law),
     };
     b.spring(spring("loose", 0.0, perfect(1.0)));

@@ -180,9 +180,12 @@ fn joint(joint: &JointSummary) -> (String, String) {
     (format!("joint {}", joint.name), text)
 }
 
-/// Yield and failure of a spring or hinge.
+/// Yield, fracture and failure of a spring or hinge.
 fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
-    let first = connector.first_yield?;
+    let Some(first) = connector.first_yield else {
+        let time = number(connector.failed?);
+        return Some((format!("failure of {}", connector.name), format!("at t = {time} s")));
+    };
     let [what, unit] = if connector.turns { ["rotation", "rad"] } else { ["extension", "m"] };
     let mut parts = vec![
         format!("first yield at t = {}", quantity(first, "s")),

@@ -67,7 +67,7 @@ impl<'m> Tracer<'m> {
         search.foresee(true);
         // Springs may be stressed before any load acts.
         let stressed = model.connectors.iter().zip(&search.base.coordinates);
-        if stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) > 0.0) {
+        if stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) != 0.0) {
             search.solve(0.0);
         }
         // Discs rest on their supports, and stops that support a structure are closed, before the path is followed: the structure has no response

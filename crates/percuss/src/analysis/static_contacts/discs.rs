@@ -36,14 +36,17 @@ impl StaticContacts {
         climbs
     }
 
-    /// Bodies: weight of the discs in the analysis; all others do not move.
-    pub(super) fn bodies<const TANGENT: bool>(
+    /// Bodies: weight of those in the analysis; all others do not move.
+    pub fn bodies<const TANGENT: bool>(
         &self,
         model: &Model,
         forcing: &Forcing,
         residual: &mut [[f64; 4]],
         tangent: &mut Tangent,
     ) {
+        if !self.has_bodies {
+            return;
+        }
         for body in 0..model.bodies.len() {
             let node = model.body_node(body);
             residual[node] = [0.0; 4];

@@ -22,8 +22,8 @@ use crate::geometry::row::Row;
 use crate::geometry::touch::Reach;
 
 use crate::model::Model;
+use crate::model::frozen::BodyKind;
 use crate::state::State;
-use crate::step::forcing::Forcing;
 use crate::step::tangent::Tangent;
 pub(super) use place::Pressing;
 use place::{CandidatePair, ROUND_OFF, RestingDisc};
@@ -57,7 +57,7 @@ pub(super) struct StaticContacts {
     places: Vec<CandidatePair>,
     /// Their indentations of faces, shape (such pairs); empty without crushing.
     dents: Vec<Dents>,
-    /// Discs at rest in the analysis, shape (such discs).
+    /// Discs at rest, and guided projectiles at rest on springs, in the analysis, shape (such bodies).
     discs: Vec<RestingDisc>,
     /// Bodies in the model: all of them are fixed except those discs.
     has_bodies: bool,
@@ -85,6 +85,12 @@ fn rests(model: &Model, body: usize) -> bool {
     body.kind.is_obstacle() || is_disc_at_rest
 }
 
+/// Whether a guided projectile is at rest on springs and is included, guided along its line of motion.
+pub(crate) fn hangs(model: &Model, body: usize) -> bool {
+    let own = &model.bodies[body];
+    own.kind == BodyKind::Guided && own.velocity == [0.0; 2] && model.is_tied(body)
+}
+
 /// Whether a pair is included.
 pub(crate) fn takes_part(model: &Model, pair: &Pair) -> bool {
     let beams = model.beams.len();
@@ -107,12 +113,9 @@ impl StaticContacts {
             let weight = if weight > 0.0 { weight } else { WEAK * other };
             RestingDisc { body, node: model.body_node(body), spring: WEAK * weight / extent }
         };
-        let is_disc = |i: &usize| model.bodies[*i].kind.is_disc();
-        let discs: Vec<RestingDisc> = (0..model.bodies.len())
-            .filter(is_disc)
-            .filter(|i| rests(model, *i))
-            .map(disc)
-            .collect();
+        let moves =
+            |i: &usize| (model.bodies[*i].kind.is_disc() && rests(model, *i)) || hangs(model, *i);
+        let discs: Vec<RestingDisc> = (0..model.bodies.len()).filter(moves).map(disc).collect();
         let mut contacts =
             Self { discs, has_bodies: !model.bodies.is_empty(), size, ..Self::default() };
         let at = Configuration::of(&base.displacement);
@@ -220,19 +223,15 @@ impl StaticContacts {
         }
     }
 
-    /// Adds weight and weak springs of discs, forces of contacts and their tangent to those of the beams.
+    /// Adds forces of contacts and their tangent to those of the beams, and weak springs.
     pub fn assemble<const TANGENT: bool>(
         &mut self,
         model: &Model,
         base: &State,
-        forcing: &Forcing,
         increment: &[[f64; 4]],
         residual: &mut [[f64; 4]],
         tangent: &mut Tangent,
     ) {
-        if self.has_bodies {
-            self.bodies::<TANGENT>(model, forcing, residual, tangent);
-        }
         if TANGENT {
             self.add_springs(tangent);
         }

@@ -39,7 +39,7 @@ fn may_give_way(model: &Model) -> bool {
     let slack = |law: &StressLaw| law.slack().is_some();
     let mut fibres = model.spans.iter().filter_map(|span| span.fibres.as_ref());
     fibres.any(|of| of.laws.iter().any(slack))
-        || model.connectors.iter().any(|c| c.law.is_one_sided())
+        || model.connectors.iter().any(|c| c.law.may_give_way())
 }
 
 /// Increment, multipliers and contacts of an intermediate configuration.

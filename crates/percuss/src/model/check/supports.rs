@@ -2,11 +2,12 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
+use super::actions::line_of_flight;
 use super::beams::{arc, check_point, length, position};
 use super::faults::{Faults, quantity};
 use super::functions::check_function;
 use super::yielding::{check_yielding_joint, check_yielding_length, check_yielding_spring};
-use crate::math::vec2::{norm, sub};
+use crate::math::vec2::{norm, scale, sub};
 
 pub(super) fn check_support(model: &ModelBuilder, support: &Support, out: &mut Faults) {
     let path = |field: &str| format!("support.{}.{field}", support.name);
@@ -91,19 +92,17 @@ fn check_motion(support: &Support, motion: &Motion, out: &mut Faults) {
 
 pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faults) {
     let path = |field: &str| format!("spring.{}.{field}", spring.name);
-    out.not_negative(path("stiffness"), spring.stiffness, "a stiffness", "N/m");
+    out.not_negative(path("stiffness"), spring.law.stiffness(), "a stiffness", "N/m");
     out.not_negative(path("damping"), spring.damping, "damping", "N*s/m");
+    check_spring_law(spring, out);
     check_yielding_spring(spring, out);
-    if spring.stiffness == 0.0 && spring.damping == 0.0 && spring.yielding.is_none() {
-        let expected = "a stiffness or a damping above zero";
-        out.add(path("stiffness"), "a spring without stiffness and damping", expected);
-    }
     if let Some(length) = spring.length {
         out.not_negative(path("length"), length, "a length", "m");
     }
     let mut place = |anchor: &Anchor| match anchor {
         Anchor::Point(p) => check_point(model, p, path("between"), out)
             .then(|| position(&model.beams[p.beam.0 as usize], p.along)),
+        Anchor::Projectile(name) => projectile(model, name, path("between"), out),
         Anchor::Ground(x) => {
             out.finite(path("between"), x, "m");
             Some(*x)
@@ -111,7 +110,11 @@ pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faul
     };
     let ends = [place(&spring.between[0]), place(&spring.between[1])];
     if spring.between.iter().all(|a| matches!(a, Anchor::Ground(_))) {
-        out.add(path("between"), "two points of the ground", "at least one point of a beam");
+        out.add(
+            path("between"),
+            "two points of the ground",
+            "at least one point of a beam, or a projectile",
+        );
     } else if let [Some(a), Some(b)] = ends
         && norm(sub(a, b)) == 0.0
     {
@@ -119,7 +122,111 @@ pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faul
                         connects coincident points";
         out.add(path("between"), "a spring between points at the same place", expected);
     } else if let [Some(a), Some(b)] = ends {
-        check_yielding_length(spring, norm(sub(a, b)), out);
+        let distance = norm(sub(a, b));
+        check_yielding_length(spring, distance, out);
+        let length = spring.length.unwrap_or(distance);
+        if let SpringLaw::Compression { gap, .. } = spring.law
+            && gap >= length
+        {
+            let found =
+                format!("{gap} m, and a length without force of {length} m: it never closes");
+            out.add(path("gap"), found, "a gap below the length");
+        }
+    }
+}
+
+/// The centre of a projectile or a disc in the reference configuration, if a spring can end there.
+fn projectile(
+    model: &ModelBuilder,
+    name: &str,
+    path: String,
+    out: &mut Faults,
+) -> Option<[f64; 2]> {
+    if let Some(disc) = model.discs.iter().find(|disc| disc.name == name) {
+        return Some(disc.position);
+    }
+    let Some(guided) = model.projectiles.iter().find(|own| own.name == name) else {
+        out.add(path, format!("the unknown projectile {name:?}"), "a projectile of this model");
+        return None;
+    };
+    if guided.rear.is_some() {
+        let found = format!("the projectile {name:?}, which has a rear mass");
+        out.add(path, found, "a projectile of one mass");
+        return None;
+    }
+    let strikes = &guided.strikes;
+    let line = line_of_flight(guided)?;
+    let beam = model.beams.get(strikes.beam.0 as usize)?;
+    let place = beam.line_point(strikes.along)?.position;
+    Some(sub(place, scale(guided.standoff / norm(line), line)))
+}
+
+/// What its law asks for.
+fn check_spring_law(spring: &Spring, out: &mut Faults) {
+    let path = |field: &str| format!("spring.{}.{field}", spring.name);
+    match &spring.law {
+        SpringLaw::Linear { stiffness } => {
+            if *stiffness == 0.0 && spring.damping == 0.0 && spring.yielding.is_none() {
+                let expected = "a stiffness or a damping above zero";
+                out.add(path("stiffness"), "a spring without stiffness and damping", expected);
+            }
+        }
+        SpringLaw::Tension { stiffness, slack: way }
+        | SpringLaw::Compression { stiffness, gap: way } => {
+            let tension = matches!(spring.law, SpringLaw::Tension { .. });
+            let [key, what] = if tension { ["slack", "a slack"] } else { ["gap", "a gap"] };
+            out.not_negative(path(key), *way, what, "m");
+            if *stiffness == 0.0 {
+                let expected = "a stiffness above zero";
+                out.add(path("stiffness"), "a spring of one side without stiffness", expected);
+            }
+        }
+        SpringLaw::Table { extension, force } => check_force_table(&path, extension, force, out),
+    }
+    if let Some(strength) = spring.strength {
+        out.positive(path("strength"), strength, "a strength", "N");
+    }
+    if spring.yielding.is_some() {
+        if !matches!(spring.law, SpringLaw::Linear { .. }) {
+            let found = "a yield force of a spring whose law is not linear";
+            out.add(path("yield_force"), found, "a linear spring, or none");
+        }
+        if spring.strength.is_some() {
+            let found = "a strength of a spring that yields";
+            out.add(path("strength"), found, "`failure_extension` in its place");
+        }
+    }
+}
+
+fn check_force_table(
+    path: &impl Fn(&str) -> String,
+    extension: &[f64],
+    force: &[f64],
+    out: &mut Faults,
+) {
+    if extension.len() != force.len() || extension.len() < 2 {
+        let found = format!("{} extensions and {} forces", extension.len(), force.len());
+        out.add(path("forces"), found, "as many of both, at least two");
+        return;
+    }
+    out.finite(path("extensions"), extension, "m");
+    out.finite(path("forces"), force, "N");
+    if !extension.iter().chain(force).all(|x| x.is_finite()) {
+        return;
+    }
+    if let Some(pair) = extension.windows(2).find(|pair| pair[1] <= pair[0]) {
+        let found = format!("{} m after {} m", pair[1], pair[0]);
+        out.add(path("extensions"), found, "extensions that increase");
+        return;
+    }
+    // The line between the points about zero, or the first or last one beyond them.
+    let k = extension.partition_point(|e| *e <= 0.0).clamp(1, extension.len() - 1) - 1;
+    let rise = (force[k + 1] - force[k]) / (extension[k + 1] - extension[k]);
+    let at_zero = force[k] - rise * extension[k];
+    let most = force.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
+    if at_zero.abs() > 1e-12 * most {
+        let found = format!("a force of {at_zero} N without extension");
+        out.add(path("forces"), found, "no force without extension: `length` sets where that is");
     }
 }
 

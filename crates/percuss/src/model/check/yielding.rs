@@ -69,13 +69,13 @@ pub(super) fn check_yielding_spring(spring: &Spring, out: &mut Faults) {
         modulus: "a plastic stiffness",
         units: ["N", "N/m", "m"],
     };
-    words.check_connector(spring.stiffness, law, out);
+    words.check_connector(spring.law.stiffness(), law, out);
 }
 
 /// The history of a spring before a start beyond yield is unknown.
 pub(super) fn check_yielding_length(spring: &Spring, distance: f64, out: &mut Faults) {
     let (Some(law), Some(length)) = (&spring.yielding, spring.length) else { return };
-    let most = law.curve.first().map_or(f64::NAN, |part| part.stress) / spring.stiffness;
+    let most = law.curve.first().map_or(f64::NAN, |part| part.stress) / spring.law.stiffness();
     let extension = distance - length;
     if most.is_finite() && extension.abs() > most {
         let found = format!(

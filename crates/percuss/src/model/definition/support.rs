@@ -144,23 +144,71 @@ impl Joint {
 pub enum Anchor {
     /// A point of a beam.
     Point(PointRef),
+    /// The centre of a projectile or a disc, by its name.
+    Projectile(String),
     /// A point fixed in space, shape (2) \[m\].
     Ground([f64; 2]),
 }
 
-/// A spring and damper between two points, in tension and compression along the line between them.
+/// How the force of a spring follows from its extension, the distance of its ends less the length without force.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SpringLaw {
+    /// In proportion to it, pulling and pushing.
+    Linear {
+        /// Stiffness \[N/m\].
+        stiffness: f64,
+    },
+    /// It pulls once it is extended by `slack` (a hook, a rope) and never pushes.
+    Tension {
+        /// Stiffness \[N/m\].
+        stiffness: f64,
+        /// Extension up to which it is slack \[m\].
+        slack: f64,
+    },
+    /// It pushes once it is shortened by `gap` (a buffer behind a clearance) and never pulls.
+    Compression {
+        /// Stiffness \[N/m\].
+        stiffness: f64,
+        /// Shortening up to which it is open \[m\].
+        gap: f64,
+    },
+    /// Along straight lines between given values, and on beyond the first and the last one.
+    Table {
+        /// Extensions, increasing; shortenings are negative, shape (points) \[m\].
+        extension: Vec<f64>,
+        /// Forces there, positive in tension, zero without extension; they may fall, shape (points) \[N\].
+        force: Vec<f64>,
+    },
+}
+
+impl SpringLaw {
+    /// Stiffness of a law that has one; of a table zero \[N/m\].
+    pub fn stiffness(&self) -> f64 {
+        match *self {
+            Self::Linear { stiffness }
+            | Self::Tension { stiffness, .. }
+            | Self::Compression { stiffness, .. } => stiffness,
+            Self::Table { .. } => 0.0,
+        }
+    }
+}
+
+/// A spring and damper between two points; it acts along the line between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
     /// The user's name for it.
     pub name: String,
     /// Its ends, shape (2).
     pub between: [Anchor; 2],
-    /// Stiffness \[N/m\].
-    pub stiffness: f64,
-    /// Damping \[N s/m\].
+    /// Its force over its extension.
+    pub law: SpringLaw,
+    /// Damping, of a law of tension or compression alone where that acts \[N s/m\].
     pub damping: f64,
     /// Length without force \[m\]; that of the reference configuration if none is given.
     pub length: Option<f64>,
+    /// Magnitude of the force, damper included, at which it breaks: after a step whose mean force is larger it has failed \[N\]; it does not break
+    /// without.
+    pub strength: Option<f64>,
     /// Yield law, if any: forces \[N\] and extensions \[m\] in place of stresses and strains.
     pub yielding: Option<Plasticity>,
 }

@@ -1,4 +1,4 @@
-//! Springs and hinges that can yield: records during a run, and their results.
+//! Springs and hinges that can yield or break: records during a run, and their results.
 
 use serde::{Deserialize, Serialize};
 
@@ -72,7 +72,7 @@ pub fn summaries(
             first_yield: record.first_yield,
             dissipated: memory.dissipated,
             dissipated_by_preload: record.preload,
-            hardening: own.law.hardening_energy(memory),
+            hardening: c.hardening_energy(&state.memories),
             failed: record.failed,
             permanent_set: set_beside(model, c, sets),
         }

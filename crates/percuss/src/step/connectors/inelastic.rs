@@ -1,4 +1,4 @@
-//! Connectors that yield: the law of a fibre, with force and extension in place of stress and strain.
+//! Connectors that yield, by the law of a fibre with force and extension in place of stress and strain, and those that break.
 
 use super::super::forcing::Forcing;
 use super::super::integration::{Integration, Rule};
@@ -8,7 +8,7 @@ use crate::model::frozen::{Connector, YieldingLaw};
 use crate::state::State;
 
 impl Connector {
-    /// How it yields and what it remembers, if it can.
+    /// How it yields or breaks and what it remembers, if it can.
     pub fn memory<'a>(
         &'a self,
         memories: &'a [FibreState],
@@ -23,12 +23,20 @@ impl Connector {
 
     /// Energy that its hardening has stored \[J\].
     pub fn hardening_energy(&self, memories: &[FibreState]) -> f64 {
-        self.memory(memories).map_or(0.0, |(own, state)| own.law.hardening_energy(state))
+        let stored = |law: &StressLaw, state| law.hardening_energy(state);
+        let memory = self.memory(memories);
+        memory.and_then(|(own, state)| Some(stored(own.law.as_ref()?, state))).unwrap_or(0.0)
     }
 
     /// Force at a value of the coordinate that it has reached, dampers left out \[N, N m\].
     pub fn reached_force(&self, q: f64, memories: &[FibreState]) -> f64 {
-        self.memory(memories).map_or(0.0, |(own, state)| own.law.stress(state, q - self.law.free()))
+        match self.memory(memories) {
+            Some((_, state)) if state.failed => 0.0,
+            Some((YieldingLaw { law: Some(law), .. }, state)) => {
+                law.stress(state, q - self.law.free())
+            }
+            _ => self.law.collocated(q, 0.0, 1.0)[0],
+        }
     }
 }
 
@@ -53,7 +61,7 @@ pub(super) fn force(
     }
 }
 
-/// What connectors that yield remember at the end of a step, from the coordinates of `state` by the increment; what they take over
+/// What connectors that yield or break remember at the end of a step, from the coordinates of `state` by the increment; what they take over
 /// it is added to the losses.
 pub fn advanced(
     model: &Model,
@@ -69,13 +77,22 @@ pub fn advanced(
     for (i, c) in model.connectors.iter().enumerate() {
         let Some(own) = &c.yielding else { continue };
         let from = state.coordinates[i] - c.law.free();
-        let to = from + c.step(i, rule, forcing, state, increment).change;
+        let step = c.step(i, rule, forcing, state, increment);
+        let to = from + step.change;
         let memory = &mut memories[own.memory];
-        let found = own.law.step(memory, from, to, rule.h);
-        *memory = found.state;
-        losses.plastic += found.dissipated;
-        if own.law.fails(to) && !memory.failed {
-            losses.failure += own.law.elastic_energy(memory, to) + own.law.hardening_energy(memory);
+        let mut fails = step.force.abs() > own.strength;
+        let mut stored = 0.0;
+        if let Some(law) = &own.law {
+            let found = law.step(memory, from, to, rule.h);
+            *memory = found.state;
+            losses.plastic += found.dissipated;
+            fails |= law.fails(to);
+            stored = law.elastic_energy(memory, to) + law.hardening_energy(memory);
+        } else if fails {
+            stored = c.law.energy(state.coordinates[i] + step.change);
+        }
+        if fails && !memory.failed {
+            losses.failure += stored;
             memory.failed = true;
         }
     }
@@ -90,9 +107,9 @@ pub fn bring_to_rest(
     memories: &mut [FibreState],
 ) {
     for (c, q0) in model.connectors.iter().zip(coordinates) {
-        let Some(own) = &c.yielding else { continue };
+        let Some(YieldingLaw { law: Some(law), memory, .. }) = &c.yielding else { continue };
         let extension = c.value(displacement, *q0) - c.law.free();
-        let memory = &mut memories[own.memory];
-        *memory = own.law.at_rest(memory, extension).state;
+        let memory = &mut memories[*memory];
+        *memory = law.at_rest(memory, extension).state;
     }
 }

@@ -1,51 +1,243 @@
 //! The law of a spring: its energy, and its force over a step.
 
 use crate::contact::law::{ForceCurve, PowerLaw};
-use crate::model::frozen::ConnectorLaw;
+use crate::model::frozen::{ActsFrom, ConnectorLaw, ForceTable};
 use crate::scalar::Number;
 
 #[doc(hidden)]
 impl<S: Number> ConnectorLaw<S> {
     /// Potential at a value of the coordinate \[J\].
     #[inline(always)]
-    pub fn energy(self, q: S) -> S {
-        let extension = q - self.free();
+    pub fn energy(&self, q: S) -> S {
         match self {
-            Self::Linear { stiffness, .. } => PowerLaw::Linear(stiffness).energy(extension),
+            Self::Linear { stiffness, rest } => PowerLaw::Linear(*stiffness).energy(q - *rest),
             Self::OneSided { stiffness, .. } => {
-                PowerLaw::Linear(stiffness).energy(extension.max(q.constant(0.0)))
+                let p = self.closed_by(q);
+                PowerLaw::Linear(*stiffness).energy(p.max(p.constant(0.0)))
             }
+            Self::Tabulated { table, rest } => table.energy(q - *rest),
         }
     }
 
     /// Force over a step from `q0` by `change`, the difference quotient of the potential (theory, section 4), and its slope by the end.
     #[inline(always)]
-    pub fn quotient(self, q0: S, change: S) -> [S; 2] {
+    pub fn quotient(&self, q0: S, change: S) -> [S; 2] {
         match self {
             Self::Linear { .. } => self.collocated(q0, change, 0.5),
-            Self::OneSided { stiffness, gap } => {
-                PowerLaw::Linear(stiffness).quotient(q0 - gap, q0 - gap + change)
+            Self::OneSided { stiffness, from, .. } => {
+                let (law, p0) = (PowerLaw::Linear(*stiffness), self.closed_by(q0));
+                match from {
+                    ActsFrom::Above => law.quotient(p0, p0 + change),
+                    ActsFrom::Below => {
+                        let [force, slope] = law.quotient(p0, p0 - change);
+                        [-force, slope]
+                    }
+                }
             }
+            Self::Tabulated { table, rest } => table.quotient(q0 - *rest, change),
         }
     }
 
     /// Force after the share `theta` of a step, and its slope by the end of the step.
     #[inline(always)]
-    pub fn collocated(self, q0: S, change: S, theta: f64) -> [S; 2] {
+    pub fn collocated(&self, q0: S, change: S, theta: f64) -> [S; 2] {
         match self {
             Self::Linear { stiffness, rest } => {
-                [stiffness * (q0 + change * theta - rest), stiffness * theta]
+                [*stiffness * (q0 + change * theta - *rest), *stiffness * theta]
             }
-            Self::OneSided { stiffness, gap } => {
-                let zero = q0.constant(0.0);
-                let p0 = q0 - gap;
-                let p = p0 + (p0 + change - p0) * theta;
+            Self::OneSided { stiffness, from, .. } => {
+                let (zero, p0) = (q0.constant(0.0), self.closed_by(q0));
+                let p = match from {
+                    ActsFrom::Above => p0 + (p0 + change - p0) * theta,
+                    ActsFrom::Below => p0 - change * theta,
+                };
                 let presses = zero.less(p);
-                [
-                    S::choose(presses, stiffness * p, zero),
-                    S::choose(presses, stiffness * theta, zero),
-                ]
+                let force = S::choose(presses, *stiffness * p, zero);
+                let slope = S::choose(presses, *stiffness * theta, zero);
+                match from {
+                    ActsFrom::Above => [force, slope],
+                    ActsFrom::Below => [-force, slope],
+                }
             }
+            Self::Tabulated { table, rest } => {
+                let [force, slope] = table.at(q0 - *rest + change * theta);
+                [force, slope * theta]
+            }
+        }
+    }
+
+    /// Stiffness at a value of the coordinate.
+    pub fn stiffness_at(&self, q: S) -> S {
+        self.collocated(q, q.constant(0.0), 1.0)[1]
+    }
+
+    /// The part of a change over which a damper beside it acts, and its derivative with respect to the change: what acts on one side
+    /// alone is damped there alone.
+    #[inline(always)]
+    pub fn damped(&self, q0: S, change: S) -> [S; 2] {
+        let (one, zero) = (q0.constant(1.0), q0.constant(0.0));
+        let Self::OneSided { from, .. } = self else { return [change, one] };
+        let (p0, sign) = match from {
+            ActsFrom::Above => (self.closed_by(q0), 1.0),
+            ActsFrom::Below => (self.closed_by(q0), -1.0),
+        };
+        let p1 = p0 + change * sign;
+        let (starts, ends) = (zero.less(p0), zero.less(p1));
+        let crossing = (p1.max(zero) - p0.max(zero)) * sign;
+        let moved = S::choose(starts & ends, change, crossing);
+        [moved, S::choose(ends, one, zero)]
+    }
+
+    /// By how much what acts on one side alone has closed, negative while it is open; of other laws the coordinate itself.
+    #[inline(always)]
+    fn closed_by(&self, q: S) -> S {
+        match self {
+            Self::OneSided { gap, from: ActsFrom::Above, .. } => q - *gap,
+            Self::OneSided { gap, from: ActsFrom::Below, .. } => *gap - q,
+            _ => q,
+        }
+    }
+}
+
+/// A force along straight lines is a line and, from each bend on, one more: `F(e) = s e + sum d <e - x> + sum d <x - e>`, each with a potential
+/// of its own.
+impl<S: Number> ForceTable<S> {
+    fn energy(&self, e: S) -> S {
+        let bend = |sum: S, change: S, p: S, sign: f64| {
+            sum + PowerLaw::Linear(change).energy(p.max(p.constant(0.0))) * sign
+        };
+        let line = PowerLaw::Linear(self.slope).energy(e);
+        let above = self.above.iter().fold(line, |sum, [x, d]| bend(sum, *d, e - *x, 1.0));
+        self.below.iter().fold(above, |sum, [x, d]| bend(sum, *d, *x - e, -1.0))
+    }
+
+    fn quotient(&self, e0: S, change: S) -> [S; 2] {
+        let mut sum = [self.slope * (e0 + change * 0.5), self.slope * 0.5];
+        for [x, d] in &self.above {
+            let p0 = e0 - *x;
+            let [force, slope] = PowerLaw::Linear(*d).quotient(p0, p0 + change);
+            sum = [sum[0] + force, sum[1] + slope];
+        }
+        for [x, d] in &self.below {
+            let p0 = *x - e0;
+            let [force, slope] = PowerLaw::Linear(*d).quotient(p0, p0 - change);
+            sum = [sum[0] + force, sum[1] - slope];
+        }
+        sum
+    }
+
+    /// Force and its slope at an extension.
+    fn at(&self, e: S) -> [S; 2] {
+        let zero = e.constant(0.0);
+        let mut sum = [self.slope * e, self.slope];
+        let mut add = |p: S, d: S, sign: f64| {
+            let open = zero.less(p);
+            sum[0] += S::choose(open, d * p, zero);
+            sum[1] += S::choose(open, d * sign, zero);
+        };
+        self.above.iter().for_each(|[x, d]| add(e - *x, *d, 1.0));
+        self.below.iter().for_each(|[x, d]| add(*x - e, *d, -1.0));
+        sum
+    }
+}
+
+impl ForceTable {
+    /// From points of increasing extension; the line passes through zero.
+    pub fn new(extension: &[f64], force: &[f64]) -> Self {
+        let rise = |k: usize| (force[k + 1] - force[k]) / (extension[k + 1] - extension[k]);
+        let bends = 1..extension.len() - 1;
+        let before = bends.clone().filter(|k| extension[*k] < 0.0).count();
+        let bend = |k: usize| [extension[k], rise(k) - rise(k - 1)];
+        let (below, above) = bends.map(bend).partition(|[x, _]| *x < 0.0);
+        Self { slope: rise(before), above, below }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn laws() -> Vec<ConnectorLaw> {
+        let (stiffness, gap) = (3.0e4, 0.2);
+        let table = ForceTable::new(
+            &[-0.3, -0.1, 0.0, 0.05, 0.2, 0.4],
+            &[-900.0, -100.0, 0.0, 400.0, 250.0, 250.0],
+        );
+        vec![
+            ConnectorLaw::Linear { stiffness, rest: gap },
+            ConnectorLaw::OneSided { stiffness, gap, from: ActsFrom::Above },
+            ConnectorLaw::OneSided { stiffness, gap, from: ActsFrom::Below },
+            ConnectorLaw::Tabulated { table, rest: 0.15 },
+        ]
+    }
+
+    /// The table of [`laws`] by its lines.
+    fn line(e: f64) -> f64 {
+        match e {
+            e if e < -0.1 => -100.0 + 4000.0 * (e + 0.1),
+            e if e < 0.0 => 1000.0 * e,
+            e if e < 0.05 => 8000.0 * e,
+            e if e < 0.2 => 400.0 - 1000.0 * (e - 0.05),
+            _ => 250.0,
+        }
+    }
+
+    #[test]
+    fn a_table_gives_its_lines_and_goes_on_beyond_them() {
+        let ConnectorLaw::Tabulated { table, .. } = &laws()[3] else { unreachable!() };
+        for k in -60..=60 {
+            let e = 0.01 * f64::from(k) + 0.003;
+            let [force, slope] = table.at(e);
+            assert!((force - line(e)).abs() < 1e-10, "{e}: {force} {}", line(e));
+            let given = (line(e + 1e-6) - line(e - 1e-6)) / 2e-6;
+            assert!((slope - given).abs() < 1e-4, "{e}: {slope} {given}");
+        }
+        assert_eq!(table.energy(0.0), 0.0);
+    }
+
+    /// The work of the force over a step is the difference of the potential, and the slope that of the force by the end.
+    #[test]
+    fn forces_over_a_step_do_the_work_of_the_potential() {
+        for law in laws() {
+            for (q0, change) in [
+                (0.0, 0.1),
+                (0.1, 0.3),
+                (0.3, -0.25),
+                (0.19, 0.02),
+                (0.35, 0.2),
+                (-0.3, 0.9),
+                (0.2, 1e-9),
+            ] {
+                let [force, slope] = law.quotient(q0, change);
+                let work = law.energy(q0 + change) - law.energy(q0);
+                assert!((force * change - work).abs() < 1e-12 * 1e4, "{law:?} {q0} {change}");
+                let e = 1e-7 * (1.0 + change.abs());
+                let beside = |d: f64| law.quotient(q0, change + d)[0];
+                let given = (beside(e) - beside(-e)) / (2.0 * e);
+                if change.abs() > 1e-6 {
+                    assert!((slope - given).abs() < 1e-2, "{law:?} {q0} {change}: {slope} {given}");
+                }
+            }
+        }
+    }
+
+    /// A damper beside a spring of one side takes energy there alone.
+    #[test]
+    fn dampers_act_where_their_spring_does() {
+        let [above, below] = [ActsFrom::Above, ActsFrom::Below]
+            .map(|from| ConnectorLaw::OneSided { stiffness: 1.0, gap: 0.2, from });
+        for (law, q0, change, moved) in [
+            (&above, 0.0, 0.1, 0.0),
+            (&above, 0.1, 0.4, 0.3),
+            (&above, 0.5, -0.4, -0.3),
+            (&above, 0.3, 0.1, 0.1),
+            (&below, 0.3, 0.1, 0.0),
+            (&below, 0.3, -0.4, -0.3),
+            (&below, 0.0, -0.1, -0.1),
+        ] {
+            let found: [f64; 2] = law.damped(q0, change);
+            assert!((found[0] - moved).abs() < 1e-15, "{law:?} {q0} {change}: {found:?}");
+            assert!(found[0] * change >= 0.0);
         }
     }
 }

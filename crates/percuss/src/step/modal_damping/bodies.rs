@@ -56,7 +56,7 @@ fn numbered(view: &StepView, links: &[bool]) -> (Vec<usize>, usize) {
         }
     }
     for c in &model.connectors {
-        let ends: Vec<usize> = c.attachments().map(|(_, (p, _))| near(p)).collect();
+        let ends: Vec<usize> = c.on_beams().map(near).collect();
         if let (true, [a, b]) = (holds(), &ends[..]) {
             join(*a, *b);
         }

@@ -124,7 +124,8 @@ fn sprung(view: &StepView, first: usize, tell: &mut impl FnMut(Tie)) {
         let to_ground = match &c.coordinate {
             Coordinate::Displacement { .. } => true,
             Coordinate::Distance { ends } => {
-                ends.iter().any(|end| matches!(end, ConnectorEnd::Ground(_)))
+                let ground = |end: &ConnectorEnd| matches!(end, ConnectorEnd::Ground(_));
+                ends.iter().any(ground) && c.on_beams().next().is_some()
             }
             Coordinate::Angle { b, .. } => b.is_none(),
         };
@@ -156,10 +157,7 @@ fn sprung(view: &StepView, first: usize, tell: &mut impl FnMut(Tie)) {
 /// Whether a spring has stiffness at the start of a step.
 pub(super) fn acts(view: &StepView, i: usize) -> bool {
     let c = &view.model.connectors[i];
-    let stiff = match c.law {
-        ConnectorLaw::Linear { stiffness, .. } => stiffness > 0.0,
-        ConnectorLaw::OneSided { gap, .. } => view.state.coordinates[i] > gap,
-    };
+    let stiff = c.law.stiffness_at(view.state.coordinates[i]) > 0.0;
     stiff && view.forcing.connected[i] && !c.has_failed(&view.state.memories)
 }
 
