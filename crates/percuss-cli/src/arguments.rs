@@ -57,7 +57,8 @@ pub enum Command {
     /// How far results depend on step and mesh: observed orders, limits with uncertainty, the cheapest settings for an accuracy
     #[command(after_help = format!("{CONVERGE}\n\n{EXIT_STATUS}"))]
     Converge(Converge),
-    /// Say what the code of a warning (W002) or an error (E006) means and what to do; without one, list them
+    /// Explain the code of a warning (W002) or an error (E006), or a table, key or word of scenario and study files; without a topic,
+    /// list codes and tables
     Explain(Explain),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
@@ -157,9 +158,9 @@ fn share(text: &str) -> Result<Share, String> {
 /// Arguments of `explain`.
 #[derive(Args, Debug)]
 pub struct Explain {
-    /// A code, such as W002 or E006
-    #[arg(value_parser = explain::code)]
-    pub code: Option<Code>,
+    /// A code, table, key or word: W002, beam, projectile.stiffness, hertz
+    #[arg(value_parser = explain::topic)]
+    pub topic: Option<explain::Explanation>,
 }
 
 /// Arguments of `schema`.
