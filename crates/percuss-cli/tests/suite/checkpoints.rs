@@ -101,7 +101,7 @@ fn a_run_is_extended_in_its_place_or_beside_it_once_and_again() {
     assert_eq!(differences(&desk.path("whole"), &desk.path("run")), Vec::<String>::new());
     extend(&["--end", "20 ms"]).ends_with(2).tells("reaches 0.02 s already; give a later time");
     let without = desk.percuss(&["extend", "whole", "--end", "1 s"]);
-    without.ends_with(2).tells("only a complete run that was given --checkpoint has one");
+    without.ends_with(2).tells("only a complete run with --checkpoint has one");
 }
 
 #[test]
