@@ -191,7 +191,8 @@ step = 0.00025
     assert_eq!(moment.together.values[0], moment.value);
     assert!((moment.limit - 926.5210526).abs() <= moment.uncertainty, "{moment:?}");
     assert!(
-        moment.uncertainty < 3.0 && moment.step.words.contains("the sign of the largest magnitude changes"),
+        moment.uncertainty < 3.0
+            && moment.step.words.contains("the sign of the largest magnitude changes"),
         "{moment:?}"
     );
 }
