@@ -12,7 +12,7 @@ use percuss_codes::Code;
 use self::closing::{
     BEGIN, COMPLETIONS, CONVERGE, EXIT_STATUS, EXPORT, MODES, SENSITIVITY, STATIC, SWEEP, VERIFY,
 };
-use crate::commands::explain;
+use crate::commands::explain::topic::{Topic, topic};
 use crate::coupling_arguments::{Completions, EVAL, Eval, Man, SERVE, Serve};
 use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot, SPECTRUM, Spectrum};
 use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};
@@ -159,8 +159,8 @@ fn share(text: &str) -> Result<Share, String> {
 #[derive(Args, Debug)]
 pub struct Explain {
     /// A code, table, key or word: W002, beam, projectile.stiffness, hertz
-    #[arg(value_parser = explain::topic)]
-    pub topic: Option<explain::Explanation>,
+    #[arg(value_parser = topic)]
+    pub topic: Option<Topic>,
 }
 
 /// Arguments of `schema`.
