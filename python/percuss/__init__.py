@@ -1,4 +1,4 @@
-"""Percuss: impact on geometrically exact beams, with balances that close.
+"""Percuss: impact on geometrically exact beams, with an energy and momentum balance after every step.
 
 Names and units are those of the scenario file; a bare number is SI. Examples speak of ``plank.toml`` and ``speed.toml``, the
 scenario and the study of the book's first hour, and of ``scenarios/studies/speed-and-mass.toml``.

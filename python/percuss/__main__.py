@@ -10,7 +10,7 @@ from . import ScenarioError, sweep
 from ._errors import MissingError, StudyError
 
 _PATIENCE = 8
-"""So long a scheduler may take to answer [s]."""
+"""Largest time for an answer of a scheduler [s]."""
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -37,7 +37,7 @@ class Modes:
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """What ``modes.json`` says.
+        """Content of ``modes.json``.
 
         Returns
         -------
@@ -54,7 +54,7 @@ class Modes:
 
     @property
     def frequencies(self) -> Floats:
-        """Natural frequencies; NaN of a motion that grows.
+        """Natural frequencies; NaN for an unstable mode.
 
         Returns
         -------
@@ -179,7 +179,7 @@ class Equilibrium:
 
     @property
     def stable(self) -> bool:
-        """Whether the structure stays there.
+        """Whether the equilibrium is stable.
 
         Returns
         -------
@@ -195,7 +195,7 @@ class Equilibrium:
 
     @property
     def displacement(self) -> Floats:
-        """Displacements and slopes of the nodes, those of bodies (u1, u2, angle, 0) behind those of beams.
+        """Displacements and slopes of the nodes, those of beams first, then those of bodies (u1, u2, angle, 0).
 
         Returns
         -------

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     import pandas
 
 Kind = TypeVar("Kind", bound=np.generic)
-"""What a column's entries are."""
+"""Type of the entries of a column."""
 
 
 class Columns(Generic[Kind]):
@@ -113,7 +113,7 @@ class Columns(Generic[Kind]):
         return self._columns.items()
 
     def get(self, name: str, default: Any = None) -> Any:
-        """A column, or something else where there is none.
+        """A column, or a default if there is none.
 
         Parameters
         ----------
@@ -148,7 +148,7 @@ class Columns(Generic[Kind]):
 
 
 def nearest(name: str, names: Iterable[str]) -> str:
-    """What to say of names like an unknown one."""
+    """Suggestions for an unknown name."""
     from difflib import get_close_matches
 
     close = get_close_matches(name, names, n=3)

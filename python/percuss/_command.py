@@ -7,7 +7,7 @@ import sys
 
 
 def main() -> int:
-    """Does what the command line asks for; the exit status."""
+    """Runs the command line; the exit status."""
     from ._percuss import command
 
     # Python's own handler would raise after the command has dealt with Ctrl-C.

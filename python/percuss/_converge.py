@@ -1,4 +1,4 @@
-"""How far results depend on step and mesh."""
+"""Convergence with step and mesh."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ Quantity = Union[str, Callable[[Result], float]]
 
 
 class Convergence(NamedTuple):
-    """A quantity on finer and finer steps, or meshes.
+    """A quantity under refinement of the step, or of the mesh.
 
     Attributes
     ----------
@@ -66,7 +66,7 @@ class Convergence(NamedTuple):
 
     @property
     def relative_error(self) -> float:
-        """Error of the given settings over the limit.
+        """Error of the given settings relative to the limit.
 
         Returns
         -------
@@ -93,7 +93,7 @@ class Convergence(NamedTuple):
         return f"<table><caption>{escape(repr(self)[1:-1])}</caption><tr><th>times finer</th><th>value</th></tr>{rows}</table>"
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Distance of each value from the limit over how many times finer it is, both logarithmic; the limit's uncertainty is shaded.
+        """Error of each value over the refinement factor, both logarithmic; the uncertainty of the limit is shaded.
 
         Parameters
         ----------
@@ -147,7 +147,7 @@ class Convergences(dict[str, Convergence]):
         return "".join(one._repr_html_() for one in self.values())
 
     def plot(self, ax: Axes | None = None) -> Axes:
-        """Distances from the limits over how many times finer, on one pair of axes.
+        """Errors over the refinement factor, on one pair of axes.
 
         Parameters
         ----------

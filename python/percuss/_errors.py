@@ -171,7 +171,7 @@ class AnalysisError(PercussError, RuntimeError):
 
 
 class FileError(PercussError, OSError):
-    """The system did not let a file be read or written; also an ``OSError``.
+    """An I/O error; also an ``OSError``.
 
     Examples
     --------
@@ -240,7 +240,7 @@ class MissingError(PercussError, ImportError):
 
 
 class StudyError(PercussError, RuntimeError):
-    """A sweep ended before every run was done; what is done is kept. Also a ``RuntimeError``.
+    """A sweep ended before every run was done; finished runs are kept. Also a ``RuntimeError``.
 
     Examples
     --------
@@ -255,7 +255,7 @@ class StudyError(PercussError, RuntimeError):
 
 
 class PercussWarning(UserWarning):
-    """Something of a finished run that deserves attention.
+    """A warning of the audit of a finished run.
 
     Attributes
     ----------

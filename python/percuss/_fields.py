@@ -1,4 +1,4 @@
-"""The scene of a run and how it moved: what is drawn, animated and exported."""
+"""The scene of a run and its motion, for drawings, animations and exports."""
 
 from __future__ import annotations
 
@@ -185,7 +185,7 @@ class Fields:
         return np.concatenate([[0], np.cumsum(self._native["contact_counts"])]).astype(np.int64)
 
     def contacts(self, frame: int) -> list[Contact]:
-        """What touches in a frame.
+        """Contact points of a frame.
 
         Parameters
         ----------
@@ -213,7 +213,7 @@ class Fields:
 
     @cached_property
     def largest(self) -> tuple[dict[bool, float], float | None]:
-        """What arrows of contact forces are scaled by.
+        """Scale of the arrows of contact forces.
 
         Returns
         -------

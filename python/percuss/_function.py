@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 class Function:
     """A study as ``y = f(x)``: values of its parameters in, its results out, all in SI units.
 
-    The sampling design of the study is ignored: the caller chooses the points. Runs of one call are computed in SIMD batches where possible.
+    The sampling design of the study is ignored: the caller chooses the points. Runs of one call are computed in batches where possible.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ class Function:
 
     @property
     def problem(self) -> dict[str, Any]:
-        """What SALib asks for.
+        """The problem definition of SALib.
 
         Returns
         -------
@@ -218,7 +218,7 @@ def function(study: StudySource, failed: Literal["raise", "nan"] = "raise", allo
 
 
 def openturns_function(study: StudySource | Function) -> openturns.Function:
-    """A study as an ``openturns.Function`` with its gradient; samples are run side by side.
+    """A study as an ``openturns.Function`` with its gradient; samples are computed in batches.
 
     Parameters
     ----------

@@ -57,7 +57,7 @@ def scenario_of(scenario: Scenarios) -> Scenario:
 
 
 def check(scenario: Scenarios, **overrides: Any) -> Review:
-    """What the advisor says of a scenario before a run, as ``percuss check`` does.
+    """Model checks of a scenario before a run, as in ``percuss check``.
 
     Parameters
     ----------

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def shown(result: Result) -> str:
-    """A result in a notebook: the scene in motion, and what is worth a line."""
+    """A result in a notebook: the animated scene and the main results."""
     rows = "".join(f"<tr><th>{escape(what)}</th><td>{escape(value)}</td></tr>" for what, value in _facts(result))
     title = escape(result.summary["title"] or "percuss run")
     return f"{_scene(result)}<table><caption><b>{title}</b></caption><tbody>{rows}</tbody></table>"
@@ -33,7 +33,7 @@ def _scene(result: Result) -> str:
 
 
 def _facts(result: Result) -> Iterator[tuple[str, str]]:
-    """What is worth a line."""
+    """The main results."""
     run = result.summary
     yield "status", f"{run['status']} at t = {run['time']:.6g} s, {run['steps']} steps"
     if "error" in run:

@@ -28,7 +28,7 @@ def pyplot() -> Any:
 
 
 def equal_axes(ax: Any) -> None:
-    """Axes of places."""
+    """Axes of positions."""
     ax.set_aspect("equal", adjustable="datalim")
     ax.set_xlabel("x [m]")
     ax.set_ylabel("y [m]")
@@ -276,7 +276,7 @@ class Plots:
         span: tuple[float, float] | None = None,
         colour: str = "none",
     ) -> FuncAnimation:
-        """The scene in motion, evenly in time.
+        """Animation of the scene, with equal time intervals.
 
         In a notebook the result itself shows a player; ``HTML(animation.to_jshtml())`` shows this one.
 

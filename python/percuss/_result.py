@@ -1,4 +1,4 @@
-"""What a run leaves."""
+"""Results of a run."""
 
 from __future__ import annotations
 
@@ -92,7 +92,7 @@ class Result(Columns[np.float64]):
 
     @property
     def descriptions(self) -> dict[str, str]:
-        """What every column holds.
+        """Description of every column.
 
         Returns
         -------
@@ -128,7 +128,7 @@ class Result(Columns[np.float64]):
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """What the run amounts to, as in ``summary.json``; see docs/results.md.
+        """Summary of the run, as in ``summary.json``; see docs/results.md.
 
         Returns
         -------
@@ -146,7 +146,7 @@ class Result(Columns[np.float64]):
 
     @property
     def status(self) -> str:
-        """How the run ended.
+        """Status at the end of the run.
 
         Returns
         -------
@@ -200,7 +200,7 @@ class Result(Columns[np.float64]):
 
     @cached_property
     def fields(self) -> Fields:
-        """The scene and how it moved: what is drawn, animated and exported.
+        """The scene and its motion, for drawings, animations and exports.
 
         Returns
         -------
@@ -223,7 +223,7 @@ class Result(Columns[np.float64]):
 
     @property
     def story(self) -> str:
-        """What happened, in a few sentences.
+        """Summary text of the run.
 
         Returns
         -------
@@ -287,7 +287,7 @@ class Result(Columns[np.float64]):
         return self.plot.animation(path=path, **options)
 
     def export(self, directory: str | os.PathLike[str], format: str = "vtkhdf") -> list[str]:
-        """Writes how the scene moved for ParaView into a directory of its own.
+        """Writes the motion of the scene for ParaView into a directory of its own.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""What the advisor says."""
+"""Results of the model checks."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Advice(NamedTuple):
-    """What the advisor says before a run.
+    """A result of the model checks before a run.
 
     Attributes
     ----------
@@ -49,7 +49,7 @@ class Review(list[Advice]):
 
     @property
     def warnings(self) -> list[Advice]:
-        """What deserves attention: notes and allowed ones are left out.
+        """The warnings, without notes and allowed ones.
 
         Returns
         -------

@@ -82,7 +82,7 @@ def run(
 
 
 def _warn(result: Result) -> None:
-    """Raises what the audit of a run warns of, unless the scenario allows it."""
+    """Raises the warnings of the audit of a run, unless the scenario allows them."""
     for one in result.summary["warnings"]:
         if one["verdict"] == "warning":
             warning = PercussWarning(f"{one['text']} [{one['code']}]")

@@ -18,7 +18,7 @@ else:
 
 
 Source = tuple[str, str, list[str], dict[str, list[Callable[[float], float]]], bool]
-"""What the native module takes: text, name, changes, functions."""
+"""Arguments of the native module: text, name, changes, functions."""
 
 
 class Scenario:
@@ -200,7 +200,7 @@ class Scenario:
             file.write(self._text)
 
     def copy(self) -> Scenario:
-        """One that can be changed without changing this one.
+        """An independent copy.
 
         Returns
         -------
@@ -246,7 +246,7 @@ class Scenario:
         return self
 
     def check(self) -> Review:
-        """What the advisor says before a run.
+        """Model checks before a run.
 
         Returns
         -------
@@ -266,7 +266,7 @@ class Scenario:
         return Review(Advice(*one) for one in _percuss.check(self._source()))
 
     def __getitem__(self, path: str) -> Any:
-        """What the file says at a path.
+        """The value at a path of the file.
 
         Parameters
         ----------
@@ -347,7 +347,7 @@ class Scenario:
         return f"<b>{escape(self._name)}</b><pre>{escape(self._text)}</pre>"
 
     def _source(self, changes: Mapping[str, Any] | None = None) -> Source:
-        """What the native module takes; ``changes`` are made strictly, to what is there."""
+        """Arguments of the native module; ``changes`` apply to existing values only."""
         text, given, lines = self._text, dict(self._given), []
         for path, value in (changes or {}).items():
             if isinstance(value, Potential):

@@ -1,4 +1,4 @@
-"""Beams of a scene, and what touches in it."""
+"""Beams and contact points of a scene."""
 
 from __future__ import annotations
 

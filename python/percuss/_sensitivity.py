@@ -115,7 +115,7 @@ class Sensitivity:
 
     @property
     def one_sided(self) -> list[str]:
-        """Contacts and yielding that a change of a parameter by less than one per cent makes or ends: derivatives by it are one-sided.
+        """Contacts and yielding that appear or vanish for a change of a parameter by less than one per cent: its derivatives are one-sided.
 
         Returns
         -------
@@ -131,7 +131,7 @@ class Sensitivity:
 
     @property
     def without(self) -> dict[tuple[str, str], str]:
-        """Derivatives that there are not.
+        """Derivatives that are not available, and the reasons.
 
         Returns
         -------

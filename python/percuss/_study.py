@@ -1,4 +1,4 @@
-"""Studies: many runs of one scenario, some of whose values change from run to run."""
+"""Studies: many runs of one scenario with varying parameters."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ StudySource = Union[_percuss.Study, str, "os.PathLike[str]", Mapping[str, Any]]
 
 
 def study_of(study: StudySource | None, parts: Mapping[str, Any], allow_outside: bool = False) -> _percuss.Study:
-    """The study meant; ``parts`` are its tables, which override those of ``study``."""
+    """The study; ``parts`` are its tables, which override those of ``study``."""
     if isinstance(study, _percuss.Study) and not parts:
         return study
     if study is None:
@@ -120,7 +120,7 @@ class Sweep(Columns[Any]):
 
     @property
     def descriptions(self) -> dict[str, str]:
-        """What every column holds.
+        """Description of every column.
 
         Returns
         -------

@@ -30,7 +30,7 @@ def sweep(
     allow_outside: bool = False,
     **tables: Any,
 ) -> Sweep:
-    """Does every run of a study and returns its table.
+    """Computes every run of a study and returns its table.
 
     By default it runs on all cores of this machine; whoever runs it, the table has the same bytes.
 

@@ -81,20 +81,20 @@ impl Desk<'_> {
             }
         }
         let better = quantity(better, "s");
+        let few = match contact / step < STEPS[0] {
+            true => format!("; {} are recommended", STEPS[0]),
+            false => String::new(),
+        };
         match off.filter(|_| contact / step >= 2.0) {
             Some(off) if off < OFF[0] => format!(
-                " (20 recommended): peak force accurate to 1 %, duration and velocities poorly resolved; set time.step to {better}"
+                "{few}: peak force accurate to 1 %, duration and velocities poorly resolved; set time.step to {better}"
             ),
             Some(off) => format!(
-                " (20 recommended): expected error of the peak force {} %; set time.step to {better}",
+                "{few}: expected error of the peak force {} %; set time.step to {better}",
                 digits((100.0 * off).round().max(1.0))
             ),
-            None if contact / step >= 2.0 => {
-                format!(" (20 recommended): set time.step to {better}")
-            }
-            None => {
-                format!(" (20 recommended), the contact is not resolved: set time.step to {better}")
-            }
+            None if contact / step >= 2.0 => format!("{few}: set time.step to {better}"),
+            None => format!("{few}: the contact is not resolved; set time.step to {better}"),
         }
     }
 

@@ -9,6 +9,7 @@ pub fn quantity(value: f64, unit: &str) -> String {
     // A value that rounds up to the next prefix takes it.
     let exponent = (value.abs() * (1.0 + 1e-9)).log10().floor().div_euclid(3.0) as i32;
     let prefixes = ["p", "n", "\u{b5}", "m", "", "k", "M", "G", "T"];
+    // mPa would be read as MPa.
     let least = if unit == "Pa" { 0 } else { -4 };
     let wanted = if unit == "m/s" { 0 } else { exponent.clamp(least, 4) };
     let prefix = usize::try_from(wanted + 4).ok().and_then(|k| prefixes.get(k)).unwrap_or(&"");

@@ -131,7 +131,7 @@ impl<'a> DerivativeRun<'a> {
         let mut active = contacts.filter_map(|(c, k)| Some((c.phase?, *k)));
         let (first, second) = (active.next(), active.next());
         if second.is_some() {
-            return Err(self.horizon("there several rigid contacts press at once".into()));
+            return Err(self.horizon("where several rigid contacts are closed at once".into()));
         }
         let Some(press) = &mut self.engine.press else { return Ok(()) };
         press.which = first.is_some();
@@ -201,7 +201,7 @@ impl<'a> DerivativeRun<'a> {
         }
         (self.offset.value, self.log.time.value) = (self.progress.offset, self.progress.time);
         match self.engine.fibres.failing {
-            true => Err(self.horizon("there a fibre fails".into())),
+            true => Err(self.horizon("where a fibre fails".into())),
             false => Ok(()),
         }
     }
@@ -217,7 +217,7 @@ impl<'a> DerivativeRun<'a> {
         self.engine.constraints.impulsive = self.progress.is_impact();
         self.engine.solve(&self.ledger, &mut self.search);
         match self.search.failed {
-            true => Err(self.horizon("there the step has to be cut".into())),
+            true => Err(self.horizon("where the step has to be cut".into())),
             false => Ok(()),
         }
     }
@@ -228,7 +228,7 @@ impl<'a> DerivativeRun<'a> {
         let state = &self.engine.guides[k];
         let work = (state.impulse * state.gap_change / self.engine.h).value;
         match gives_energy(work, [(state.impulse.value, state.rate.value)]) {
-            true => Err(self.horizon("there Newton's law would give energy".into())),
+            true => Err(self.horizon("where Newton's law would increase the energy".into())),
             false => Ok(()),
         }
     }

@@ -47,16 +47,14 @@ pub fn agreeing(
         let rests = rests.iter().any(|interval| (interval.start - time).abs() <= step);
         let why = if again == Some(time) {
             format!(
-                "`{}` bounces from there on after it let go, at an instant known to a step alone",
+                "where `{}` rebounds after its release, at an instant known only to within a step",
                 all.name
             )
         } else if rests {
-            format!("the contact of `{}` stays closed from there", all.name)
+            format!("where the contact of `{}` begins to stay closed", all.name)
         } else {
             let name = &all.name;
-            format!(
-                "from there on impacts of `{name}` are more sensitive than their instants known"
-            )
+            format!("where impacts of `{name}` become too sensitive to their instants")
         };
         horizon = Some(Horizon { time, why });
     }

@@ -47,7 +47,7 @@ fn lane_numbers(
     detail: Detail,
 ) -> Result<Numbers<f64>, &'static str> {
     match detail {
-        Detail::Full => return Err("strains, reactions or what the solver counts are asked for"),
+        Detail::Full => return Err("strains, reactions or solver counts are requested"),
         Detail::Stresses if model.spans.iter().any(|span| span.fibres.is_some()) => {
             return Err("stresses of beams made of fibres");
         }

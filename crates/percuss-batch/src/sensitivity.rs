@@ -120,10 +120,11 @@ pub fn sensitivities(
 /// The numbers of a model, or the reason why they have no derivatives.
 fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferentiated> {
     if model.loads.iter().any(|load| !load.is_steady()) {
-        let why = "derivatives are not known for loads that change in time".to_owned();
+        let why = "derivatives are not available for loads that change in time".to_owned();
         return Err(why.into());
     }
-    numbers(model, settings).map_err(|what| format!("derivatives are not known for {what}").into())
+    numbers(model, settings)
+        .map_err(|what| format!("derivatives are not available for {what}").into())
 }
 
 /// Derivatives of the input with respect to a parameter.

@@ -143,10 +143,10 @@ pub fn index() -> Page {
          Every error and every warning ends with a code in brackets. The code stays the same from version to version; `percuss explain W002` \
          prints its explanation. The code is also in `summary.json` and in the tables of studies, and exceptions of the Python package have it as \
          `.code`.\n\n\
-         `--deny W002`, of `run` and `check`, makes a warning a failure. What you know of and accept in a scenario is allowed there, with the \
-         reason: it is then neither warned about nor denied, and stays visible on the page and in `summary.json`. Findings of the advisor and \
-         what the audit of a run warns of (W101 to W105) can be allowed; errors cannot, nor warnings that tell how a command went.\n\n\
-         ```toml\n[allow]\nW007 = \"the beam is meant to be short\"\nW105 = \"the midpoint rule is what I look at\"\n```\n\n{sections}"
+         `--deny W002`, of `run` and `check`, makes a warning an error. A warning that you accept is listed in the scenario under `[allow]`, with the \
+         reason: it is then neither printed as a warning nor denied, and stays visible on the page and in `summary.json`. Warnings of the model \
+         and result checks and of the audit of a run (W101 to W105) can be accepted; errors cannot, nor warnings that report on a command.\n\n\
+         ```toml\n[allow]\nW007 = \"the beam is short by design\"\nW105 = \"a study of the midpoint rule\"\n```\n\n{sections}"
     );
     Page { path: "codes/index.md".into(), title: "Errors and warnings".into(), text }
 }

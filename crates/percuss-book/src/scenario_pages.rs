@@ -68,6 +68,10 @@ fn root(place: &str) -> &str {
     place.split('.').next().unwrap_or(place)
 }
 
+/// The way to the same reference without the book.
+const IN_THE_TERMINAL: &str = "`percuss explain` prints the reference of scenarios and studies in the terminal: `percuss explain beam` a table, `percuss explain \
+                               projectile.stiffness` a key, `percuss explain hertz` a word.\n\n";
+
 /// What writes the pages of a format.
 struct Writer<'w> {
     folder: &'w str,
@@ -89,7 +93,10 @@ struct Draft<'d> {
 impl Writer<'_> {
     fn page(&self, table: &TableReference) -> Page {
         let title = title(table);
-        let text = format!("# {}\n\n", escaped(&title));
+        let mut text = format!("# {}\n\n", escaped(&title));
+        if table.stands == Stands::File {
+            text.push_str(IN_THE_TERMINAL);
+        }
         let mut draft = Draft { table, text, shown: BTreeSet::new() };
         self.table(&mut draft, 2);
         for inner in self.format.iter().filter(|inner| self.lies_on(inner, table)) {

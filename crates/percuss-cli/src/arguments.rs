@@ -12,7 +12,7 @@ use percuss_codes::Code;
 use self::closing::{
     BEGIN, COMPLETIONS, CONVERGE, EXIT_STATUS, EXPORT, MODES, SENSITIVITY, STATIC, SWEEP, VERIFY,
 };
-use crate::commands::explain;
+use crate::commands::explain::topic::{Topic, topic};
 use crate::coupling_arguments::{Completions, EVAL, Eval, Man, SERVE, Serve};
 use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot, SPECTRUM, Spectrum};
 use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};
@@ -57,7 +57,8 @@ pub enum Command {
     /// Convergence study in step and mesh: observed orders, extrapolated limits with uncertainty, cheapest settings for an accuracy
     #[command(after_help = format!("{CONVERGE}\n\n{EXIT_STATUS}"))]
     Converge(Converge),
-    /// Explain a warning (W002) or error (E006); without a code, list all
+    /// Explain the code of a warning (W002) or an error (E006), or a table, key or word of scenario and study files; without a topic,
+    /// list codes and tables
     Explain(Explain),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
@@ -157,9 +158,9 @@ fn share(text: &str) -> Result<Share, String> {
 /// Arguments of `explain`.
 #[derive(Args, Debug)]
 pub struct Explain {
-    /// A code, such as W002 or E006
-    #[arg(value_parser = explain::code)]
-    pub code: Option<Code>,
+    /// A code, table, key or word: W002, beam, projectile.stiffness, hertz
+    #[arg(value_parser = topic)]
+    pub topic: Option<Topic>,
 }
 
 /// Arguments of `schema`.

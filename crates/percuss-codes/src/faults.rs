@@ -34,7 +34,7 @@ catalogue! {
              does not exist. Similar names are suggested.";
         /// Keys that exclude each other, or have no meaning here.
         Conflict = "E008", "conflicting keys",
-            "Two keys exclude each other, or a key has no meaning here. Remove one of them.";
+            "Two keys exclude each other, or a key has no meaning beside the others of its table. Remove one of them.";
         /// An invalid name given by the user.
         InvalidName = "E009", "invalid name",
             "Names of your own consist of letters, digits, `_` and `-`: they appear between dots in the names of results.";

@@ -1,4 +1,4 @@
-//! Percuss: impact on geometrically exact beams, with balances that close.
+//! Percuss: impact on geometrically exact beams, with an energy and momentum balance after every step.
 //!
 //! Define beams, supports, projectiles and loads with a [`ModelBuilder`], freeze them into a [`Model`], and [`simulate`] it under [`Settings`]:
 //! rows go to a [`Recorder`], the result is a [`RunSummary`]. [`Simulation`] advances a run in single steps. The library has no file or terminal

@@ -197,7 +197,7 @@ impl Settings {
         if self.scheme.advances_accelerations() && model.has_viscous_parts() {
             let found = "a scheme that advances accelerations, with viscous or modal damping";
             let expected = "energy-momentum, strain-rate or midpoint: \
-                            their damping takes exactly what the ledger say";
+                            their damping work is exact in the balance";
             add("integrator.scheme", found.into(), expected);
         }
         out

@@ -103,7 +103,7 @@ fn a_run_is_extended_in_its_place_or_beside_it_once_and_again() {
         .ends_with(2)
         .tells("already reaches t = 20 ms; choose a later time");
     let without = desk.percuss(&["extend", "whole", "--end", "1 s"]);
-    without.ends_with(2).tells("only a complete run that was given --checkpoint has one");
+    without.ends_with(2).tells("only a complete run with --checkpoint has one");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Codes of the advisor: each is provoked, explained, and can be denied.
+//! Codes of the advisor: each is provoked, explained, and can be denied; tables, keys and words of files are explained, too.
 
 use std::path::Path;
 
@@ -226,4 +226,72 @@ fn allowed_findings_are_told_with_their_reason_and_not_denied() {
     // The results keep what was allowed, so that they can be run again.
     desk.percuss(&["check", "out/scenario.toml"]).ends_with(0).tells("a short <beam>");
     desk.percuss(&["check", "elastic.toml", "--deny", "W007"]).ends_with(2);
+}
+
+/// What is printed is the reference from which the book is written.
+#[test]
+fn tables_keys_and_words_of_files_are_explained() {
+    let desk = Desk::empty();
+    let explained = |topic: &str| {
+        let outcome = desk.percuss(&["explain", topic]);
+        outcome.ends_with(0);
+        outcome.stdout
+    };
+    let beam = explained("beam");
+    assert!(beam.starts_with("[beam.NAME]\n\n"), "{beam}");
+    assert!(beam.lines().all(|line| line.chars().count() <= 96), "{beam}");
+    let reference = percuss_scenario::reference();
+    let table = reference.iter().find(|table| table.places == ["beam"]).unwrap();
+    let in_one_line = beam.split_whitespace().collect::<Vec<_>>().join(" ");
+    for key in &table.body.keys {
+        assert!(beam.contains(&format!("\n  {}\n", key.name)), "{}: {beam}", key.name);
+        assert!(in_one_line.contains(&key.about), "{}: {beam}", key.name);
+    }
+    assert!(in_one_line.contains("see `percuss explain beam.grading`"), "{beam}");
+    // With the user's name of the table, as in a message.
+    for path in ["projectile.stiffness", "projectile.hammer.stiffness"] {
+        let key = explained(path);
+        let start =
+            "projectile.stiffness (kind = \"elastic\", law = \"linear\")\n\nStiffness (N/m).\n";
+        assert!(key.starts_with(start), "{key}");
+        assert!(key.contains("\"7.5e5 N/m\"") && key.contains("Required."), "{key}");
+    }
+    let hertz = explained("hertz");
+    let places = ["projectile.law = \"hertz\" (kind = \"elastic\")", "contact.law = \"hertz\""];
+    for words in places.into_iter().chain(["hertz_stiffness"]) {
+        assert!(hertz.contains(words), "{words}: {hertz}");
+    }
+    assert!(explained("sequential").starts_with("time.multiple_impacts = \"sequential\"\n\n"));
+    assert!(explained("latin-hypercube").contains("design.kind = \"latin-hypercube\" of a study"));
+    let list = desk.percuss(&["explain"]).stdout;
+    assert!(
+        list.contains("Tables of scenario files\n  [material.NAME]  Material of a beam."),
+        "{list}"
+    );
+    desk.percuss(&["explain", "beeam"]).ends_with(2).tells("no such code, table, key or word");
+}
+
+/// The field's names stand beside the keys that have others.
+#[test]
+fn keys_are_documented_by_the_names_of_the_field() {
+    let desk = Desk::empty();
+    for (key, name) in [
+        ("material.retardation", "Rayleigh's beta"),
+        ("material.mass_damping", "Rayleigh's alpha"),
+        ("material.bears", "Tension-only or compression-only"),
+        ("material.failure_strain", "Fracture strain"),
+        ("projectile.kind", "nonsmooth"),
+        ("projectile.strikes", "Contact target"),
+        ("projectile.standoff", "Initial gap"),
+        ("projectile.rear", "trailing"),
+        ("projectile.local_mass", "Added nodal mass"),
+        ("joint.strength", "Breakaway strength"),
+        ("fix", "Partial fixity"),
+        ("contact.law", "compliant"),
+    ] {
+        let outcome = desk.percuss(&["explain", key]);
+        outcome.ends_with(0);
+        let text = outcome.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(name), "{key}: {text}");
+    }
 }

@@ -395,7 +395,7 @@ fn a_permanent_set_is_told_or_the_reason_why_not() {
     let flies = RELEASED
         .replace("kind = \"clamp\"\n[support.b]", "kind = \"clamp\"\nuntil = 0.005\n[support.b]");
     let (none, note, told) = set(&flies);
-    let reason = "what holds at the end leaves it free to move without being strained";
+    let reason = "it can move without strain at the end";
     assert_eq!((none, note.as_deref()), (None, Some(reason)));
     assert!(told.contains(&format!("permanent deflection not available: {reason}")), "{told}");
     let (zero, note, _) = set(&RELEASED.replace("-8", "-0.01"));

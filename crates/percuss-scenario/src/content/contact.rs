@@ -86,7 +86,7 @@ table! {
         points_per_element: usize as Count = percuss::Contact::POINTS_PER_ELEMENT,
     }
     with {
-        /// Contact law.
+        /// Contact law: compliant ("linear", "hertz", "table", "given") or rigid (nonsmooth).
         law: Law
     }
 }

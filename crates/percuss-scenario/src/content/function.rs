@@ -14,51 +14,51 @@ use crate::tabulated::{self, File, Given, Pulse, Sum, TableFile};
 use crate::write::{self, Writer};
 
 kinds! {
-    /// A factor as a function of time, which counts from the start of the load or motion.
+    /// Time function: a factor as a function of the time since the start of the load or motion.
     pub enum Function by "kind" {
-        /// One, always.
+        /// Constant: one.
         Constant = "constant",
-        /// Zero before, one from a time on.
+        /// Step: zero before a time, one from it on.
         Step = "step" {
-            /// When it rises (s).
+            /// Time of the step (s).
             at: f64 as Quantity<measure::Time>,
         },
-        /// Rises linearly to one, then stays.
+        /// Ramp: rises linearly to one, then constant.
         Ramp = "ramp" {
-            /// Time of the rise (s).
+            /// Duration of the rise (s).
             duration: f64 as Quantity<measure::Time>,
         },
-        /// Half a sine wave, then zero.
+        /// Half-sine pulse, then zero.
         HalfSine = "half-sine" {
-            /// Its length (s).
+            /// Duration of the pulse (s).
             duration: f64 as Quantity<measure::Time>,
         },
-        /// Rises linearly to one at half of its length and falls to zero.
+        /// Triangular pulse: rises linearly to one at half of its duration and falls to zero.
         Triangle = "triangle" {
-            /// Its length (s).
+            /// Duration of the pulse (s).
             duration: f64 as Quantity<measure::Time>,
         },
-        /// sin(2 pi frequency t + phase).
+        /// Harmonic: sin(2 pi frequency t + phase).
         Harmonic = "harmonic" {
             /// Frequency (Hz).
             frequency: f64 as Quantity<measure::Frequency>,
             /// Phase (rad).
             phase: f64 as Quantity<measure::Angle> = 0.0,
         },
-        /// Values at given times, the first and the last held outside.
+        /// Table of values at given times; constant before the first and after the last.
         Table = "table" {
             /// Times, increasing (s).
             times: Option<Vec<f64>> as Maybe<List<Quantity<measure::Time>>> = None,
-            /// Values there.
+            /// Values at these times.
             values: Option<Vec<f64>> as Maybe<List<Quantity<measure::Ratio>>> = None,
             /// Instead of both: path of a CSV file with two columns, time (s) and value.
             file: Option<TableFile> as Maybe<File<Pulse>> = None,
             /// The SHA-256 that the file must have, 64 hexadecimal digits.
             sha256: Option<String> as Maybe<Sum> = None,
-            /// A natural cubic spline through the values instead of straight lines.
+            /// Natural cubic spline through the values instead of linear interpolation.
             smooth: bool as Flag = false,
         },
-        /// A function that the program which reads the scenario gives.
+        /// A function given by the program that reads the scenario.
         Given = "given",
     }
 }

@@ -14,14 +14,14 @@ use crate::words::{Endless, OfPreset, Word, Words};
 use crate::write::Writer;
 
 table! {
-    /// How the yield stress of a material grows with plastic strain.
+    /// Hardening of a material with plastic strain.
     pub struct Hardening {
-        /// Isotropic plastic modulus, d(stress)/d(plastic strain) (Pa); none without, or `table` in its place.
+        /// Isotropic plastic modulus, d(stress)/d(plastic strain) (Pa); this or `table`, zero if omitted.
         isotropic: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
-        /// Kinematic plastic modulus: the range between both yield stresses moves (Pa).
+        /// Kinematic plastic modulus: translates the range between both yield stresses (Pa).
         kinematic: f64 as Quantity<measure::Pressure> = 0.0,
         /// Instead of `isotropic`: [plastic strain, stress (Pa)] of a tension test, from [0, yield stress] on; the nominal stress is constant
-        /// beyond the last. It is converted to the measure of `strain`, in which a bar pulled gives it back.
+        /// beyond the last. It is converted to the measure of `strain`, in which a tension test reproduces it.
         table: Option<Vec<[f64; 2]>> as Maybe<List<Couple<Quantity<measure::Ratio>, Quantity<measure::Pressure>>>> = None,
         /// Stresses and strains of `table`.
         stress: TableStress as Word<TableStresses> = TableStress::Nominal,
@@ -29,12 +29,12 @@ table! {
     then settle_hardening
 }
 
-/// Which stress and strain a table tells.
+/// Stresses and strains of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TableStress {
-    /// Force over the area of the free bar, elongation over its length.
+    /// Force over the initial area, elongation over the initial length.
     Nominal,
-    /// Force over the area that is left, logarithm of the stretch.
+    /// Force over the current area, logarithm of the stretch.
     True,
 }
 
@@ -49,11 +49,11 @@ fn settle_hardening(hardening: &mut Hardening, body: &Body<'_>, reader: &mut Rea
 }
 
 table! {
-    /// How the yield force of a spring grows with plastic extension.
+    /// Hardening of a spring with plastic extension.
     pub struct SpringHardening {
-        /// Isotropic plastic stiffness, d(force)/d(plastic extension) (N/m); none without, or `table` in its place.
+        /// Isotropic plastic stiffness, d(force)/d(plastic extension) (N/m); this or `table`, zero if omitted.
         isotropic: Option<f64> as Maybe<Quantity<measure::Stiffness>> = None,
-        /// Kinematic plastic stiffness: the range between both yield forces moves (N/m).
+        /// Kinematic plastic stiffness: translates the range between both yield forces (N/m).
         kinematic: f64 as Quantity<measure::Stiffness> = 0.0,
         /// Instead of `isotropic`: [plastic extension (m), force (N)], from [0, yield force] on; constant beyond the last.
         table: Option<Vec<[f64; 2]>> as Maybe<List<Couple<Quantity<measure::Length>, Quantity<measure::Force>>>> = None,
@@ -66,11 +66,11 @@ fn settle_spring_hardening(_: &mut SpringHardening, body: &Body<'_>, reader: &mu
 }
 
 table! {
-    /// How the yield moment of a hinge grows with plastic rotation.
+    /// Hardening of a hinge with plastic rotation.
     pub struct HingeHardening {
-        /// Isotropic plastic stiffness, d(moment)/d(plastic rotation) (N m); none without, or `table` in its place.
+        /// Isotropic plastic stiffness, d(moment)/d(plastic rotation) (N m); this or `table`, zero if omitted.
         isotropic: Option<f64> as Maybe<Quantity<measure::TurnStiffness>> = None,
-        /// Kinematic plastic stiffness: the range between both yield moments moves (N m).
+        /// Kinematic plastic stiffness: translates the range between both yield moments (N m).
         kinematic: f64 as Quantity<measure::TurnStiffness> = 0.0,
         /// Instead of `isotropic`: [plastic rotation (rad), moment (N m)], from [0, yield moment] on; constant beyond the last.
         table: Option<Vec<[f64; 2]>> as Maybe<List<Couple<Quantity<measure::Angle>, Quantity<measure::Moment>>>> = None,
@@ -83,7 +83,7 @@ fn settle_hinge_hardening(_: &mut HingeHardening, body: &Body<'_>, reader: &mut 
 }
 
 table! {
-    /// Overstress after Cowper and Symonds: plastic strain grows at the rate C (|stress| / yield stress - 1)^q.
+    /// Cowper-Symonds overstress: the plastic strain rate is C (|stress| / yield stress - 1)^q.
     pub struct RateLaw {
         /// C (1/s): 40.4 for mild steel, 6500 for aluminium 6061-T6.
         C: f64 as Quantity<measure::Rate>,
@@ -168,12 +168,12 @@ impl Words for TableStresses {
         (
             "nominal",
             TableStress::Nominal,
-            "force over the area of the free bar, elongation over its length",
+            "force over the initial area, elongation over the initial length",
         ),
         (
             "true",
             TableStress::True,
-            "force over the area that is left, logarithm of the stretch; plastic flow keeps the volume",
+            "force over the current area, logarithm of the stretch; plastic flow preserves the volume",
         ),
     ];
 }

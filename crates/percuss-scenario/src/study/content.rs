@@ -10,23 +10,23 @@ use crate::words::{Word, Words};
 use crate::write::Writer;
 
 table! {
-    /// Many runs of one scenario, some of whose values change from run to run.
+    /// A study: many runs of one scenario with varying parameters.
     pub struct StudyContent {
         /// One line about the study.
         title: String as Text = String::new(),
-        /// Path of the base scenario, from where the study lies.
+        /// Path of the base scenario, relative to the folder of the study.
         base: Option<String> as Maybe<Text> = None,
         /// Instead of `base`: the text of the base scenario itself.
         scenario: Option<String> as Maybe<Text> = None,
-        /// Number that all random numbers of the study follow from.
+        /// Seed of the random numbers of the study.
         seed: u64 as Whole = 0,
         /// Pairs of parameters that are correlated; written `[[correlation]]` or as a list of tables in braces.
         correlation: Vec<Correlation> as List<Braces<Correlation>> = Vec::new(),
-        /// What varies, by name.
+        /// Parameters, by name.
         parameter: Vec<Named<Parameter>> as Collection<Parameter>,
-        /// Which combinations are run.
+        /// Sampling design.
         design: Design as Single<Design>,
-        /// The results wanted, by name: paths into summary.json, such as "contact.mass.peak_force.value".
+        /// Results, by name: paths into summary.json, such as "contact.mass.peak_force.value".
         results: Vec<Named<String>> as NamedTexts,
     }
     either base | scenario
@@ -44,15 +44,15 @@ fn settle_study(_: &mut StudyContent, body: &Body<'_>, reader: &mut Reader<'_>) 
 }
 
 table! {
-    /// A value of the scenario that changes from run to run.
+    /// A parameter: a value of the scenario that varies.
     pub struct Parameter {
-        /// Where it stands in the scenario: `projectile.mass.velocity[1]`, entries of lists counted from zero.
+        /// Its path in the scenario, such as `projectile.mass.velocity[1]`; entries of lists are counted from zero.
         path: String as Text,
-        /// The values it takes, as they would stand in the scenario.
+        /// Its values, in the form of the scenario.
         values: Option<Vec<Given>> as Maybe<List<Anything>> = None,
-        /// From one value to another.
+        /// Range between two values.
         range: Option<Range> as Maybe<Braces<Range>> = None,
-        /// Random values.
+        /// Distribution of random values.
         distribution: Option<Distribution> as Maybe<Braces<Distribution>> = None,
     }
     either values | range | distribution
@@ -71,7 +71,7 @@ fn settle_parameter(_: &mut Parameter, body: &Body<'_>, reader: &mut Reader<'_>)
     }
 }
 
-/// How the values of a range lie.
+/// Spacing of the values of a range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Spacing {
     /// Equal differences.
@@ -92,7 +92,7 @@ impl Words for Spaced {
 }
 
 table! {
-    /// From one value to another; in a grid at `count` places, in other designs anywhere between, evenly spread.
+    /// Range between two values: `count` values in a grid; continuous in other designs, uniform in its spacing.
     pub struct Range {
         /// First value.
         from: Given as Anything,
@@ -100,7 +100,7 @@ table! {
         to: Given as Anything,
         /// Number of values in a grid, both ends included.
         count: Option<usize> as Maybe<Count> = None,
-        /// How they lie.
+        /// Spacing of the values.
         spacing: Spacing as Word<Spaced> = Spacing::Linear,
     }
 }
@@ -108,48 +108,48 @@ table! {
 kinds! {
     /// Distribution of a random value.
     pub enum Distribution by "kind" {
-        /// Equally likely between two values.
+        /// Uniform distribution between two values.
         Uniform = "uniform" {
             /// Smallest.
             from: Given as Anything,
             /// Largest.
             to: Given as Anything,
         },
-        /// Gaussian.
+        /// Normal distribution.
         Normal = "normal" {
             /// Mean.
             mean: Given as Anything,
             /// Standard deviation.
             deviation: Given as Anything,
-            /// Smallest and largest value; what lies outside is drawn again, as it were.
+            /// Smallest and largest value of the truncated distribution.
             truncated: Option<[Given; 2]> as Maybe<Pair<Anything>> = None,
         },
-        /// The logarithm is Gaussian.
+        /// Lognormal distribution.
         Lognormal = "lognormal" {
             /// Mean of the value itself, not of its logarithm.
             mean: Given as Anything,
             /// Standard deviation of the value itself.
             deviation: Given as Anything,
-            /// Smallest and largest value; what lies outside is drawn again, as it were.
+            /// Smallest and largest value of the truncated distribution.
             truncated: Option<[Given; 2]> as Maybe<Pair<Anything>> = None,
         },
     }
 }
 
 table! {
-    /// Two parameters whose random values go together, by a Gaussian copula.
+    /// Correlation of two random parameters, by a Gaussian copula.
     pub struct Correlation {
         /// Names of the two parameters.
         between: [String; 2] as Pair<Text>,
-        /// Coefficient of correlation of the two Gaussian variables behind them, from -1 to 1.
+        /// Coefficient of correlation of the two Gaussian variables of the copula, from -1 to 1.
         coefficient: f64 as Quantity<Ratio>,
     }
 }
 
 table! {
-    /// How many combinations are drawn.
+    /// Number of points of a random design.
     pub struct Sampling {
-        /// Number of points; with `sobol_indices` each stands for 2 runs and one more a parameter.
+        /// Number of points; with `sobol_indices` each has 2 runs and one more per parameter.
         runs: usize as Count,
         /// Whether runs are arranged for Sobol indices (Saltelli's design).
         sobol_indices: bool as Flag = false,
@@ -157,23 +157,23 @@ table! {
 }
 
 kinds! {
-    /// Which combinations are run.
+    /// Sampling design.
     pub enum Design by "kind" {
         /// Every combination of lists and ranges.
         Grid = "grid",
-        /// Each parameter in as many equal parts as there are runs, one run in each.
+        /// Latin hypercube: the range of each parameter in as many equal parts as there are runs, one run in each.
         LatinHypercube = "latin-hypercube" {} with {
-            /// How many.
+            /// Number of points.
             sampling: Sampling
         },
-        /// A scrambled Sobol sequence: the most even spread; best with a power of two.
+        /// Scrambled Sobol sequence, the most uniform design; best with a power of two.
         Sobol = "sobol" {} with {
-            /// How many.
+            /// Number of points.
             sampling: Sampling
         },
-        /// Independent random values.
+        /// Monte Carlo: independent random values.
         MonteCarlo = "monte-carlo" {} with {
-            /// How many.
+            /// Number of points.
             sampling: Sampling
         },
     }

@@ -9,7 +9,7 @@ use crate::node::{Body, Node, Reader};
 use crate::table::{Named, is_name};
 use crate::write::{self, Writer};
 
-/// A value as it stands in a file.
+/// A value in the form of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Given {
     /// As TOML: `20`, `"20 m/s"`, `[0, "20 m/s"]`.

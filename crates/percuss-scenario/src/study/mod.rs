@@ -58,7 +58,7 @@ impl StudyFile {
         Self::read_from(Source::load(path)?, folder(path), access)
     }
 
-    /// Reads a study; `name` stands for the file in messages, and the scenario it names lies where it lies.
+    /// Reads a study; `name` is the name of the file in messages, and the scenario it names is relative to its folder.
     ///
     /// # Errors
     /// If the text is empty or not TOML.

@@ -81,7 +81,7 @@ fn a_file_with_every_key_is_valid_by_the_schema_before_and_after() {
         check(&to_json(document.as_item()), &schema).unwrap_or_else(|e| panic!("{e}"));
     }
     for (text, why) in [
-        ("[beam.b]\npoints = 3", "Points the centre line"),
+        ("[beam.b]\npoints = 3", "Points of the centre line"),
         ("[beam.b]\nelemets = 3", "elemets"),
         ("[material.m]\nyoung = 1", "density"),
         ("[load.l]\nkind = \"point\"\nat = \"b.mid\"\nfunction = { kind = \"ramp\" }", "function"),
@@ -90,7 +90,7 @@ fn a_file_with_every_key_is_valid_by_the_schema_before_and_after() {
             "",
         ),
         ("[section.s]\nshape = \"tube\"\ndiameter = 1", "section"),
-        ("[material.m]\npreset = \"stele\"", "known by name"),
+        ("[material.m]\npreset = \"stele\"", "A material by name"),
     ] {
         let document: toml_edit::DocumentMut =
             format!("{text}\n[time]\nend = 1\nstep = 1\n").parse().unwrap();

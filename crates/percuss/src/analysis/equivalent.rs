@@ -95,11 +95,11 @@ fn refuse_what_is_not_linear(model: &Model, run: &RunSummary) -> Result<(), &'st
         return Err("part of the structure failed");
     }
     if !has_slack_springs(model) {
-        return Err("stops, or springs that are strained from the start, take part");
+        return Err("stops, or springs with initial strain, act");
     }
     let mut laws = model.spans.iter().filter_map(|s| s.fibres.as_ref()).flat_map(|f| &f.laws);
     if laws.any(|law| law.slack().is_some()) {
-        return Err("a material bears stresses of one sign alone");
+        return Err("a material is tension-only or compression-only");
     }
     Ok(())
 }

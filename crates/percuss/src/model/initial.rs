@@ -35,7 +35,7 @@ impl ModelBuilder {
             let nodes: Vec<usize> = (first..last).filter(at).collect();
             if nodes.is_empty() {
                 let path = format!("initial.{name}");
-                let found = "a point mass between nodes, whose velocity they cannot take alone";
+                let found = "a point mass between nodes, where it has no velocity of its own";
                 faults.push(Fault::new(path, found, "a point mass at a node of its beam"));
             }
             of_masses.extend(nodes.into_iter().map(|node| (node..node + 1, *motion)));
@@ -69,7 +69,7 @@ impl ModelBuilder {
                 if !own.agrees(&given) {
                     let found = format!("{own} where it is, but {given} by [initial.{other}]");
                     let expected = format!(
-                        "one motion of a place: the same in both, or only one of [initial.{name}] and [initial.{other}]"
+                        "one velocity at this location: the same in both, or only one of [initial.{name}] and [initial.{other}]"
                     );
                     faults.push(Fault::new(format!("initial.{name}"), found, expected));
                 }

@@ -41,9 +41,8 @@ impl Prescribed {
         let fault = |(path, supports): (&String, &BTreeSet<usize>)| {
             let names: Vec<String> =
                 supports.iter().map(|s| format!("`{}`", model.supports[*s].name)).collect();
-            let found =
-                format!("different motions prescribed to the same by {}", names.join(" and "));
-            let expected = "supports that prescribe the same wherever they hold the same, at all times: leave one out, or \
+            let found = format!("contradictory prescribed motions of {}", names.join(" and "));
+            let expected = "supports with equal motions of their common components, at all times: remove one, or \
                             give both the same motion";
             Fault::new(path.clone(), found, expected)
         };

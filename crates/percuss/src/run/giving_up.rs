@@ -40,7 +40,9 @@ pub fn give_up(
             let (stretch, at) = least_stretch(model, state);
             let collapsed = if stretch < COLLAPSED {
                 let (beam, share) = (place(at), 100.0 * stretch);
-                format!(" ({beam} has collapsed: its axis is pressed to {share:.1} % there)")
+                format!(
+                    " ({beam} has collapsed: its axis is compressed to {share:.1} % of its length there)"
+                )
             } else {
                 String::new()
             };
@@ -48,7 +50,7 @@ pub fn give_up(
             let what = if residual.is_finite() {
                 format!("scaled residual {residual:.3e}, largest at {at}")
             } else {
-                format!("forces grow beyond all numbers, first at {at}")
+                format!("forces overflow, first at {at}")
             };
             match deepest_pressed(model, state, search) {
                 Some(deep) => Error::pressed_through(time, step, format!("{what}; {deep}")),
@@ -56,11 +58,11 @@ pub fn give_up(
             }
         }
         Failure::Impact => {
-            let what = "no impulses meet the conditions of all contacts";
+            let what = "no impulses satisfy the conditions of all contacts";
             Error::no_convergence(time, step, what.into())
         }
         Failure::Passed => {
-            Error::no_convergence(time, step, "two things pass through each other".into())
+            Error::no_convergence(time, step, "two bodies pass through each other".into())
         }
         Failure::Endless => {
             let what = format!(
@@ -85,7 +87,7 @@ fn deepest_pressed(model: &Model, state: &State, search: &Search) -> Option<Stri
     let (contact, pressed) = found.max_by(|a, b| a.1.share().total_cmp(&b.1.share()))?;
     let [a, b] = &contact.between;
     Some(format!(
-        "contact `{}` is pressed in by {:.4e} m, and the middles of `{a}` and `{b}` meet at {:.4e} m",
+        "penetration of contact `{}` {:.4e} m, and the axes or centres of `{a}` and `{b}` meet at {:.4e} m",
         contact.name, pressed.penetration, pressed.through
     ))
 }

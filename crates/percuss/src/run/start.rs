@@ -171,8 +171,7 @@ pub fn massless(model: &Model) -> Vec<Fault> {
         model.spans[beam.spans.clone()].iter().any(|s| s.tables.iter().any(|t| t.mass[0][0] == 0.0))
     };
     let fault = |beam: &BeamData| {
-        let found =
-            format!("no mass: the nodes of `{}` have no inertia to move in time with", beam.name);
+        let found = format!("no mass: the nodes of `{}` have no inertia", beam.name);
         let expected = "a density above zero for a run in time (statics and modes do without)";
         Fault::new(format!("beam.{}", beam.name), found, expected)
     };
@@ -195,7 +194,7 @@ pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<
     let mut pressed = Vec::new();
     if settings.start == Start::Static {
         let fault = |e: Error| {
-            let found = format!("loads that no equilibrium was found for ({e})");
+            let found = format!("loads without an equilibrium ({e})");
             vec![Fault::new(
                 "time.start",
                 found,

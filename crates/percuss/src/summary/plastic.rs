@@ -105,9 +105,9 @@ pub enum NoPermanentSet {
 impl fmt::Display for NoPermanentSet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::NotHeld => "what holds at the end leaves it free to move without being strained",
-            Self::Parted => "nothing holds a piece of it",
-            Self::NoEquilibrium => "no equilibrium without loads is near its last configuration",
+            Self::NotHeld => "it can move without strain at the end",
+            Self::Parted => "a piece of it is not supported",
+            Self::NoEquilibrium => "no equilibrium without loads near its last configuration",
         })
     }
 }

@@ -340,7 +340,7 @@ fn pointed_ends_on_either_side_are_refused_with_the_cure() {
         };
         let told = built(0.0).expect_err(words);
         let text: String = told.iter().map(|fault| fault.to_string()).collect();
-        assert!(text.contains(words) && text.contains("end on"), "{text}");
+        assert!(text.contains(words) && text.contains("end-to-end"), "{text}");
         assert!(built(0.05).is_ok(), "{words}");
     }
     // From the side a point meets a line.

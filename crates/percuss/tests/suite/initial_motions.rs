@@ -107,8 +107,11 @@ fn motions_that_contradict_each_other_at_a_mass_are_refused() {
     for other in [along([0.0, 1.0], 2.0), along([0.0, 2.0], 0.0)] {
         let faults = built(other, true, 1).unwrap_err();
         assert_eq!(faults.len(), 1, "{faults:?}");
-        let parts =
-            ["initial.bob", "but (0, 2) m/s at 2 rad/s by [initial.g]", "one motion of a place"];
+        let parts = [
+            "initial.bob",
+            "but (0, 2) m/s at 2 rad/s by [initial.g]",
+            "one velocity at this location",
+        ];
         assert!(parts.iter().all(|part| faults[0].contains(part)), "{faults:?}");
     }
     let faults = built(along([0.0, 1.0], 2.0), false, 2).unwrap_err();

@@ -265,13 +265,8 @@ fn check_unloading(law: &SmoothLaw, path: &impl Fn(&str) -> String, out: &mut Fa
             slopes.map(|(p, f)| (f[1] - f[0]) / (p[1] - p[0])).fold(0.0, f64::max)
         }
         Potential::Hertz { .. } | Potential::Function(_) => {
-            let expected =
-                "a linear law or a table: only of these is it known how steep they become";
-            return out.add(
-                path("unloading_stiffness"),
-                "a law that becomes ever steeper",
-                expected,
-            );
+            let expected = "a linear law or a table, which have a largest slope";
+            return out.add(path("unloading_stiffness"), "a law without a largest slope", expected);
         }
     };
     if !(slope.is_finite() && slope >= steepest && slope > 0.0) {
@@ -290,11 +285,15 @@ const SLOPE_ERROR: f64 = 0.1;
 /// Whether a force given as code is that of its potential, and no pull.
 fn check_given(law: &PotentialFunction, path: &impl Fn(&str) -> String, out: &mut Faults) {
     let expected =
-        "a force of zero at no penetration, never a pull, and the derivative of the energy";
+        "a force of zero at zero penetration, never tensile, and the derivative of the energy";
     let (energy, force) = (&law.energy, &law.force);
     let at_rest = force(0.0);
     if at_rest != 0.0 {
-        return out.add(path("law"), format!("a force of {at_rest} N at no penetration"), expected);
+        return out.add(
+            path("law"),
+            format!("a force of {at_rest} N at zero penetration"),
+            expected,
+        );
     }
     for p in LOOKED_AT {
         let e = WIDTH * p;
@@ -332,7 +331,7 @@ fn check_table(
     }
     if let Some(w) = force.windows(2).find(|w| w[1] < w[0]) {
         let found = format!("{} N after {} N", w[1], w[0]);
-        out.add(path("force"), found, "forces that never fall");
+        out.add(path("force"), found, "forces that do not decrease");
     }
 }
 

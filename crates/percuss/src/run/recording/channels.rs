@@ -36,24 +36,24 @@ pub fn channels(model: &Model) -> Vec<Channel> {
             add(format!("projectile.{name}.velocity_{i}"), "m/s", "Velocity of the projectile");
         }
         if disc {
-            add(format!("projectile.{name}.angle"), "rad", "Angle the projectile has turned");
+            add(format!("projectile.{name}.angle"), "rad", "Rotation of the projectile");
             add(format!("projectile.{name}.spin"), "rad/s", "Angular velocity of the projectile");
         }
     }
     for contact in &model.contacts {
         let name = &contact.name;
-        add(format!("contact.{name}.gap"), "m", "Gap where the two are nearest");
+        add(format!("contact.{name}.gap"), "m", "Gap at the closest points");
         if !contact.law.is_rigid() {
             add(format!("contact.{name}.force"), "N", "Contact force at this instant");
         }
-        let text = "Impulse since the previous row";
+        let text = "Impulse during the output interval";
         add(format!("contact.{name}.impulse"), "N*s", text);
         if has_friction(contact) {
-            let text = "Impulse of friction since the row before";
+            let text = "Impulse of friction during the output interval";
             add(format!("contact.{name}.friction_impulse"), "N*s", text);
         }
         if slides(model, contact) {
-            let text = "Arc length along the first beam where the two are nearest";
+            let text = "Arc length of the closest point along the first beam";
             add(format!("contact.{name}.place"), "m", text);
         }
     }
@@ -76,24 +76,27 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         add(section("shear"), "N", "Shear force at the point");
         add(section("moment"), "N*m", "Bending moment at the point");
         if has_depth(model, p) {
-            add(section("stress"), "Pa", "Stress of larger magnitude of the two extreme fibres");
+            add(
+                section("stress"),
+                "Pa",
+                "Stress of the extreme fibre (top or bottom) with the larger magnitude",
+            );
         }
     }
     for s in &model.supports {
         let name = &s.name;
         for i in 1..=2 {
-            let text = "Force of the support on the structure, mean since the row before";
+            let text = "Force of the support on the structure, averaged over the output interval";
             add(format!("support.{name}.force_{i}"), "N", text);
         }
-        let text = "Moment of the support on the structure, mean since the row before";
+        let text = "Moment of the support on the structure, averaged over the output interval";
         add(format!("support.{name}.moment"), "N*m", text);
         if model.has_impulses() {
             for i in 1..=2 {
-                let text =
-                    "Impulse of the support, beyond its force, in impacts since the row before";
+                let text = "Impulse of the support in impacts during the output interval, in addition to its force";
                 add(format!("support.{name}.impulse_{i}"), "N*s", text);
             }
-            let text = "Angular impulse of the support in impacts since the row before";
+            let text = "Angular impulse of the support in impacts during the output interval";
             add(format!("support.{name}.impulse_moment"), "N*m*s", text);
         }
     }
@@ -116,8 +119,11 @@ fn balances(model: &Model) -> impl Iterator<Item = Channel> {
 /// Columns of histories of yielding parts.
 const PLASTIC_COLUMNS: [(&str, &str); 3] = [
     ("energy.plastic", "Energy dissipated by plastic flow so far"),
-    ("energy.hardening", "Energy that hardening has stored"),
-    ("energy.failure", "Energy that was stored in fibres, springs and hinges that failed so far"),
+    ("energy.hardening", "Energy stored in hardening"),
+    (
+        "energy.failure",
+        "Energy that had been stored in the fibres, springs and hinges that failed so far",
+    ),
 ];
 
 /// Columns every history has.
@@ -133,27 +139,31 @@ const BALANCE_COLUMNS: [(&str, &str, &str); 24] = [
     ("energy.total", "J", "Total energy"),
     ("energy.work_loads", "J", "Work of the loads so far"),
     ("energy.work_supports", "J", "Work of the supports so far"),
-    ("energy.loss_impacts", "J", "Energy lost in impacts so far"),
-    ("energy.loss_damping", "J", "Energy taken by damping so far"),
-    ("energy.residual", "J", "What is missing from the balance of energy"),
+    ("energy.loss_impacts", "J", "Energy dissipated in impacts so far"),
+    ("energy.loss_damping", "J", "Energy dissipated by damping and in compliant contacts so far"),
+    ("energy.residual", "J", "Error of the energy balance"),
     ("momentum.linear_1", "kg*m/s", "Linear momentum"),
     ("momentum.linear_2", "kg*m/s", "Linear momentum"),
     ("momentum.angular", "kg*m^2/s", "Angular momentum about the origin"),
-    ("momentum.residual_1", "kg*m/s", "What is missing from the balance of momentum"),
-    ("momentum.residual_2", "kg*m/s", "What is missing from the balance of momentum"),
+    ("momentum.residual_1", "kg*m/s", "Error of the momentum balance"),
+    ("momentum.residual_2", "kg*m/s", "Error of the momentum balance"),
+    ("momentum.residual_angular", "kg*m^2/s", "Error of the angular momentum balance"),
     (
-        "momentum.residual_angular",
-        "kg*m^2/s",
-        "What is missing from the balance of angular momentum",
+        "audit.curvature_drift",
+        "1/m",
+        "Difference between stored bending strains and those of the configuration",
     ),
-    ("audit.curvature_drift", "1/m", "Distance of stored bending strains from the configuration"),
-    ("audit.membrane_drift", "1", "Distance of stored membrane strains from the configuration"),
+    (
+        "audit.membrane_drift",
+        "1",
+        "Difference between stored membrane strains and those of the configuration",
+    ),
     (
         "audit.angular_rate_drift",
         "J",
         "Kinetic energy with the angular rates of the slopes' velocities, less that with the sections' own",
     ),
-    ("solver.newton_iterations", "1", "Newton iterations since the row before"),
+    ("solver.newton_iterations", "1", "Newton iterations during the output interval"),
 ];
 
 /// Bodies of projectiles, their names and whether they are discs.
@@ -326,11 +336,11 @@ fn connector_channels(model: &Model) -> Vec<Channel> {
         } else {
             [("extension", "m"), ("force", "N")]
         };
-        let plastic = format!("Plastic {what}: what would stay of it without {force}");
+        let plastic = format!("Plastic {what}, which would remain without {force}");
         [
-            (format!("{name}.{what}"), unit, format!("Its {what} from where it has no {force}")),
+            (format!("{name}.{what}"), unit, format!("Its {what} from the state without {force}")),
             (format!("{name}.plastic_{what}"), unit, plastic),
-            (format!("{name}.{force}"), of, format!("Its {force}, that of its damper left out")),
+            (format!("{name}.{force}"), of, format!("Its {force} without that of the damper")),
         ]
     });
     each.map(|(name, unit, description)| Channel { name, unit, description }).collect()
