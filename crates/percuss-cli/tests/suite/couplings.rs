@@ -125,7 +125,7 @@ fn failed_evaluations_are_told_and_nothing_is_lost() {
         (r#"{"speed": 20}"#.to_owned(), "no value for `mass`"),
         ("nothing".to_owned(), "a count of `variables`"),
         (DAKOTA.replace("DVV_1:mass", "DVV_1:mas"), "derivatives by `mas`, which is no parameter"),
-        (r#"{"speed": 20, "mass": 1, "speed": 21}"#.to_owned(), "the key `speed` stands twice"),
+        (r#"{"speed": 20, "mass": 1, "speed": 21}"#.to_owned(), "duplicate key `speed`"),
         (r#"{"speed": 20, "mass""#.to_owned(), "EOF"),
         (DAKOTA.replace("500 mass", "500 speed"), "two values for `speed`"),
         (

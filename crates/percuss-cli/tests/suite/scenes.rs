@@ -49,7 +49,7 @@ fn a_scene_needs_no_beam() {
     desk.put("cradle.toml", CRADLE);
     let checked = desk.percuss(&["check", "cradle.toml"]);
     assert_eq!(checked.status, Some(0), "{}", checked.stderr);
-    assert!(checked.stdout.contains("sound: 0 beams"), "{}", checked.stdout);
+    assert!(checked.stdout.contains("no errors; 0 beams"), "{}", checked.stdout);
     let run = desk.percuss(&["run", "cradle.toml", "--json"]);
     assert_eq!(run.status, Some(0), "{}", run.stderr);
     let summary: serde_json::Value = serde_json::from_str(&run.stdout).expect("a summary");
@@ -60,7 +60,7 @@ fn a_scene_needs_no_beam() {
     for command in ["static", "modes"] {
         let refused = desk.percuss(&[command, "cradle.toml"]);
         assert_eq!(refused.status, Some(2));
-        assert!(refused.stderr.contains("there is no beam"), "{}", refused.stderr);
+        assert!(refused.stderr.contains("this scenario has no beams"), "{}", refused.stderr);
     }
 }
 
@@ -69,7 +69,7 @@ fn a_dash_reads_standard_input() {
     let desk = Desk::empty();
     let checked = fed(&desk, ELASTIC, &["check", "-"]);
     assert_eq!(
-        (checked.status, checked.stdout.starts_with("standard input: sound")),
+        (checked.status, checked.stdout.starts_with("standard input: no errors")),
         (Some(0), true)
     );
     let run =

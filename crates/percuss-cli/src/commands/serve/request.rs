@@ -153,7 +153,7 @@ impl<'r> Head<'r> {
             match values(name).as_slice() {
                 [] => Ok(None),
                 &[value] => text(value).map(Some).map_err(|_| input("a header that is no text")),
-                _ => Err(input(&format!("the header `{name}` stands twice"))),
+                _ => Err(input(&format!("duplicate header `{name}`"))),
             }
         };
         if one("Transfer-Encoding")?.is_some() {
