@@ -63,10 +63,12 @@ def unit_words(unit: str) -> str:
 
 
 def engineering(value: float, unit: str) -> str:
-    """Four digits with a prefix of thousands."""
+    """Four digits with a prefix of thousands; stresses below 1 Pa and velocities have none."""
     size = abs(value)
     if size < 1e-12:
         return f"0 {unit}"
+    if unit == "m/s" or (unit == "Pa" and size < 1):
+        return f"{value:.4g} {unit}"
     prefixes = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n")]
     by, prefix = next(((by, p) for by, p in prefixes if size >= by), prefixes[-1])
     return f"{value / by:.4g} {prefix}{unit}"

@@ -279,7 +279,7 @@ fn a_step_too_long_for_the_contact_is_found_out() {
         let advice = advise(&model, &Settings::new(0.01, step));
         assert_eq!(verdict(&advice, Topic::ContactDuration), Some(expected), "{step} s");
         let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);
-        let advises = text.is_some_and(|t| t.contains("set time.step to 100 us"));
+        let advises = text.is_some_and(|t| t.contains("set time.step to 100 \u{b5}s"));
         assert_eq!(advises, expected != Verdict::Fine, "{text:?}");
     }
 }
