@@ -46,7 +46,7 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         if !contact.law.is_rigid() {
             add(format!("contact.{name}.force"), "N", "Contact force at this instant");
         }
-        let text = "Impulse handed over since the row before";
+        let text = "Impulse since the previous row";
         add(format!("contact.{name}.impulse"), "N*s", text);
         if has_friction(contact) {
             let text = "Impulse of friction since the row before";
