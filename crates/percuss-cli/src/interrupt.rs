@@ -31,7 +31,7 @@ static UNFINISHED: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 /// If the system does not allow it.
 pub fn install() -> Result<(), Failure> {
     listen().map_err(|error| {
-        let text = format!("cannot take over Ctrl-C: {error}");
+        let text = format!("cannot handle Ctrl-C: {error}");
         Failure::System(percuss_codes::FileCode::System.into(), text)
     })
 }

@@ -141,7 +141,7 @@ fn changed(file: &Path, changes: &[String]) -> Result<Scenario, Diagnostics> {
     let text = match text(file) {
         Ok(text) => text,
         Err(error) if !is_plain(file) => {
-            let found = format!("what cannot be read: {error}");
+            let found = format!("unreadable input ({error})");
             return Err(Diagnostics::of_file(&name, found, "the text of a scenario"));
         }
         // What is no text is left to `load`, which says why; what it can read after all lacks the changes.

@@ -203,14 +203,20 @@ fn messages_and_help_use_the_terms_of_the_field() {
     assert!(wrong.is_empty(), "see docs/glossary.md:\n{}", wrong.join("\n"));
 }
 
-/// Pages of the book and guides, without code. The theory has its own terms, and the glossary names what was replaced.
+/// Pages of the book, guides and scenarios. The glossary and the list of changes name what was replaced; code has its names.
 #[test]
 fn guides_use_the_terms_of_the_field() {
+    let at = |path: &str| repository().join(path);
+    let mut pages = files(&at("docs"), "md");
+    pages.extend(files(&at("paper"), "md"));
+    pages.extend(files(&at("scenarios"), "toml"));
+    pages.extend(files(&at("crates/percuss-scenario/templates"), "toml"));
+    let whole = fs::read_dir(repository()).expect("the repository");
+    let whole = whole.map(|entry| entry.expect("an entry").path());
+    pages.extend(whole.filter(|path| path.extension().is_some_and(|own| own == "md")));
+    let apart = ["docs/glossary.md", "CHANGELOG.md"].map(at);
     let mut wrong = Vec::new();
-    let mut pages = files(&repository().join("docs"), "md");
-    pages.push(repository().join("README.md"));
-    let apart = ["docs/glossary.md", "docs/book/src/theory"].map(|path| repository().join(path));
-    for path in pages.iter().filter(|path| !apart.iter().any(|one| path.starts_with(one))) {
+    for path in pages.iter().filter(|path| !apart.contains(path)) {
         let text = fs::read_to_string(path).expect("a page");
         let mut fenced = false;
         for (k, line) in text.lines().enumerate() {

@@ -45,7 +45,7 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
         return Err(Failure::input(
             RequestCode::PictureBounds,
             format!(
-                "--fps {}: browsers show a GIF of more than {GIF_FPS} frames a second slowly; give {GIF_FPS} or less, or a name that ends with .apng",
+                "--fps {}: browsers play a GIF of more than {GIF_FPS} frames per second slowly; use {GIF_FPS} or less, or an .apng file",
                 arguments.fps
             ),
         ));

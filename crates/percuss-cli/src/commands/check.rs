@@ -180,19 +180,15 @@ fn contents(ready: &Ready) -> String {
     parts.join(", ")
 }
 
-/// Loads by their kind, in the order of the kinds.
+/// Loads by their kind.
 fn loads(ready: &Ready) -> Vec<String> {
-    let mut counts = [0; 3];
-    for load in &ready.scenario.content().load {
-        let kind = match load.table.kind {
-            LoadKind::Gravity { .. } => 0,
-            LoadKind::Point { .. } => 1,
-            LoadKind::Distributed { .. } => 2,
-        };
-        counts[kind] += 1;
-    }
-    let [gravity, point, distributed] = counts;
-    let each = [(point, "point load"), (distributed, "distributed load")];
+    let all = &ready.scenario.content().load;
+    let of_kind = |is: fn(&LoadKind) -> bool| all.iter().filter(|one| is(&one.table.kind)).count();
+    let gravity = of_kind(|kind| matches!(kind, LoadKind::Gravity { .. }));
+    let point = of_kind(|kind| matches!(kind, LoadKind::Point { .. }));
+    let distributed = of_kind(|kind| matches!(kind, LoadKind::Distributed { .. }));
+    let base = of_kind(|kind| matches!(kind, LoadKind::Base { .. }));
+    let each = [(point, "point load"), (distributed, "distributed load"), (base, "base acceleration")];
     let each = each.into_iter().filter(|(n, _)| *n > 0).map(|(n, noun)| count(n, noun));
     (gravity > 0).then(|| "gravity".to_owned()).into_iter().chain(each).collect()
 }

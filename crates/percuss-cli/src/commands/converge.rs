@@ -114,7 +114,7 @@ fn table(found: &Convergence) -> String {
     }
     text += "\n";
     for one in &found.results {
-        let unit = if one.unit == "1" { "" } else { &one.unit };
+        let unit = if one.unit == "1" { String::new() } else { one.unit.replace('*', " ") };
         let value = format!("{} = {} {unit}", one.path, number(one.value));
         text += &match one.limit.is_nan() {
             true => format!("{}: no limit\n", value.trim_end()),

@@ -112,7 +112,7 @@ fn wanted(
         return Ok(all.map(one).collect());
     };
     if let Some(name) = twice(functions.iter().map(|f| f.name.as_str())) {
-        return Err(format!("the function `{name}` is asked for twice"));
+        return Err(format!("duplicate function `{name}`"));
     }
     let place = |name: &str| results.iter().position(|own| *own == name);
     let by_name: Option<Vec<usize>> = functions.iter().map(|f| place(&f.name)).collect();
@@ -124,7 +124,7 @@ fn wanted(
         None => {
             let names: Vec<&str> = functions.iter().map(|f| f.name.as_str()).collect();
             return Err(format!(
-                "functions {} are not the study's results ({}): name all of them so, or as many others and none of them so",
+                "functions {} do not match the study's results ({}): use exactly these names, or as many other names",
                 names.join(", "),
                 results.join(", ")
             ));
@@ -143,7 +143,7 @@ fn by(function: &Function<'_>, asked: Option<&[String]>) -> Result<Vec<(usize, S
         return Ok(parameters.iter().map(|name| (*name).to_owned()).enumerate().collect());
     };
     if let Some(name) = twice(asked.iter().map(String::as_str)) {
-        return Err(format!("derivatives by `{name}` are asked for twice"));
+        return Err(format!("duplicate derivative variable `{name}`"));
     }
     let place = |name: &String| {
         let found = parameters.iter().position(|own| own == name);
@@ -155,7 +155,7 @@ fn by(function: &Function<'_>, asked: Option<&[String]>) -> Result<Vec<(usize, S
     asked.iter().map(place).collect()
 }
 
-/// A name that stands twice.
+/// A duplicate name.
 fn twice<'n>(names: impl Iterator<Item = &'n str>) -> Option<&'n str> {
     let mut seen = HashSet::new();
     names.into_iter().find(|name| !seen.insert(*name))

@@ -22,7 +22,7 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
         ExportFormat::Pvd => Format::Pvd,
     };
     if !format.is_built() {
-        let text = "this build writes no HDF5: take --format pvd, or a build that does (cargo install --path crates/percuss-cli)";
+        let text = "this build has no HDF5 support; use --format pvd, or install with cargo install --path crates/percuss-cli";
         return Err(Failure::input(FileCode::Drawing, text));
     }
     let dir = &arguments.dir;
@@ -31,7 +31,7 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
         return Err(Failure::input(
             FileCode::NoShapes,
             format!(
-                "{}: no shapes were kept of this run (it has no fields/); run its scenario again with record.shapes above 0",
+                "{}: the run has no recorded shapes (no fields/); run the scenario with record.shapes > 0",
                 dir.display()
             ),
         ));

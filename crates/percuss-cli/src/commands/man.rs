@@ -19,7 +19,7 @@ pub fn run(arguments: &coupling_arguments::Man) -> Result<Status, Failure> {
     program.build();
     write(program, out)?;
     terminal::tell(&format!(
-        "{} has the pages; `man -l {}/percuss.1`",
+        "manual pages in {}; view them with `man -l {}/percuss.1`",
         out.display(),
         out.display()
     ));

@@ -15,7 +15,7 @@ pub fn run(arguments: &New) -> Result<Status, Failure> {
             let out = out.display();
             let is_study = study_templates().contains(template);
             let command = if is_study { "sweep" } else { "run" };
-            terminal::tell(&format!("{out} is there; edit it and run: percuss {command} {out}"));
+            terminal::tell(&format!("{out} written; edit it and run: percuss {command} {out}"));
         }
         (Some(template), None) => terminal::print(template.text)?,
         (None, _) => list()?,
@@ -33,6 +33,6 @@ fn list() -> Result<(), Failure> {
     for template in all() {
         terminal::print(&format!("{:width$}  {}\n", template.name, template.summary))?;
     }
-    terminal::tell("\nTo begin with one of them: percuss new NAME --out my.toml");
+    terminal::tell("\nTo start from one of them: percuss new NAME --out my.toml");
     Ok(())
 }

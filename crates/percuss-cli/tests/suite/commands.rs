@@ -66,7 +66,7 @@ fn the_schema_is_json() {
 fn verification_names_what_was_measured_and_expected() {
     let desk = Desk::empty();
     let one = desk.percuss(&["verify", "rigid-rod", "frequencies"]);
-    one.ends_with(0).tells("2 cases").tells("all hold");
+    one.ends_with(0).tells("2 cases").tells("all passed");
     assert_eq!(one.stdout.lines().count(), 3, "{}", one.stdout);
     assert!(one.stdout.contains("measured") && one.stdout.contains("tolerance"));
     let all = desk.percuss(&["verify", "rigid-rod", "--all-checks"]);

@@ -118,7 +118,7 @@ fn failed_evaluations_are_told_and_nothing_is_lost() {
         ),
         (
             DAKOTA.replace("3 ASV_1:exit", "3 ASV_1:obj_fn"),
-            "functions obj_fn are not the study's results (force, exit)",
+            "functions obj_fn do not match the study's results (force, exit)",
         ),
         (DAKOTA.replace("3 ASV", "4 ASV"), "second derivatives of `exit`"),
         (r#"{"speed": "fast", "mass": 1}"#.to_owned(), "`speed` is \"fast\""),
@@ -130,11 +130,11 @@ fn failed_evaluations_are_told_and_nothing_is_lost() {
         (DAKOTA.replace("500 mass", "500 speed"), "two values for `speed`"),
         (
             DAKOTA.replace("1 functions\n3 ASV_1:exit", "2 functions\n1 ASV_1:exit\n1 ASV_2:other"),
-            "name all of them so",
+            "do not match the study's results",
         ),
         (
             DAKOTA.replace("1 functions\n3 ASV_1:exit", "2 functions\n1 ASV_1:exit\n1 ASV_2:exit"),
-            "`exit` is asked for twice",
+            "duplicate function `exit`",
         ),
         // A point, and then blanks up to where reading ended: what came behind was not read.
         (

@@ -19,6 +19,7 @@ mod long_tables;
 mod modes;
 mod outside;
 mod plot;
+mod printed;
 mod report;
 mod run;
 mod scenes;

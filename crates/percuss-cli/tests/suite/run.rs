@@ -24,7 +24,7 @@ fn the_elastic_example_leaves_every_file_and_number_promised() {
     desk.percuss(&["run", "elastic.toml", "--out", "out", "--strict"])
         .ends_with(0)
         .tells("completed at t = 150 ms")
-        .tells("contact mass")
+        .tells("contact 'mass'")
         .tells("peak force")
         .tells("two-degree-of-freedom model, largest contact force");
     assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);

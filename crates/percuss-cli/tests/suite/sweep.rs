@@ -91,7 +91,7 @@ fn parts_of_a_study_make_the_whole() {
     for part in ["2/3", "1/3"] {
         desk.percuss(&["sweep", "study.toml", "--out", "parts", "--shard", part])
             .ends_with(0)
-            .tells("this part is done; others are not yet");
+            .tells("this shard is finished; others are not");
         assert!(!desk.path("parts/results.parquet").exists());
     }
     desk.percuss(&["sweep", "study.toml", "--out", "parts", "--shard", "3/3"]).ends_with(0);
@@ -199,7 +199,7 @@ fn a_cluster_that_leaves_no_results_is_no_success() {
     let done = command.env("PERCUSS_PYTHON", python).output().expect("percuss");
     let told = String::from_utf8_lossy(&done.stderr).into_owned();
     assert_eq!(done.status.code(), Some(1), "{told}");
-    assert!(told.contains("its results are not there"), "{told}");
+    assert!(told.contains("the sweep on the cluster ended without results"), "{told}");
 }
 
 #[cfg(unix)]

@@ -52,7 +52,7 @@ fn section<'l, 't>(rest: &mut &'l [Line<'t>], heads: &[&str]) -> Result<&'l [Lin
         false => return Err(expected()),
     };
     let own = others.get(..count).ok_or_else(|| {
-        format!("the file ends within its {count} {}: it has {}", heads[0], others.len())
+        format!("the file ends before its {count} {}: it has {}", heads[0], others.len())
     })?;
     *rest = &others[count..];
     Ok(own)
@@ -64,7 +64,7 @@ fn wanted((active, label): &Line<'_>) -> Result<Wanted, String> {
         active.parse().map_err(|_| format!("`{label}` is `{active}`: expected an active set"))?;
     if bits & HESSIAN != 0 {
         return Err(format!(
-            "second derivatives of `{name}` are asked for, and there are none: no_hessians, or numerical or quasi ones"
+            "second derivatives of `{name}` are not available: use no_hessians, or numerical or quasi Hessians"
         ));
     }
     Ok(Wanted { name: name.into(), value: bits & VALUE != 0, gradient: bits & GRADIENT != 0 })

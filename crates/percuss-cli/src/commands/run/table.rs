@@ -50,14 +50,14 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     let (touched, untouched): (Vec<_>, Vec<_>) = run.contacts.iter().partition(|c| touched(c));
     let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
     for contact in touched.iter().chain(alone) {
-        let label = format!("contact {}", contact.name);
+        let label = format!("contact '{}'", contact.name);
         let lines = contact_lines(contact, run);
         let labels = [label].into_iter().chain(std::iter::repeat(String::new()));
         rows.extend(labels.zip(lines));
     }
     if untouched.len() > 1 {
         let names: Vec<&str> = untouched.iter().map(|c| c.name.as_str()).collect();
-        let names = listed(&names, names.len(), NAMED, |name| (*name).to_owned());
+        let names = listed(&names, names.len(), NAMED, |name| format!("'{name}'"));
         rows.push((count(untouched.len(), "contact"), format!("not closed: {}", names.join(", "))));
     }
     rows.extend(run.plastic.iter().filter_map(plastic));
@@ -139,7 +139,7 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
         let (s, time) = (quantity(first.s, "m"), quantity(first.time, "s"));
         parts.push(format!("fractured at s = {s}, t = {time}{more}"));
     }
-    Some((format!("yield of {}", beam.name), parts.join(", ")))
+    Some((format!("yield of '{}'", beam.name), parts.join(", ")))
 }
 
 /// Plastic dissipation, and the part of it in a static start.
@@ -177,7 +177,7 @@ fn joint(joint: &JointSummary) -> (String, String) {
             format!("intact; largest force {most}")
         }
     };
-    (format!("joint {}", joint.name), text)
+    (format!("joint '{}'", joint.name), text)
 }
 
 /// Yield, fracture and failure of a spring or hinge.
@@ -196,7 +196,7 @@ fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
         None => parts.push(format!("{} at the end", quantity(connector.plastic, unit))),
     }
     parts.push(dissipated(connector.dissipated, connector.dissipated_by_preload));
-    Some((format!("yield of {}", connector.name), parts.join(", ")))
+    Some((format!("yield of '{}'", connector.name), parts.join(", ")))
 }
 
 /// Impulses of supports and obstacles, in addition to their forces in the history.

@@ -101,9 +101,7 @@ fn refuse_missing(study: &Path, out: &Path) -> Result<(), Failure> {
     match table {
         Ok(_) => Ok(()),
         Err(error) => {
-            let text = format!(
-                "the sweep ended as if it were done, but its results are not there: {error}"
-            );
+            let text = format!("the sweep on the cluster ended without results: {error}");
             Err(Failure::System(RequestCode::ClusterFailed.into(), text))
         }
     }

@@ -9,7 +9,7 @@ use percuss_study::{RESULTS, Study, Table};
 use serde_json::{Map, Value, json};
 
 use crate::arguments::Sweep;
-use crate::number::{count, number};
+use crate::number::{count, quantity};
 use crate::outcome::Failure;
 use crate::terminal;
 
@@ -50,22 +50,20 @@ pub fn tell(
         let runs = count(table.rows(), "run");
         terminal::tell(&format!("{runs}, {completed} completed"));
         for (name, unit, values, [min, mean, max]) in ranges(study, table) {
-            let [min, mean, max] = [min, mean, max].map(number);
-            let unit = if unit == "1" { "" } else { unit };
+            let [min, mean, max] = [min, mean, max].map(|value| quantity(value, unit));
             // A contact that did not close has no peak force.
             let of = match table.rows() {
                 all if all == values => String::new(),
                 _ => format!(" ({} with a value)", count(values, "run")),
             };
-            terminal::tell(&format!("  {name}: {min} to {max} {unit}, mean {mean}{of}"));
+            terminal::tell(&format!("  '{name}': {min} to {max}, mean {mean}{of}"));
             let open = open(study, table, name);
             if let (Some(first), Some(last)) = (open.first(), open.last()) {
-                let (runs, [first, last]) =
-                    (count(open.len(), "run"), [first, last].map(|value| number(*value)));
-                let text = format!(
-                    "contact closed at the end in {runs}, values then {first} to {last} {unit}"
-                );
-                terminal::tell(&format!("    {}", text.trim_end()));
+                let runs = count(open.len(), "run");
+                let [first, last] = [first, last].map(|value| quantity(*value, unit));
+                terminal::tell(&format!(
+                    "    contact closed at the end in {runs}, values then {first} to {last}"
+                ));
             }
         }
         for line in sobol_lines(study, indices) {
@@ -79,7 +77,7 @@ pub fn tell(
             let values = table.numbers(&result.name).unwrap_or_default();
             if statuses.contains_key("completed") && values.iter().all(|x| x.is_nan()) {
                 let path = result.path.path();
-                let text = format!("{}: no run has {path}", result.name);
+                let text = format!("'{}': no run has {path}", result.name);
                 terminal::warning(Caution::NoValues, &text);
             }
         }

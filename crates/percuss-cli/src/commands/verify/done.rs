@@ -27,7 +27,7 @@ pub(super) fn verdict(all: &[Done]) -> String {
     let failing: Vec<&str> = all.iter().filter(|d| !d.holds()).map(|d| d.case.id).collect();
     let cases = count(all.len(), "case");
     match failing.as_slice() {
-        [] => format!("{cases}, {checks}: all hold ({seconds:.1} s)"),
-        _ => format!("{cases}, {checks}: not holding: {} ({seconds:.1} s)", failing.join(", ")),
+        [] => format!("{cases}, {checks}: all passed ({seconds:.1} s)"),
+        _ => format!("{cases}, {checks}: failed: {} ({seconds:.1} s)", failing.join(", ")),
     }
 }
