@@ -9,7 +9,7 @@ use super::data::ReportData;
 use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
 use super::figures;
 use super::html::{self, escape, table};
-use super::page::frame;
+use super::page::{frame, state};
 use super::quantity::{Scale, number, quantity, without_round_off};
 use super::template::{fill_holes, page_parts};
 use super::{payload, scene, story};
@@ -75,7 +75,7 @@ pub fn render(runs: &[Named]) -> Result<String, Error> {
             names[0]
         )),
         "scene" if scenes.is_empty() => format!("<p class=\"story\">{}</p>\n", escape(&lead)),
-        "scene" => scene::section(&lead, None),
+        "scene" => scene::section(&lead, scene::instant(&runs[0].data.summary)),
         "scene_scripts" => scene::SCRIPTS.join("\n"),
         "results" => results(runs),
         "figures" => figures.iter().map(frame).collect(),
@@ -89,8 +89,12 @@ pub fn render(runs: &[Named]) -> Result<String, Error> {
 
 fn stories(runs: &[Named]) -> String {
     let one = |run: &Named| {
-        let (name, text) = (escape(&run.name), escape(&story::story(&run.data.summary)));
-        format!("<p><strong>{name}</strong>: {text}</p>\n")
+        let summary = &run.data.summary;
+        let (name, text) = (escape(&run.name), escape(&story::story(summary)));
+        format!(
+            "<h3>{name}</h3>\n<p class=\"status\">{}</p>\n<p>{text}</p>\n",
+            escape(&state(summary))
+        )
     };
     runs.iter().map(one).collect()
 }
@@ -273,6 +277,8 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
         row(format!("impacts, {name}"), format!("/contact/{key}/impact_count"), "1");
         let pressed = format!("/contact/{key}/permanent_penetration");
         row(format!("permanent indentation, {name}"), pressed, "m");
+        let equivalent = format!("/contact/{key}/equivalent_force/moment");
+        row(format!("equivalent static force by moment, {name}"), equivalent, "N");
     }
     for (name, key) in named("projectile") {
         for (k, axis) in [(0, "x"), (1, "y")] {
@@ -303,29 +309,37 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
             );
         }
     }
-    for (name, key) in named("section_forces") {
-        row(
-            format!("largest moment, {name}"),
-            format!("/section_forces/{key}/moment_max/value"),
-            "N*m",
-        );
-        row(
-            format!("largest axial force, {name}"),
-            format!("/section_forces/{key}/axial_max/value"),
-            "N",
-        );
-        row(
-            format!("largest stress, {name}"),
-            // Of the largest and the smallest the one of larger magnitude.
-            format!("/section_forces/{key}/stress/{LARGEST}/value"),
-            "Pa",
-        );
-    }
-    for (name, key) in named("plastic") {
-        row(format!("permanent deflection, {name}"), format!("/plastic/{key}/permanent_set"), "m");
-    }
+    beam_rows(summary, &mut row);
     balance_rows(&mut row);
     rows
+}
+
+/// Section forces of beams, and what yielding left of them.
+fn beam_rows(summary: &Value, row: &mut impl FnMut(String, String, &'static str)) {
+    let names = |part: &str| -> Vec<(String, String)> {
+        let all = summary[part].as_object().into_iter().flat_map(|all| all.keys());
+        all.map(|name| (name.clone(), key(name))).collect()
+    };
+    // Of the largest and the smallest stress the one of larger magnitude.
+    let stress = format!("stress/{LARGEST}/value");
+    for (name, key) in names("section_forces") {
+        for (label, what, unit) in [
+            ("largest moment", "moment_max/value", "N*m"),
+            ("largest axial force", "axial_max/value", "N"),
+            ("largest stress", stress.as_str(), "Pa"),
+        ] {
+            row(format!("{label}, {name}"), format!("/section_forces/{key}/{what}"), unit);
+        }
+    }
+    for (name, key) in names("plastic") {
+        for (label, what, unit) in [
+            ("largest plastic strain", "strain_max", "1"),
+            ("largest plastic hinge rotation", "rotation", "rad"),
+            ("permanent deflection", "permanent_set", "m"),
+        ] {
+            row(format!("{label}, {name}"), format!("/plastic/{key}/{what}"), unit);
+        }
+    }
 }
 
 /// Where the energy went, how well the balance closed, and what the run cost.

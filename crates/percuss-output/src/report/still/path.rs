@@ -101,7 +101,7 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
 /// Place of the curve.
 const CHART: &str = "<figure class=\"chart\" id=\"chart\"><figcaption><h2>Load factor over displacements</h2><span>\
 <button type=\"button\" class=\"save\" data-chart=\"svg\" aria-label=\"Save the curve as SVG\">SVG</button></span>\
-<p>Click a point to show the structure; data in path.csv.</p></figcaption><canvas></canvas></figure>\n";
+<p>Click a point to show the structure; data in path.csv.</p></figcaption><canvas role=\"img\" aria-label=\"Load factor over displacements\"></canvas></figure>\n";
 
 fn story(path: &Path) -> String {
     let names = |point: &PathPoint| {
