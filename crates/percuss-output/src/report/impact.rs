@@ -127,8 +127,9 @@ fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {
         Curve::sum(format!("projectile {}", frame.name), 1, way, from_touch),
         Curve::sum(flight.struck_label(), 2, struck, from_touch),
     ];
-    let label = "displacement in the initial direction of motion";
-    let mut figure = frame.figure("displacement", "Displacement", label);
+    // The title says which direction: a label of that length would not fit beside the axis.
+    let title = "Displacement in the initial direction of motion";
+    let mut figure = frame.figure("displacement", title, "displacement");
     figure.note = "Projectile displacement measured from first contact.".to_owned();
     Some(Entry::Draft(Draft {
         figure,
@@ -143,8 +144,8 @@ fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {
 fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
     let struck = flight.struck.as_ref();
     let struck = struck.and_then(|point| components(frame.canvas, point, "velocity"));
-    let mut figure =
-        frame.figure("velocity", "Velocity", "velocity in the initial direction of motion");
+    let title = "Velocity in the initial direction of motion";
+    let mut figure = frame.figure("velocity", title, "velocity");
     figure.picture = picture;
     if struck.is_none() {
         figure.note = "The contact point is not a recorded point.".to_owned();
