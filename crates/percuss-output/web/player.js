@@ -6,6 +6,7 @@ const SECONDS = 6; // what the shown span takes at normal speed
 const NARROW = 600; // least width of a scene beside its text, that of its controls [pixels]
 const WIDE = 1000; // width from which a scene may stand beside its text [pixels]
 const LOW = 200; // least height of a scene that has to end on the first screen [pixels]
+const ROW = 54; // height of the row of controls that has to end there, too [pixels]
 const STILL_MARGIN = 0.35; // room around the contact when the impact alone is shown, as a share of it
 
 function palette() {
@@ -109,8 +110,8 @@ class Player {
     section.classList.toggle("beside-text", beside);
     if (beside) section.style.setProperty("--stage", `${Math.round(needed)}px`);
     const wanted = Math.round(Math.max(260, heightFor(this.bounds, canvas.clientWidth)));
-    const controls = this.allInView ? canvas.parentElement.clientHeight - canvas.clientHeight : 0;
-    const below = Math.round(innerHeight - (canvas.getBoundingClientRect().top + scrollY) - controls - 12);
+    const controls = this.allInView ? canvas.parentElement.clientHeight - canvas.clientHeight + 12 : ROW;
+    const below = Math.round(innerHeight - (canvas.getBoundingClientRect().top + scrollY) - controls);
     canvas.style.height = `min(var(--scene-most), ${wanted}px, ${Math.max(LOW, below)}px)`;
   }
 
@@ -161,7 +162,7 @@ class Player {
     }
     const closed = [...sums].map(([name, { force, unit }]) => `'${name}' ${engineering(Math.hypot(...force), unit)}`);
     const contacts = closed.length ? `in contact: ${closed.slice(0, 4).join(", ")}${closed.length > 4 ? ` and ${closed.length - 4} more` : ""}` : "no contact";
-    const moved = `largest displacement ${engineering(motion.largestAt(index), "m")}`;
+    const moved = `largest displacement of beams ${engineering(motion.largestAt(index), "m")}`;
     const parts = [motion.label(this.time), ...(motion.rests ? [] : [contacts]), moved];
     this.canvas.setAttribute("aria-label", `Scene, ${parts.filter(Boolean).join("; ")}`);
   }

@@ -118,9 +118,9 @@ test("the label of the scene says time, contacts with their forces and the large
     page.Player.prototype.describe.call({ motion, time, canvas: { setAttribute: (_, text) => (label = text) } });
     return label;
   };
-  assert.equal(told(m, 0), "Scene, t = 0 s; no contact; largest displacement 0 m");
-  assert.equal(told(m, 1), "Scene, t = 1 s; in contact: 'hammer' 5 N, 'stop' 2 kN s; largest displacement 1 m");
-  assert.equal(told(new page.RestingMotion(m.scene, m.frames), 1), "Scene, largest displacement 1 m");
+  assert.equal(told(m, 0), "Scene, t = 0 s; no contact; largest displacement of beams 0 m");
+  assert.equal(told(m, 1), "Scene, t = 1 s; in contact: 'hammer' 5 N, 'stop' 2 kN s; largest displacement of beams 1 m");
+  assert.equal(told(new page.RestingMotion(m.scene, m.frames), 1), "Scene, largest displacement of beams 1 m");
 });
 
 test("a guided projectile at the edge has room for its symbols", () => {

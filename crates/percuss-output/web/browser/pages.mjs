@@ -61,6 +61,8 @@ for (const name of readdirSync(PAGES)) {
     const { page, errors, close } = await open(name, 1400, 900);
     const box = await page.locator("#scene canvas").boundingBox();
     assert.ok(box.y + box.height <= 900, `the scene ends at ${box.y + box.height}`);
+    const play = await page.locator("[data-scene=play]").boundingBox();
+    assert.ok(play.y + play.height <= 900, `its controls begin at ${play.y}`);
     assert.ok((await page.textContent(".story")).length > 20);
     assert.ok((await inked(page)) > 300);
     await page.screenshot({ path: join(SHOTS, `${name}.png`) });
@@ -152,7 +154,7 @@ test("the scene plays once when the page opens, then shows the instant of greate
   assert.equal(await page.textContent("[data-scene=play]"), "Pause");
   await page.waitForFunction(() => document.querySelector("[data-scene=play]").textContent === "Play", null, { timeout: 15000 });
   assert.equal(await time(page), "400 ms");
-  assert.match(await page.getAttribute("#scene canvas", "aria-label"), /^Scene, t = 400 ms; .*largest displacement \d/);
+  assert.match(await page.getAttribute("#scene canvas", "aria-label"), /^Scene, t = 400 ms; .*largest displacement of beams \d/);
   assert.match(await page.textContent(".status"), /^Completed, t = 400.ms, (no|\d+) warnings?$/);
   assert.deepEqual(errors, []);
   await close();
