@@ -141,7 +141,7 @@ async function main() {
   wireLog(document);
   wireTables(document);
   if (player) {
-    player.mayStandBeside = true;
+    player.mayBeBeside = true;
     tie(player, report);
   }
   watchTheme(report, player);

@@ -113,14 +113,14 @@ test("the label of the scene says time, contacts with their forces and the large
   // Two points of one contact: 3 N and 4 N at right angles are 5 N; the other is an impulse.
   const rows = Float32Array.of(0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 4, 0, 1, 0, 0, 0, 2000, 1);
   const m = motion({ contacts }, { contacts: rows, contact_count: Float32Array.of(0, 3) });
-  const told = (motion, time) => {
+  const labelOf = (motion, time) => {
     let label = "";
     page.Player.prototype.describe.call({ motion, time, canvas: { setAttribute: (_, text) => (label = text) } });
     return label;
   };
-  assert.equal(told(m, 0), "Scene, t = 0 s; no contact; largest displacement of beams 0 m");
-  assert.equal(told(m, 1), "Scene, t = 1 s; in contact: 'hammer' 5 N, 'stop' 2 kN s; largest displacement of beams 1 m");
-  assert.equal(told(new page.RestingMotion(m.scene, m.frames), 1), "Scene, largest displacement of beams 1 m");
+  assert.equal(labelOf(m, 0), "Scene, t = 0 s; no contact; largest displacement of beams 0 m");
+  assert.equal(labelOf(m, 1), "Scene, t = 1 s; in contact: 'hammer' 5 N, 'stop' 2 kN s; largest displacement of beams 1 m");
+  assert.equal(labelOf(new page.RestingMotion(m.scene, m.frames), 1), "Scene, largest displacement of beams 1 m");
 });
 
 test("a guided projectile at the edge has room for its symbols", () => {
@@ -248,7 +248,7 @@ test("displacements are enlarged only as far as beams do not come to cross", () 
   assert.equal(page.crossings(corner, [segment([0.5, -1], [0.5, 1])]), 1);
 });
 
-test("what hinders larger displacements is told: two that touch, or how much room there is", () => {
+test("what hinders larger displacements is named: two that touch, or how much room there is", () => {
   const contacts = [{ name: "c", between: ["b", "floor"] }];
   const [scene, frames] = sagging({ obstacles: [floor], contacts });
   const free = new page.Motion(scene, frames);
@@ -279,12 +279,12 @@ test("a shape swings about its configuration, no farther than there is room", ()
   assert.ok(!near.obstacles && Math.abs(near.amplitude - 0.2004) < 1e-6);
 });
 
-test("a place on a path is told by its load factor", () => {
+test("a place on a path is named by its load factor", () => {
   const [scene, one] = sagging();
   const frames = { ...one, displacement: Float32Array.of(...new Array(8).fill(0), ...one.displacement), sections: new Float32Array(12), contact_count: Float32Array.of(0, 0) };
   const path = new page.PathMotion(scene, frames, [0, 0.16]);
   assert.equal(path.label(1), "load factor 0.16");
-  assert.equal(path.told(0.25), "load factor 0.04");
+  assert.equal(path.instantText(0.25), "load factor 0.04");
   assert.ok(Math.abs(path.on({ beam: 0, s: 2 }, path.at(0.5).u).place[1] + 0.02) < 1e-7);
   assert.deepEqual([...page.roundTicks(-0.5, 1, 6)].map((v) => Number(v.toFixed(9))), [-0.5, 0, 0.5, 1]);
 });

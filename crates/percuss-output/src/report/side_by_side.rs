@@ -20,14 +20,14 @@ use crate::files;
 const TEMPLATE: &str = include_str!("../../web/comparison.html");
 /// What a page of ours begins with, within its first bytes.
 pub const MARK: &str = "<meta name=\"generator\" content=\"percuss comparison\">";
-/// Runs on a page: as many as there are colours to tell them apart.
+/// Runs on a page: as many as there are distinct colours.
 pub const MOST_RUNS: usize = 8;
 /// Colours of the runs, by their number.
 const STYLES: [usize; MOST_RUNS] = [0, 1, 2, 3, 4, 5, 6, 8];
 /// Curves that get a figure.
 const MOST_FIGURES: usize = 60;
 
-/// Stands in the path of a result for `min` or `max`, whichever is of larger magnitude.
+/// Placeholder in the path of a result for `min` or `max`, whichever is of larger magnitude.
 const LARGEST: &str = "largest";
 
 /// A run and what it is called on the page.
@@ -109,7 +109,7 @@ fn figures_of(runs: &[Named]) -> Result<Vec<Figure>, Error> {
         each.iter().flatten().filter(|f| f.scaled.is_some() && f.section != Section::Audit)
     {
         for series in figure.tables.iter().flat_map(|t| &t.series) {
-            // A curve may stand in another figure in another run, where sizes differ.
+            // A curve may be in another figure in another run, where sizes differ.
             let id = (
                 figure.id.trim_end_matches(|c: char| c == '-' || c.is_ascii_digit()),
                 &series.label,
@@ -195,9 +195,9 @@ fn results(runs: &[Named]) -> String {
         header.extend((k > 0).then(|| "difference".to_owned()));
     }
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let told: Vec<Vec<String>> =
+    let shown: Vec<Vec<String>> =
         rows.iter().filter_map(|row| cells(row, scale(row, &rows, runs), runs)).collect();
-    table("Results of each run", &header, &told)
+    table("Results of each run", &header, &shown)
 }
 
 /// Size beside which a result is round-off: the largest of this unit and of what it belongs to, in any run.
@@ -222,8 +222,8 @@ fn value_at(summary: &Value, pointer: &str) -> Option<f64> {
 }
 
 fn cells(row: &KeyResult, scale: f64, runs: &[Named]) -> Option<Vec<String>> {
-    let told = |v: f64| without_round_off(v, scale);
-    let value = |run: &Named| value_at(&run.data.summary, &row.pointer).map(told);
+    let shown = |v: f64| without_round_off(v, scale);
+    let value = |run: &Named| value_at(&run.data.summary, &row.pointer).map(shown);
     let values: Vec<Option<f64>> = runs.iter().map(value).collect();
     let mut cells = vec![row.label.clone()];
     let mut any = false;
@@ -387,11 +387,11 @@ mod tests {
 
     #[test]
     fn differences_are_relative_and_of_absolute_values() {
-        let told = |a: f64, b: f64| difference(Some(a), Some(b)).replace('\u{a0}', " ");
-        assert_eq!(told(-5.0, -6.0), "+20 %");
-        assert_eq!(told(4.0, -3.0), "-25 %, opposite sign");
-        assert_eq!(told(4.0, 4.0), "none");
-        assert_eq!(told(0.0, 1.0), "\u{2013}");
+        let shown = |a: f64, b: f64| difference(Some(a), Some(b)).replace('\u{a0}', " ");
+        assert_eq!(shown(-5.0, -6.0), "+20 %");
+        assert_eq!(shown(4.0, -3.0), "-25 %, opposite sign");
+        assert_eq!(shown(4.0, 4.0), "none");
+        assert_eq!(shown(0.0, 1.0), "\u{2013}");
         assert_eq!(difference(None, Some(1.0)), "\u{2013}");
     }
 }

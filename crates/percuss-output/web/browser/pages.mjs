@@ -185,12 +185,12 @@ test("a click into a figure takes the scene to its time, and figures follow the 
   await page.mouse.click(box.x + 0.73 * box.width, box.y + 0.5 * box.height);
   assert.notEqual(await time(page), before);
   await scrub(page, 0.25);
-  const told = () => page.evaluate(() => document.querySelector("figure[data-figure] .u-legend .u-value").textContent);
+  const shown = () => page.evaluate(() => document.querySelector("figure[data-figure] .u-legend .u-value").textContent);
   await page.waitForFunction(() => !document.querySelector("figure[data-figure] .u-legend .u-value").textContent.startsWith("--"));
-  const quarter = await told();
+  const quarter = await shown();
   await scrub(page, 0.75);
   await page.waitForTimeout(200);
-  assert.notEqual(await told(), quarter);
+  assert.notEqual(await shown(), quarter);
   assert.deepEqual(errors, []);
   await close();
 });
