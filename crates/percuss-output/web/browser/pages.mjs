@@ -1,5 +1,5 @@
 // Report pages in a real browser, from files and without a network: PAGES is a directory with a page of each scenario,
-// STILL one of results of `static`, `static --path` and `modes`, SHOTS one for pictures of them, BROWSER the program, PLAYWRIGHT the library that drives it, AXE axe-core, which checks accessibility. See scripts/check-browser.
+// STILL one of results of `static`, `static --path` and `modes`, STUDY results of a study, SHOTS one for pictures of them, BROWSER the program, PLAYWRIGHT the library that drives it, AXE axe-core, which checks accessibility. See scripts/check-browser.
 
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, readdirSync } from "node:fs";
@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-const { PAGES, SHOTS, BROWSER, PLAYWRIGHT, COMPARISON, STILL, AXE } = process.env;
+const { PAGES, SHOTS, BROWSER, PLAYWRIGHT, COMPARISON, STILL, STUDY, AXE } = process.env;
 const { chromium } = createRequire(import.meta.url)(PLAYWRIGHT);
 const quiet = ["--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const root = process.getuid?.() === 0;
@@ -137,11 +137,15 @@ for (const [width, scheme] of [[1400, "light"], [400, "dark"]]) {
   test(`all kinds of pages are accessible, ${width} pixels wide, ${scheme}`, async () => {
     const files = ["gapped-pipe", "struck-column", "tapping-cantilever"].map((name) => join(PAGES, name, "report.html"));
     const resting = ["static/static.html", "modes/modes.html", "path/path.html"].map((name) => join(STILL, name));
-    for (const file of [...files, COMPARISON, ...resting]) {
-      const ready = resting.includes(file) ? () => document.documentElement.dataset.open : drawn;
+    const study = join(STUDY, "report.html");
+    const opened = () => document.documentElement.dataset.open;
+    const figures = () => document.querySelector(".u-over");
+    for (const file of [...files, COMPARISON, study, ...resting]) {
+      const ready = resting.includes(file) ? opened : file === study ? figures : drawn;
       const { page, errors, close } = await openFile(file, width, 900, ready, { ...calm, colorScheme: scheme });
       await page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
       await checkAccessibility(page);
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, file);
       assert.deepEqual(errors, [], file);
       await close();
     }
