@@ -127,9 +127,9 @@ fn displacement(frame: &Frame<'_>, guided: &Guided) -> Option<Entry> {
         Curve::sum(format!("projectile {}", frame.name), 1, way, from_touch),
         Curve::sum(guided.target_label(), 2, target, from_touch),
     ];
-    // The title says which direction: a label of that length would not fit beside the axis.
+    // The title says which direction in full: a label of that length would not fit beside the axis.
     let title = "Displacement in the initial direction of motion";
-    let mut figure = frame.figure("displacement", title, "displacement");
+    let mut figure = frame.figure("displacement", title, "displacement, direction of motion");
     figure.note = "Projectile displacement measured from first contact.".to_owned();
     Some(Entry::Draft(Draft {
         figure,
@@ -145,7 +145,7 @@ fn velocity(frame: &Frame<'_>, guided: &Guided, picture: bool) -> Entry {
     let target = guided.target.as_ref();
     let target = target.and_then(|point| components(frame.canvas, point, "velocity"));
     let title = "Velocity in the initial direction of motion";
-    let mut figure = frame.figure("velocity", title, "velocity");
+    let mut figure = frame.figure("velocity", title, "velocity, direction of motion");
     figure.picture = picture;
     if target.is_none() {
         figure.note = "The contact point is not a recorded point.".to_owned();
