@@ -64,6 +64,7 @@ pub(super) fn state(summary: &Value) -> String {
             let why = if summary["error_code"] == "E101" { " (no convergence)" } else { "" };
             format!("Stopped{why} at t = {time}: results up to the last accepted step")
         }
+        "unsolved" => "Not solved".to_owned(),
         other => other.to_owned(),
     }
 }
@@ -186,6 +187,25 @@ mod tests {
             _ => "z".to_owned(),
         });
         assert_eq!(page, "a {{y}} b z c");
+    }
+
+    #[test]
+    fn the_state_gives_the_time_the_warnings_and_why_a_run_stopped() {
+        let of = |summary: serde_json::Value| status(&summary).replace('\u{a0}', " ");
+        let warning = serde_json::json!([{ "verdict": "warning", "code": "W101", "text": "off" }]);
+        assert_eq!(
+            of(serde_json::json!({ "status": "completed", "time": 1.4, "warnings": warning })),
+            "<p class=\"status\">Completed, t = 1.4 s, <a href=\"#checks\">1 warning</a></p>\n"
+        );
+        let failed = of(
+            serde_json::json!({ "status": "failed", "time": 0.02, "error": "a < b", "error_code": "E101" }),
+        );
+        assert!(
+            failed
+                .starts_with("<p class=\"status warning\">Stopped (no convergence) at t = 20 ms: "),
+            "{failed}"
+        );
+        assert!(failed.contains("role=\"alert\">a &lt; b [E101]</p>"), "{failed}");
     }
 
     #[test]
