@@ -73,7 +73,7 @@ def test_a_finished_run_opens_as_it_was(elastic, tmp_path):
 def test_the_scene_is_drawn_to_scale(elastic):
     result = percuss.run(elastic)
     ax = result.plot()
-    assert ax.get_aspect() == 1.0 and ax.get_xlabel() == "position along e1 [m]"
+    assert ax.get_aspect() == 1.0 and ax.get_xlabel() == "x [m]"
     peak = result.summary["contact"]["mass"]["peak_force"]
     assert ax.get_title().startswith("t = ")
     shown = float(ax.get_title().split()[2]) * {"s": 1.0, "ms": 1e-3}[ax.get_title().split()[3].rstrip(",")]
@@ -123,7 +123,7 @@ def test_labels_are_words_with_units(elastic):
     assert result.plot.force().get_ylabel() == "contact force [N]"
     ax = result.plot.displacement()
     assert ax.get_ylabel() == "displacement [m]" and ax.get_xlabel() == "time [s]"
-    assert [t.get_text() for t in ax.get_legend().get_texts()] == ["girder.mid, along e2"]
+    assert [t.get_text() for t in ax.get_legend().get_texts()] == ["girder.mid, in y"]
     ax = result.plot.energy()
     assert ax.get_ylabel() == "energy [J]" and "kinetic" in [t.get_text() for t in ax.get_legend().get_texts()]
     ax = result.plot.momentum()

@@ -337,13 +337,15 @@ class Motion {
   }
 }
 
-// Five digits as an engineer writes them, with a prefix of thousands.
+// Five digits as an engineer writes them, with a prefix of thousands; stresses below 1 Pa and velocities below 1 m/s have none, as in
+// the tables of the page.
 function engineering(value, unit) {
   if (!Number.isFinite(value)) return "";
   const size = Math.abs(value);
   const steps = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"]];
   if (size < 1e-12) return `0 ${unit}`;
-  const [by, prefix] = steps.find(([by]) => size >= by) ?? steps[steps.length - 1];
+  const plain = unit === "Pa" ? size < 1 : unit === "m/s";
+  const [by, prefix] = plain ? [1, ""] : (steps.find(([by]) => size >= by) ?? steps[steps.length - 1]);
   return `${Number((value / by).toPrecision(5))} ${prefix}${unit}`;
 }
 

@@ -309,4 +309,6 @@ test("numbers carry prefixes of thousands", () => {
   assert.equal(page.engineering(0.0123, "m"), "12.3 mm");
   assert.equal(page.engineering(-176632, "N"), "-176.63 kN");
   assert.equal(page.engineering(0, "s"), "0 s");
+  assert.equal(page.engineering(0.0587, "Pa"), "0.0587 Pa");
+  assert.equal(page.engineering(-0.05, "m/s"), "-0.05 m/s");
 });

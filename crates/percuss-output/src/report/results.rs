@@ -156,6 +156,11 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
             row("impulse of resting contact", quantity(Some(rested), "N*s"));
         }
     }
+    let work = contact["friction_work"].as_f64().unwrap_or(0.0);
+    if without_round_off(work, sizes.energy) > 0.0 {
+        row("sliding distance", quantity(contact["sliding_distance"].as_f64(), "m"));
+        row("friction work", quantity(Some(work), "J"));
+    }
     if let Some(count) = contact["fallback_count"].as_u64().filter(|n| *n > 0) {
         row("impacts with Moreau's instead of Newton's law", count.to_string());
     }

@@ -386,7 +386,7 @@ fn findings_and_hand_formulas_stand_in_the_report() -> Outcome {
     for text in [
         "<h2 id=\"checks\">Model and result checks</h2>",
         "<span class=\"verdict mark\">warning</span>",
-        "hammer: two masses and two springs</caption>",
+        "hammer: two-degree-of-freedom model</caption>",
         "<td>256.57\u{a0}kN</td><td>337.78\u{a0}kN</td><td>+31.7\u{a0}%</td>",
         "<li class=\"unmet\">small slopes: up to 0.3 (not met)</li>",
     ] {

@@ -7,7 +7,7 @@ use percuss::{
 };
 use serde_json::json;
 
-use super::{Page, largest_displacement, swinging};
+use super::{Page, swinging};
 use crate::fields::{Fields, Places, scene_value};
 use crate::report::figure::largest;
 use crate::report::html::{escape, table};
@@ -33,7 +33,6 @@ pub struct EquilibriumInfo<'a> {
 pub(crate) fn render(info: &EquilibriumInfo<'_>) -> String {
     let places = Places::of(info.scene);
     let mut frames = vec![places.still(&info.found.frame())];
-    let moved = largest_displacement(info.scene, &frames[0]);
     let mut panels = Vec::new();
     if let Some(mode) = info.linear.modes.first() {
         panels.push(swinging(&buckling_title(mode.factor), frames.len(), None));
@@ -44,7 +43,7 @@ pub(crate) fn render(info: &EquilibriumInfo<'_>) -> String {
         title: if info.title.is_empty() { "Static equilibrium" } else { info.title },
         status: "Static equilibrium under the loads at time zero; moving projectiles are ignored.".to_owned(),
         alarming: false,
-        scene: scene::section(&escape(&story(found, info.linear, moved)), None),
+        scene: scene::section(&escape(&story(found, info.linear)), None),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "static", "panels": panels }),
         tables: tables(found),
@@ -58,17 +57,14 @@ pub(super) fn buckling_title(factor: f64) -> String {
 }
 
 /// What the equilibrium is, in a few sentences.
-fn story(
-    found: &Equilibrium,
-    linear: &LinearBuckling,
-    moved: Option<(f64, String, f64)>,
-) -> String {
+fn story(found: &Equilibrium, linear: &LinearBuckling) -> String {
     let mut out = vec![match found.stable {
         true => "Stable equilibrium.".to_owned(),
         false => "Unstable equilibrium.".to_owned(),
     }];
-    if let Some((moved, beam, s)) = moved {
-        let (moved, s) = (quantity(Some(moved), "m"), quantity(Some(s), "m"));
+    if let Some(most) = &found.largest_displacement {
+        let (moved, s) = (quantity(Some(most.size()), "m"), quantity(Some(most.s), "m"));
+        let beam = &most.beam;
         out.push(format!("Largest displacement: {moved}, in '{beam}' at s = {s}."));
     }
     out.extend(largest_section(found, |b| &b.moment, "bending moment", "N*m"));
@@ -127,8 +123,12 @@ pub(super) fn tables(found: &Equilibrium) -> String {
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
     let text_of =
         |v: f64, scale: f64, unit: &str| quantity(Some(without_round_off(v, scale)), unit);
-    let points: Vec<Vec<String>> = (found.points.iter())
-        .map(|(name, u)| vec![name.clone(), text_of(u[0], moved, "m"), text_of(u[1], moved, "m")])
+    let turned = largest(found.rotations.iter());
+    let points: Vec<Vec<String>> = (found.points.iter().zip(&found.rotations))
+        .map(|((name, u), rotation)| {
+            let [u1, u2] = u.map(|u| text_of(u, moved, "m"));
+            vec![name.clone(), u1, u2, text_of(*rotation, turned, "rad")]
+        })
         .collect();
     let size = largest(found.reactions.iter().flat_map(|(_, r)| &r[..2]));
     let turning = largest(found.reactions.iter().map(|(_, r)| &r[2])).max(size);
@@ -144,7 +144,7 @@ pub(super) fn tables(found: &Equilibrium) -> String {
         .collect();
     let sections: Vec<Vec<String>> = found.section_forces.iter().flat_map(section_rows).collect();
     let all = [
-        ("Displacements of recorded points", &["point", "x", "y"][..], points),
+        ("Displacements of recorded points", &["point", "x", "y", "rotation"][..], points),
         (
             "Reactions (of the supports on the structure)",
             &["support", "Fx", "Fy", "M"][..],

@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use super::html::{self, escape};
 use super::template::{PENS, STYLE, fill_holes, page_parts};
 use super::{payload, scene};
-use crate::fields::{Fields, StoredFrame};
+use crate::fields::Fields;
 
 const TEMPLATE: &str = include_str!("../../../web/still.html");
 /// What draws the pages besides the scripts of the scene, in the order in which they use each other.
@@ -76,15 +76,4 @@ impl Page<'_> {
 /// A shape drawn as it swings: the number of its frame and of that it swings about (the reference configuration without one).
 fn swinging(title: &str, shape: usize, about: Option<usize>) -> Value {
     json!({ "title": title, "shape": shape, "about": about })
-}
-
-/// Largest displacement of a beam's stations in a frame \[m\], with the beam and the arc length there \[m\].
-fn largest_displacement(
-    scene: &percuss::scene::Scene,
-    frame: &StoredFrame,
-) -> Option<(f64, String, f64)> {
-    let stations = scene.beams.iter().flat_map(|b| b.stations.iter().map(|s| (&b.name, s.s)));
-    let moved = frame.displacement.chunks_exact(4).map(|u| f64::from(u[0]).hypot(f64::from(u[1])));
-    let (moved, (name, s)) = moved.zip(stations).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some((moved, name.clone(), s))
 }
