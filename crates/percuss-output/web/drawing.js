@@ -159,7 +159,7 @@ class Drawing {
     return mapColour(Math.max(value(a), value(b)) / (this.colourTop(by) || 1));
   }
 
-  // Largest value over the run of what colours stand for.
+  // Largest value over the run of what colours show.
   colourTop(by) {
     if (by in FORCES) return this.motion.size.sections[FORCES[by]];
     this.tops ??= {};
@@ -212,18 +212,18 @@ class Drawing {
     });
   }
 
-  // A mass on its line of flight, behind its spring if it has one. The gap to the beam's surface is the true one.
+  // A mass on its line of motion, behind its spring if it has one. The gap to the beam's surface is the true one.
   guided(body, place, rear) {
     const { pen, view, palette, motion } = this;
     const [d1, d2] = body.direction;
-    const struck = motion.on(body.strikes, this.state.u, this.e);
+    const target = motion.on(body.strikes, this.state.u, this.e);
     const moved = motion.on(body.strikes, this.state.u);
     const reference = motion.on(body.strikes, new Float32Array(4 * motion.nodes));
     const advance = (a, b) => (b[0] - a[0]) * d1 + (b[1] - a[1]) * d2;
     const gap = body.standoff + advance(reference.place, moved.place) - advance(body.position, place);
-    const off = struck.half_depth + Math.max(gap, 0);
+    const off = target.half_depth + Math.max(gap, 0);
     const d = [d1, -d2];
-    const surface = view.to([struck.place[0] - off * d1, struck.place[1] - off * d2]);
+    const surface = view.to([target.place[0] - off * d1, target.place[1] - off * d2]);
     const free = body.elastic ? SPRING : 0;
     const pressed = body.elastic ? Math.min(24, Math.max(-gap, 0) * view.scale) : 0;
     const front = [surface[0] - (free - pressed) * d[0], surface[1] - (free - pressed) * d[1]];
@@ -292,8 +292,8 @@ class Drawing {
   forces(flash) {
     const { motion, view, palette, state } = this;
     const now = motion.contacts(state.index).filter((c) => !c.impulsive);
-    const struck = motion.impulses(state.time - flash, state.time);
-    for (const [list, top, width] of [[now, motion.size.force, 2.2], [struck, motion.size.impulse, 3]]) {
+    const impulses = motion.impulses(state.time - flash, state.time);
+    for (const [list, top, width] of [[now, motion.size.force, 2.2], [impulses, motion.size.impulse, 3]]) {
       for (const c of list.map((one) => motion.pressing(one))) {
         const size = Math.hypot(...c.force);
         if (!(size > 0.004 * top)) continue;
@@ -314,7 +314,7 @@ class Drawing {
     this.pen.path([tip, wing(1), wing(-1)], { fill: style.stroke, closed: true });
   }
 
-  // Time, scale bar, axes, what the colours stand for.
+  // Time, scale bar, axes, what the colours mean.
   furniture(t) {
     const { pen, view, palette, options } = this;
     const target = 90 / view.scale;
@@ -345,14 +345,14 @@ class Drawing {
   // The largest of a section force in the frame that is drawn, and that of all frames, which the diagram is scaled by.
   largest(by) {
     const [now, top] = [this.motion.sectionTop(this.state.index, FORCES[by]), this.motion.size.sections[FORCES[by]]];
-    const [told, ofAll] = [now, top].map((value) => engineering(value, UNITS[by]));
-    return `${DIAGRAMS[by]} up to ${told}` + (told === ofAll ? "" : ` (maximum over time ${ofAll})`);
+    const [shown, ofAll] = [now, top].map((value) => engineering(value, UNITS[by]));
+    return `${DIAGRAMS[by]} up to ${shown}` + (shown === ofAll ? "" : ` (maximum over time ${ofAll})`);
   }
 
   legend(by) {
     const { pen, view, palette } = this;
     const [x, y, width] = [view.width - 212, 10, 200];
-    // Arrows of forces may stand here; the scale has to be read all the same.
+    // Arrows of forces may be here; the scale has to be readable all the same.
     const plate = [[x - 8, 0], [view.width, 0], [view.width, y + 28], [x - 8, y + 28]];
     pen.path(plate, { fill: palette.page, opacity: 0.85, closed: true });
     for (let k = 0; k < 32; k++) {

@@ -24,11 +24,11 @@ function significant(value, digits) {
 // Five digits; what is below 1e-12 of the scale is round-off, and nothing.
 function withUnit(value, unit, scale = 0) {
   if (value == null) return "";
-  const told = Math.abs(value) <= 1e-12 * scale ? 0 : value;
-  return significant(told, 5) + (unit ? (unit.startsWith("10") ? " \u00b7 " : " ") + unit : "");
+  const plain = Math.abs(value) <= 1e-12 * scale ? 0 : value;
+  return significant(plain, 5) + (unit ? (unit.startsWith("10") ? " \u00b7 " : " ") + unit : "");
 }
 
-// Five digits, and more where so little is shown that these would not tell its places apart.
+// Five digits, and more where so little is shown that these would not distinguish its places.
 function digitsIn({ min, max }) {
   const size = Math.max(Math.abs(min), Math.abs(max));
   const share = (max - min) / size;
@@ -107,9 +107,9 @@ function tables(figure, columns) {
 
 const COLUMN = 2; // pixels of the canvas that a column of a band takes
 const DENSE = 3; // values a column from which a curve may be a band
-const TURNS = 0.7; // turning points a column from which its oscillations cannot be told apart
+const TURNS = 0.7; // turning points a column from which its oscillations cannot be distinguished
 
-// A line; where a column of pixels holds more oscillations than can be told apart, the band that they fill.
+// A line; where a column of pixels holds more oscillations than can be distinguished, the band that they fill.
 function lineOrBand(u, seriesIndex, from, to) {
   const line = () => ({ ...uPlot.paths.linear()(u, seriesIndex, from, to), fill: null });
   const columns = Math.max(1, Math.ceil(u.bbox.width / COLUMN));

@@ -4,8 +4,9 @@
 
 const SECONDS = 6; // what the shown span takes at normal speed
 const NARROW = 600; // least width of a scene beside its text, that of its controls [pixels]
-const WIDE = 1000; // width from which a scene may stand beside its text [pixels]
+const WIDE = 1000; // width from which a scene may be beside its text [pixels]
 const LOW = 200; // least height of a scene that has to end on the first screen [pixels]
+const ROW = 54; // height of the row of controls that has to end there, too [pixels]
 const STILL_MARGIN = 0.35; // room around the contact when the impact alone is shown, as a share of it
 
 function palette() {
@@ -45,9 +46,9 @@ class Player {
     this.whole = [motion.start, Math.max(motion.end, ...others.map((m) => m.end))];
     this.impact = motion.rests ? null : contactSpan(motion);
     this.span = this.whole;
-    // The instant of greatest interest, which the page was told or that of the largest contact force.
-    const told = section.dataset.instant ? Number(section.dataset.instant) : motion.size.peak;
-    this.rest = Math.min(this.whole[1], Math.max(this.whole[0], told ?? motion.start));
+    // The instant of greatest interest, which the page names, or that of the largest contact force.
+    const named = section.dataset.instant ? Number(section.dataset.instant) : motion.size.peak;
+    this.rest = Math.min(this.whole[1], Math.max(this.whole[0], named ?? motion.start));
     this.time = this.rest;
     this.opening = false; // whether it plays because the page was opened
     this.camera = { zoom: 1, shift: [0, 0] };
@@ -100,17 +101,17 @@ class Player {
     return this.drawing.boundsAt(Number(this.control("exaggeration").value));
   }
 
-  // As high as the scene needs at the width there is, within the first screen. A scene that is higher than wide stands beside its text,
+  // As high as the scene needs at the width there is, within the first screen. A scene that is higher than wide is beside its text,
   // as wide as it needs.
   fit() {
     const { section, canvas } = this;
     const needed = Math.max(NARROW, widthFor(this.bounds, 0.6 * innerHeight));
-    const beside = this.mayStandBeside && section.clientWidth >= WIDE && needed <= 0.6 * section.clientWidth;
+    const beside = this.mayBeBeside && section.clientWidth >= WIDE && needed <= 0.6 * section.clientWidth;
     section.classList.toggle("beside-text", beside);
     if (beside) section.style.setProperty("--stage", `${Math.round(needed)}px`);
     const wanted = Math.round(Math.max(260, heightFor(this.bounds, canvas.clientWidth)));
-    const controls = this.allInView ? canvas.parentElement.clientHeight - canvas.clientHeight : 0;
-    const below = Math.round(innerHeight - (canvas.getBoundingClientRect().top + scrollY) - controls - 12);
+    const controls = this.allInView ? canvas.parentElement.clientHeight - canvas.clientHeight + 12 : ROW;
+    const below = Math.round(innerHeight - (canvas.getBoundingClientRect().top + scrollY) - controls);
     canvas.style.height = `min(var(--scene-most), ${wanted}px, ${Math.max(LOW, below)}px)`;
   }
 
@@ -141,8 +142,8 @@ class Player {
     this.time = Math.min(this.whole[1], Math.max(this.whole[0], time));
     const [from, to] = this.span;
     this.slider.value = String(Math.round(10000 * Math.min(1, Math.max(0, (this.time - from) / (to - from || 1)))));
-    this.slider.setAttribute("aria-valuetext", this.motion.told(this.time));
-    this.control("time").textContent = this.motion.told(this.time);
+    this.slider.setAttribute("aria-valuetext", this.motion.instantText(this.time));
+    this.control("time").textContent = this.motion.instantText(this.time);
     this.draw();
     if (!this.playing) this.describe();
     if (!quiet) this.listeners.forEach((listener) => listener(this.time));
@@ -161,7 +162,7 @@ class Player {
     }
     const closed = [...sums].map(([name, { force, unit }]) => `'${name}' ${engineering(Math.hypot(...force), unit)}`);
     const contacts = closed.length ? `in contact: ${closed.slice(0, 4).join(", ")}${closed.length > 4 ? ` and ${closed.length - 4} more` : ""}` : "no contact";
-    const moved = `largest displacement ${engineering(motion.largestAt(index), "m")}`;
+    const moved = `largest displacement of beams ${engineering(motion.largestAt(index), "m")}`;
     const parts = [motion.label(this.time), ...(motion.rests ? [] : [contacts]), moved];
     this.canvas.setAttribute("aria-label", `Scene, ${parts.filter(Boolean).join("; ")}`);
   }

@@ -32,7 +32,7 @@ class Report {
       plot.ctx.canvas.setAttribute("aria-label", describeFigure(entry.figure));
       plot.over.addEventListener("dblclick", () => this.reset(entry));
       finishLegend(plot, entry.figure);
-      reach(plot, () => entry.whole ?? this.whole);
+      reach(plot, () => entry.whole ?? this.whole, entry.element.getAttribute("aria-label"));
       entry.plot = plot;
     }
     queueMicrotask(() => (this.zooming = false));
@@ -141,7 +141,7 @@ async function main() {
   wireLog(document);
   wireTables(document);
   if (player) {
-    player.mayStandBeside = true;
+    player.mayBeBeside = true;
     tie(player, report);
   }
   watchTheme(report, player);

@@ -1,6 +1,6 @@
 "use strict";
 
-// What stands in a run and how it moves: from scene.json and the frames to points in the plane.
+// The parts of a run and how they move: from scene.json and the frames to points in the plane.
 // Beams are the solver's own curves: Hermite cubics through the stations.
 
 const PIECES = 400; // chords of all beams together, about
@@ -42,13 +42,13 @@ class Motion {
     return this.count ? this.frames.time[this.count - 1] : 0;
   }
 
-  // A time in words, and what a drawing says of it.
-  told(t) {
+  // A time in words, and as a drawing shows it.
+  instantText(t) {
     return engineering(t, "s") || "0 s";
   }
 
   label(t) {
-    return `t = ${this.told(t)}`;
+    return `t = ${this.instantText(t)}`;
   }
 
   // Whether velocities were kept.
@@ -267,7 +267,7 @@ class Motion {
     return this.scene.beams.some((b) => b.inertia.some((value) => value == null));
   }
 
-  // What colours stand for at a point of a curve: largest stress of the fibres, speed, or the size of a section force; null where it is
+  // What colours show at a point of a curve: largest stress of the fibres, speed, or the size of a section force; null where it is
   // not known.
   quantity(by, index, beam, point) {
     if (by === "stress") return this.stress(index, beam, point);

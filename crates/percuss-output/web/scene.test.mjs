@@ -8,7 +8,7 @@ import vm from "node:vm";
 // The page runs them as one script.
 const parts = ["pens.js", "figures.js", "scene.js", "clearance.js", "view.js", "drawing.js", "symbols.js", "player.js", "shapes.js", "chart.js"];
 const text = parts.map((name) => readFileSync(new URL(name, import.meta.url), "utf8")).join("\n");
-const names = "{ SvgPen, escapeXml, Motion, engineering, Drawing, boundsOf, viewOf, canExaggerate, mapColour, contactSpan, exaggerations, visibleFactor, hindrance, ShapeMotion, PathMotion, RestingMotion, roundTicks, crossings }";
+const names = "{ SvgPen, escapeXml, Motion, engineering, Drawing, boundsOf, viewOf, heightFor, widthFor, Player, canExaggerate, mapColour, contactSpan, exaggerations, visibleFactor, hindrance, ShapeMotion, PathMotion, RestingMotion, roundTicks, crossings }";
 const page = vm.runInNewContext(`${text}\n;(${names})`, { Float32Array, Math, Number, Map, Set });
 
 const nothing = { bodies: [], obstacles: [], supports: [], joints: [], springs: [], masses: [], loads: [], contacts: [] };
@@ -88,6 +88,39 @@ test("a beam that can yield has no stress by its forces, and no colour of it", (
   const svg = pen.finish();
   assert.match(svg, /stress, elastic beams/);
   assert.match(svg, /#abcdef/);
+});
+
+test("a scene fills its frame in width and in height, with room for what stands behind along its own axis alone", () => {
+  const strikes = { beam: 0, s: 2 };
+  const body = { name: "p", kind: "guided", elastic: true, position: [2, 0], direction: [1, 0], standoff: 0, strikes };
+  const bounds = page.boundsOf(motion({ bodies: [body] }));
+  assert.ok(bounds.margin[0] >= 34 + 22 && bounds.margin[1] < 40, `${bounds.margin}`);
+  const near = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a} is not ${b}`);
+  const fills = (width, height) => {
+    const view = page.viewOf(bounds, width, height);
+    const [[left, bottom], [right, top]] = [bounds.low, bounds.high].map(view.to);
+    near(left, bounds.margin[0]);
+    near(right, width - bounds.margin[0]);
+    near(top, bounds.margin[1]);
+    near(bottom, height - 18 - bounds.margin[1]);
+  };
+  fills(900, page.heightFor(bounds, 900));
+  fills(page.widthFor(bounds, 500), 500);
+});
+
+test("the label of the scene says time, contacts with their forces and the largest displacement", () => {
+  const contacts = [{ name: "hammer", between: ["b", "p"] }, { name: "stop", between: ["b", "w"] }];
+  // Two points of one contact: 3 N and 4 N at right angles are 5 N; the other is an impulse.
+  const rows = Float32Array.of(0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 4, 0, 1, 0, 0, 0, 2000, 1);
+  const m = motion({ contacts }, { contacts: rows, contact_count: Float32Array.of(0, 3) });
+  const labelOf = (motion, time) => {
+    let label = "";
+    page.Player.prototype.describe.call({ motion, time, canvas: { setAttribute: (_, text) => (label = text) } });
+    return label;
+  };
+  assert.equal(labelOf(m, 0), "Scene, t = 0 s; no contact; largest displacement of beams 0 m");
+  assert.equal(labelOf(m, 1), "Scene, t = 1 s; in contact: 'hammer' 5 N, 'stop' 2 kN s; largest displacement of beams 1 m");
+  assert.equal(labelOf(new page.RestingMotion(m.scene, m.frames), 1), "Scene, largest displacement of beams 1 m");
 });
 
 test("a guided projectile at the edge has room for its symbols", () => {
@@ -215,7 +248,7 @@ test("displacements are enlarged only as far as beams do not come to cross", () 
   assert.equal(page.crossings(corner, [segment([0.5, -1], [0.5, 1])]), 1);
 });
 
-test("what hinders larger displacements is told: two that touch, or how much room there is", () => {
+test("what hinders larger displacements is named: two that touch, or how much room there is", () => {
   const contacts = [{ name: "c", between: ["b", "floor"] }];
   const [scene, frames] = sagging({ obstacles: [floor], contacts });
   const free = new page.Motion(scene, frames);
@@ -246,12 +279,12 @@ test("a shape swings about its configuration, no farther than there is room", ()
   assert.ok(!near.obstacles && Math.abs(near.amplitude - 0.2004) < 1e-6);
 });
 
-test("a place on a path is told by its load factor", () => {
+test("a place on a path is named by its load factor", () => {
   const [scene, one] = sagging();
   const frames = { ...one, displacement: Float32Array.of(...new Array(8).fill(0), ...one.displacement), sections: new Float32Array(12), contact_count: Float32Array.of(0, 0) };
   const path = new page.PathMotion(scene, frames, [0, 0.16]);
   assert.equal(path.label(1), "load factor 0.16");
-  assert.equal(path.told(0.25), "load factor 0.04");
+  assert.equal(path.instantText(0.25), "load factor 0.04");
   assert.ok(Math.abs(path.on({ beam: 0, s: 2 }, path.at(0.5).u).place[1] + 0.02) < 1e-7);
   assert.deepEqual([...page.roundTicks(-0.5, 1, 6)].map((v) => Number(v.toFixed(9))), [-0.5, 0, 0.5, 1]);
 });

@@ -24,7 +24,7 @@ function takeFrames(frames, list) {
 
 // Equilibria that do not move with time.
 class RestingMotion extends Motion {
-  told() {
+  instantText() {
     return "";
   }
 
@@ -51,12 +51,12 @@ class PathMotion extends RestingMotion {
     return share === 1 ? this.factors[k + 1] : (1 - share) * this.factors[k] + share * this.factors[k + 1];
   }
 
-  told(t) {
+  instantText(t) {
     return `load factor ${significant(this.factor(t), 5)}`;
   }
 
   label(t) {
-    return this.told(t);
+    return this.instantText(t);
   }
 }
 
@@ -71,7 +71,7 @@ class ShapeMotion extends RestingMotion {
     const swing = takeFrames(frames, [shape]).displacement;
     const at = (factor) => swing.map((v, i) => base[i] + factor * v);
     const still = new Motion(scene, { ...one, displacement: base });
-    // Obstacles that nothing presses on take no part: they are left out where they would leave next to nothing to see.
+    // Obstacles that nothing presses on are ignored: they are left out where they would leave next to nothing to see.
     const most = SWING * new Clearance(still).size;
     const room = (obstacles) => {
       const clearance = new Clearance(still, { bodies: false, obstacles });

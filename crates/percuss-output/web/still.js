@@ -2,7 +2,7 @@
 
 // The page of an equilibrium, of a path of them, or of shapes: the scene, pictures beside each other, the curve of a path.
 
-// Frames that shapes are in stand behind those of configurations.
+// Frames of shapes follow those of configurations.
 function motionsOf({ scene, frames }, details) {
   const shapes = new Set(details.panels.map((p) => p.shape).filter((k) => k != null));
   const still = takeFrames(frames, [...frames.time.keys()].filter((k) => !shapes.has(k)));

@@ -37,7 +37,7 @@ Object.assign(Drawing.prototype, {
     return [base(1), base(-1)];
   },
 
-  // The support stands as it was built, however the beam turns in it.
+  // The support keeps its orientation, however the beam turns in it.
   pin(support, at, rest) {
     const p = this.view.to(at.place);
     const down = Math.abs(rest.tangent[1]) > 0.8 ? [-Math.sign(rest.normal[0] || 1), 0] : [0, 1];

@@ -1,11 +1,11 @@
 "use strict";
 
-// What of a scene is shown, and where a point of it stands on the screen.
+// What of a scene is shown, and where a point of it is on the screen.
 
 const MARGIN = 34; // pixels around the structure
-const ARROW_MARGIN = 52; // where arrows of forces stand around it
+const ARROW_MARGIN = 52; // of arrows of forces around it
 const FOOT = 18; // of the axes and the scale below it
-const [SPRING, BLOCK, REAR] = [34, 22, 54]; // lengths of a guided projectile's symbols: spring, mass, and what stands behind [pixels]
+const [SPRING, BLOCK, REAR] = [34, 22, 54]; // lengths of a guided projectile's symbols: spring, mass, and what is behind [pixels]
 
 // What is shown: everything the beams pass through, displacements enlarged by a factor, and bodies as far as they stay near.
 function boundsOf(motion, factor = 1) {

@@ -21,14 +21,14 @@ function moved([from, to], by, whole) {
   return [start, start + width];
 }
 
-// `whole` gives the range that the figure can show at most.
-function reach(plot, whole) {
+// `whole` gives the range that the figure can show at most, `name` says what it shows.
+function reach(plot, whole, name) {
   const shown = () => [plot.scales.x.min, plot.scales.x.max];
   const show = ([min, max]) => plot.setScale("x", { min, max });
   const over = plot.over;
   over.tabIndex = 0;
   over.setAttribute("role", "group");
-  over.setAttribute("aria-label", "Figure. Plus and minus zoom, arrow keys move, zero shows all.");
+  over.setAttribute("aria-label", `${name}. Plus and minus zoom, arrow keys move, zero shows all.`);
   over.style.touchAction = "pan-y";
   over.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey) return;

@@ -141,8 +141,16 @@ fn step(summary: &Value) -> String {
     };
     let [smallest, largest, mean] =
         ["smallest", "largest", "mean"].map(|key| quantity(control[key].as_f64(), "s"));
-    let percent = number(100.0 * accuracy);
-    format!("chosen for an accuracy of {percent} %: {smallest} to {largest}, mean {mean}")
+    let percent = |share: f64| format!("{}\u{a0}%", number(100.0 * share));
+    let mut text =
+        format!("for an accuracy of {}: {smallest} to {largest}, mean {mean}", percent(accuracy));
+    if let Some(refused) = control["refused"].as_u64() {
+        text += &format!(", {refused} repeated");
+    }
+    if let Some(estimate) = control["estimate"].as_f64() {
+        text += &format!("; estimated error {}", percent(estimate));
+    }
+    text
 }
 
 /// The settings of the run and its cost.

@@ -1,6 +1,6 @@
 //! Dashes that run along a curve.
 //!
-//! The raster backend starts the pattern anew at every point of a polyline, so a finely sampled curve
+//! The raster backend restarts the pattern at every point of a polyline, so a finely sampled curve
 //! comes out solid. Here the curve is cut into its dashes beforehand.
 
 use kuva::render::render::{Primitive, Scene};

@@ -28,7 +28,7 @@ pub(crate) fn rows(columns: &[&[f64]], n_rows: usize, bins: usize) -> Vec<usize>
 fn extremes(values: &[f64]) -> [usize; 2] {
     let first = values.iter().position(|v| !v.is_nan()).unwrap_or(0);
     let (mut at, mut low, mut high) = ([first; 2], values[first], values[first]);
-    // Few values are extremes: one look tells most of them apart. Comparisons with NaN are false.
+    // Few values are extremes: one comparison settles most of them. Comparisons with NaN are false.
     for (row, &value) in values.iter().enumerate().skip(first) {
         if value < low || value > high {
             if value < low {

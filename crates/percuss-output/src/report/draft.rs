@@ -61,7 +61,7 @@ pub(super) struct Draft {
     /// Its curves, shape (curves).
     pub curves: Vec<Curve>,
     pub omit: Omit,
-    /// Size beside which round-off is told, where it is larger than the curves \[SI\].
+    /// Size beside which values are round-off, where it is larger than the curves \[SI\].
     pub floor: f64,
     /// Whether curves that a common axis would flatten get figures of their own.
     pub apart: bool,
@@ -152,7 +152,7 @@ fn evaluate<'a>(curve: &Curve, column: impl Fn(usize) -> &'a [f64], out: &mut Ve
 type Read = (Curve, Vec<f64>);
 
 impl Draft {
-    /// The figure, or several where curves stand apart; none where no curve is worth drawing.
+    /// The figure, or several where curves are apart; none where no curve is worth drawing.
     fn drawn(mut self, mut x: Vec<f64>, mut columns: Vec<Vec<f64>>, time: &Scale) -> Vec<Figure> {
         if self.figure.section == Section::Supports && x.len() > 1 {
             // Means since the row before: the first row has none.
@@ -236,7 +236,7 @@ fn apart(read: Vec<Read>) -> Vec<Vec<Read>> {
     let mut groups: Vec<([f64; 2], f64, Vec<Read>)> = Vec::new();
     for one in read {
         let range = own(&one.1);
-        // What stands still needs no height, wherever it stands.
+        // What does not move needs no height, wherever it is.
         let moves = extent(range) > 1e-9 * largest(&one.1);
         let height = if moves { extent(range) } else { f64::INFINITY };
         let joined = |other: &([f64; 2], f64, Vec<Read>)| {

@@ -20,7 +20,7 @@ pub(super) fn ranges(summary: &Value) -> String {
     reactions(summary) + &section_forces(summary)
 }
 
-/// What joints of a given strength carried, and when they parted.
+/// Largest forces of joints with a strength, and when they failed.
 fn joints(summary: &Value) -> String {
     let empty = Map::new();
     let all = summary["joint"].as_object().unwrap_or(&empty);
@@ -29,11 +29,11 @@ fn joints(summary: &Value) -> String {
     }
     let row = |(name, joint): (&String, &Value)| {
         let most = |key: &str, unit: &str| quantity(joint[key]["value"].as_f64(), unit);
-        let parted = match joint["parted"]["time"].as_f64() {
+        let failed = match joint["parted"]["time"].as_f64() {
             Some(time) => quantity(Some(time), "s"),
             None => "not failed".to_owned(),
         };
-        vec![name.clone(), most("force_max", "N"), most("moment_max", "N*m"), parted]
+        vec![name.clone(), most("force_max", "N"), most("moment_max", "N*m"), failed]
     };
     let more = all.len().saturating_sub(LISTED);
     let rows: Vec<Vec<String>> = all.iter().take(LISTED).map(row).collect();
@@ -55,15 +55,16 @@ pub(super) fn first_rows(
     out
 }
 
-/// Where beams have parted, in the order of time.
+/// Fractures of beams, in the order of time.
 fn partings(summary: &Value) -> String {
     let empty = Map::new();
     let beams = summary["plastic"].as_object().unwrap_or(&empty);
     let mut all: Vec<(f64, Vec<String>)> = Vec::new();
     for (name, beam) in beams {
         for one in beam["parted"].as_array().into_iter().flatten() {
-            let told = |key: &str, unit: &str| quantity(one[key].as_f64(), unit);
-            let row = vec![name.clone(), metres(&one["s"]), told("time", "s"), told("energy", "J")];
+            let text_of = |key: &str, unit: &str| quantity(one[key].as_f64(), unit);
+            let row =
+                vec![name.clone(), metres(&one["s"]), text_of("time", "s"), text_of("energy", "J")];
             all.push((one["time"].as_f64().unwrap_or(0.0), row));
         }
     }
@@ -95,12 +96,12 @@ fn impulses(summary: &Value) -> String {
         if (0..3).all(|k| is_round_off(entry, k)) {
             continue;
         }
-        let told = |k: usize| {
+        let text_of = |k: usize| {
             let (key, unit) = quantities[k];
             let value = entry[key].as_f64();
             quantity(if is_round_off(entry, k) { value.map(|_| 0.0) } else { value }, unit)
         };
-        rows.push([vec![name.clone()], (0..3).map(told).collect()].concat());
+        rows.push([vec![name.clone()], (0..3).map(text_of).collect()].concat());
     }
     if rows.is_empty() {
         return String::new();
@@ -169,9 +170,9 @@ fn listing(
                 row.push(quantity(value, unit));
                 // What is nothing has no place and no instant.
                 let none = value == Some(0.0) && range[end]["value"] != 0.0;
-                let told = |text: String| if none { "\u{2013}".to_owned() } else { text };
-                row.extend(place.then(|| told(metres(&range[end]["s"]))));
-                row.push(told(quantity(range[end]["time"].as_f64(), "s")));
+                let text_of = |text: String| if none { "\u{2013}".to_owned() } else { text };
+                row.extend(place.then(|| text_of(metres(&range[end]["s"]))));
+                row.push(text_of(quantity(range[end]["time"].as_f64(), "s")));
             }
             rows.push(row);
         }

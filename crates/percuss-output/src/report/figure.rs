@@ -1,6 +1,6 @@
 //! A figure before anybody has drawn it: what the page and the pictures have in common.
 
-/// Where a figure stands on the page.
+/// Place of a figure on the page.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Section {
     /// A projectile and the point it strikes.
@@ -71,7 +71,7 @@ pub(crate) struct Series {
     pub style: usize,
     /// Width of the line in units of the usual one.
     pub weight: f64,
-    /// Whether the dash pattern of the style is used where curves are told apart by it.
+    /// Whether the dash pattern of the style is used where it distinguishes curves.
     pub dashed: bool,
     pub shape: Shape,
     /// Ordinates, shape (points) \[unit of the axis\].

@@ -158,7 +158,7 @@ pub(super) fn damping(summary: &Value) -> &'static str {
         Some(contacts) if contacts.abs() <= floor => "dissipated by damping",
         Some(contacts) if (all - contacts).abs() <= floor => "dissipated in contacts",
         Some(_) => "dissipated by damping and in contacts",
-        // Results of earlier versions do not tell the two apart.
+        // Results of earlier versions do not separate the two.
         None if crushes(summary) => "dissipated by damping and crushing",
         None => "dissipated by damping",
     }

@@ -17,13 +17,13 @@ pub(super) fn figures(
     name: &str,
     several: bool,
 ) -> Vec<Entry> {
-    let Some(flight) = Flight::new(canvas, summary, name) else { return Vec::new() };
+    let Some(guided) = Guided::new(canvas, summary, name) else { return Vec::new() };
     let frame = Frame { canvas, name, several };
     let contact = &summary["contact"][name];
     let force = canvas.history.position(&format!("contact.{name}.force"));
     let impulse = contact["impacts"].is_array();
     let mut all = Vec::new();
-    all.extend(displacement(&frame, &flight));
+    all.extend(displacement(&frame, &guided));
     all.extend(force.map(|force| {
         let figure = frame.figure("force", "Contact force", "contact force");
         let curves = vec![Curve::new("contact force", 2, force)];
@@ -40,7 +40,7 @@ pub(super) fn figures(
         let id = if several { format!("impulse-{name}") } else { "impulse".to_owned() };
         Entry::Ready(impulses(canvas, &id, if several { name } else { "" }, contact))
     }));
-    all.push(velocity(&frame, &flight, impulse));
+    all.push(velocity(&frame, &guided, impulse));
     all
 }
 
@@ -63,24 +63,24 @@ impl Frame<'_> {
     }
 }
 
-/// A projectile along its line of flight. Displacements and velocities along it are sums of channels.
-struct Flight {
-    /// Unit vector of the line of flight, shape (2) \[-\].
+/// A guided projectile along its direction of motion. Displacements and velocities along it are sums of channels.
+struct Guided {
+    /// Unit vector of the direction of motion, shape (2) \[-\].
     direction: [f64; 2],
     /// Channels of position, velocity and gap, shape (2) \[index of a channel\].
     position: [usize; 2],
     /// Channels of the velocity, shape (2) \[index of a channel\].
     velocity: [usize; 2],
     gap: usize,
-    /// Where it starts, along the line of flight.
+    /// Initial position along the direction of motion.
     start: f64,
     /// Gap at the start.
     standoff: f64,
-    /// The struck point, if it is among the recorded ones.
-    struck: Option<String>,
+    /// The contact point, if it is a recorded one.
+    target: Option<String>,
 }
 
-impl Flight {
+impl Guided {
     fn new(canvas: &Canvas<'_>, summary: &Value, name: &str) -> Option<Self> {
         let (history, sample) = (canvas.history, canvas.sample);
         let channel = |what: &str| history.position(&format!("projectile.{name}.{what}"));
@@ -94,19 +94,19 @@ impl Flight {
         let start = direction[0] * x + direction[1] * y;
         let standoff = first(gap, 0.0);
         let recorded = |point: &&str| components(canvas, point, "displacement").is_some();
-        let struck = own["strikes"].as_str().filter(recorded).map(str::to_owned);
-        Some(Self { direction, position, velocity, gap, start, standoff, struck })
+        let target = own["strikes"].as_str().filter(recorded).map(str::to_owned);
+        Some(Self { direction, position, velocity, gap, start, standoff, target })
     }
 
-    /// Along the line of flight: the sum of two components.
+    /// Along the direction of motion: the sum of two components.
     fn along(&self, channels: [usize; 2]) -> Vec<(usize, f64)> {
         let terms = channels.into_iter().zip(self.direction);
         terms.filter(|(_, factor)| *factor != 0.0).collect()
     }
 
-    /// What legends call the struck point.
-    fn struck_label(&self) -> String {
-        self.struck.as_ref().map_or("contact point".to_owned(), |p| format!("contact point {p}"))
+    /// Name of the contact point in legends.
+    fn target_label(&self) -> String {
+        self.target.as_ref().map_or("contact point".to_owned(), |p| format!("contact point {p}"))
     }
 }
 
@@ -115,20 +115,21 @@ fn components(canvas: &Canvas<'_>, point: &str, what: &str) -> Option<[usize; 2]
     Some([channel(1)?, channel(2)?])
 }
 
-fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {
-    let from_touch = -flight.start - flight.standoff;
-    if !flight.standoff.is_finite() {
+fn displacement(frame: &Frame<'_>, guided: &Guided) -> Option<Entry> {
+    let from_touch = -guided.start - guided.standoff;
+    if !guided.standoff.is_finite() {
         return None;
     }
-    let way = flight.along(flight.position);
-    let mut struck = way.clone();
-    struck.push((flight.gap, 1.0));
+    let way = guided.along(guided.position);
+    let mut target = way.clone();
+    target.push((guided.gap, 1.0));
     let curves = vec![
         Curve::sum(format!("projectile {}", frame.name), 1, way, from_touch),
-        Curve::sum(flight.struck_label(), 2, struck, from_touch),
+        Curve::sum(guided.target_label(), 2, target, from_touch),
     ];
-    let label = "displacement in the initial direction of motion";
-    let mut figure = frame.figure("displacement", "Displacement", label);
+    // The title says which direction in full: a label of that length would not fit beside the axis.
+    let title = "Displacement in the initial direction of motion";
+    let mut figure = frame.figure("displacement", title, "displacement, direction of motion");
     figure.note = "Projectile displacement measured from first contact.".to_owned();
     Some(Entry::Draft(Draft {
         figure,
@@ -140,23 +141,23 @@ fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {
     }))
 }
 
-fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
-    let struck = flight.struck.as_ref();
-    let struck = struck.and_then(|point| components(frame.canvas, point, "velocity"));
-    let mut figure =
-        frame.figure("velocity", "Velocity", "velocity in the initial direction of motion");
+fn velocity(frame: &Frame<'_>, guided: &Guided, picture: bool) -> Entry {
+    let target = guided.target.as_ref();
+    let target = target.and_then(|point| components(frame.canvas, point, "velocity"));
+    let title = "Velocity in the initial direction of motion";
+    let mut figure = frame.figure("velocity", title, "velocity, direction of motion");
     figure.picture = picture;
-    if struck.is_none() {
+    if target.is_none() {
         figure.note = "The contact point is not a recorded point.".to_owned();
     }
-    let point = struck.map(|channels| Curve {
+    let point = target.map(|channels| Curve {
         weight: 0.6,
         dashed: false,
-        ..Curve::sum(flight.struck_label(), 2, flight.along(channels), 0.0)
+        ..Curve::sum(guided.target_label(), 2, guided.along(channels), 0.0)
     });
     let projectile = Curve {
         weight: 1.6,
-        ..Curve::sum(format!("projectile {}", frame.name), 1, flight.along(flight.velocity), 0.0)
+        ..Curve::sum(format!("projectile {}", frame.name), 1, guided.along(guided.velocity), 0.0)
     };
     let curves = point.into_iter().chain([projectile]).collect(); // the later one lies on top
     Entry::Draft(Draft {
@@ -169,7 +170,7 @@ fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
     })
 }
 
-/// Impulses of impacts as stems, intervals of closed contact as bands; `name` stands in the title unless it is empty.
+/// Impulses of impacts as stems, intervals of closed contact as bands; `name` is part of the title unless it is empty.
 pub(super) fn impulses(canvas: &Canvas<'_>, id: &str, name: &str, contact: &Value) -> Figure {
     let empty = Vec::new();
     let list = |key: &str| contact[key].as_array().unwrap_or(&empty);

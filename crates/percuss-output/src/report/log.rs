@@ -41,7 +41,7 @@ pub(super) fn render(summary: &Value) -> String {
     }
     log.sort_by(|a, b| a.start.total_cmp(&b.start));
     let shown = &log[..log.len().min(LISTED)];
-    let told: usize = shown.iter().map(|e| e.touches.len().max(1)).sum();
+    let listed: usize = shown.iter().map(|e| e.touches.len().max(1)).sum();
     let columns = columns(shown, partners.len() > 1);
     let mut rows = Vec::new();
     for (k, entry) in shown.iter().enumerate() {
@@ -53,7 +53,7 @@ pub(super) fn render(summary: &Value) -> String {
     out += "<div class=\"log\">\n";
     out += &table_of_rows(&caption(&partners), &header, &rows);
     out += "</div>\n";
-    out + &more(total, kept, told)
+    out + &more(total, kept, listed)
 }
 
 /// Buttons that put the rows in another order.

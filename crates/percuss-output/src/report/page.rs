@@ -24,7 +24,7 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
         match hole {
             "title" => escape(title),
             "version" => escape(summary["percuss_version"].as_str().unwrap_or("")),
-            "status" => state(summary),
+            "status" => status(summary),
             "warnings" => warnings::worst(summary),
             "scene" => scene::render(data),
             "scene_scripts" => scene::SCRIPTS.join("\n"),
@@ -52,11 +52,10 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
     fill_holes(TEMPLATE, fill)
 }
 
-/// State of the run, the time it reached and the number of its warnings, with a link to them.
-fn state(summary: &Value) -> String {
-    let status = summary["status"].as_str().unwrap_or("unknown");
+/// State of a run and the time it reached: `Completed, t = 1.4 s`.
+pub(super) fn state(summary: &Value) -> String {
     let time = quantity(summary["time"].as_f64(), "s");
-    let words = match status {
+    match summary["status"].as_str().unwrap_or("unknown") {
         "completed" => format!("Completed, t = {time}"),
         "interrupted" => {
             format!("Interrupted at t = {time}: results up to the last accepted step")
@@ -65,9 +64,15 @@ fn state(summary: &Value) -> String {
             let why = if summary["error_code"] == "E101" { " (no convergence)" } else { "" };
             format!("Stopped{why} at t = {time}: results up to the last accepted step")
         }
+        "unsolved" => "Not solved".to_owned(),
         other => other.to_owned(),
-    };
-    let class = if status == "completed" { "status" } else { "status warning" };
+    }
+}
+
+/// The state with the number of warnings and a link to them, and why the run stopped.
+fn status(summary: &Value) -> String {
+    let (status, words) = (&summary["status"], state(summary));
+    let class = if *status == "completed" { "status" } else { "status warning" };
     let mut out =
         format!("<p class=\"{class}\">{}, {}</p>\n", escape(&words), warnings::count(summary));
     if let Some(error) = summary["error"].as_str() {
@@ -132,17 +137,21 @@ fn section(figures: &[Figure], section: Section, heading: &str) -> String {
 /// The place of a figure, with its title.
 pub(crate) fn frame(figure: &Figure) -> String {
     let (id, title) = (escape(&figure.id), escape(&figure.title));
-    // Small figures have one note above all of them.
+    // Small figures have one title and one note above all of them.
+    let name = match figure.group.as_str() {
+        "" => title.clone(),
+        group => format!("{}, {title}", escape(group)),
+    };
     let note = if figure.group.is_empty() { escape(&figure.note) } else { String::new() };
     let save = |kind: &str| {
-        let name = kind.to_uppercase();
+        let upper = kind.to_uppercase();
         format!(
-            "<button type=\"button\" class=\"save\" data-save=\"{kind}\" aria-label=\"Save {title} as {name}\">{name}</button>"
+            "<button type=\"button\" class=\"save\" data-save=\"{kind}\" aria-label=\"Save {name} as {upper}\">{upper}</button>"
         )
     };
     let saves: String = ["csv", "svg", "png"].map(save).concat();
     format!(
-        "<figure data-figure=\"{id}\"><figcaption><h3>{title}</h3><span>{saves}</span>\
+        "<figure data-figure=\"{id}\" aria-label=\"{name}\"><figcaption><h3>{title}</h3><span>{saves}</span>\
          <p>{note}</p></figcaption><div class=\"plot\"></div></figure>\n"
     )
 }
@@ -178,6 +187,25 @@ mod tests {
             _ => "z".to_owned(),
         });
         assert_eq!(page, "a {{y}} b z c");
+    }
+
+    #[test]
+    fn the_state_gives_the_time_the_warnings_and_why_a_run_stopped() {
+        let of = |summary: serde_json::Value| status(&summary).replace('\u{a0}', " ");
+        let warning = serde_json::json!([{ "verdict": "warning", "code": "W101", "text": "off" }]);
+        assert_eq!(
+            of(serde_json::json!({ "status": "completed", "time": 1.4, "warnings": warning })),
+            "<p class=\"status\">Completed, t = 1.4 s, <a href=\"#checks\">1 warning</a></p>\n"
+        );
+        let failed = of(
+            serde_json::json!({ "status": "failed", "time": 0.02, "error": "a < b", "error_code": "E101" }),
+        );
+        assert!(
+            failed
+                .starts_with("<p class=\"status warning\">Stopped (no convergence) at t = 20 ms: "),
+            "{failed}"
+        );
+        assert!(failed.contains("role=\"alert\">a &lt; b [E101]</p>"), "{failed}");
     }
 
     #[test]

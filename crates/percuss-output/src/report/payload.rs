@@ -125,7 +125,7 @@ fn table(columns: &mut Columns, figure: &Figure, table: &Table) -> Value {
 struct Columns {
     /// Bytes of the columns so far, shape (bytes) \[-\].
     bytes: Vec<u8>,
-    /// Where each column stands among the bytes, shape (columns).
+    /// Place of each column among the bytes, shape (columns).
     index: Vec<Value>,
     /// Columns that are there already, by their bytes, shape (bytes of a column) \[index of a column\].
     seen: HashMap<Vec<u8>, usize>,

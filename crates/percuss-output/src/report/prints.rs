@@ -117,7 +117,7 @@ impl Print {
         SvgBackend::new().render_scene(&self.sheet(axes, titled))
     }
 
-    /// The curves in their axes. What the ordinate is stands above them and the legend below: beside a narrow figure, and in columns
+    /// The curves in their axes. The label of the ordinate is above them and the legend below: beside a narrow figure, and in columns
     /// of their own, they would leave no room for the curves.
     fn axes(&self, width: f64) -> Scene {
         let mut sized = layout(&self.figure, self.span)

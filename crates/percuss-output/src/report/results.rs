@@ -149,8 +149,8 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         row("impacts", count.to_string());
         let rests = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
         let rested = contact["impulse_resting"].as_f64().unwrap_or(0.0);
-        let struck = contact["impulse_total"].as_f64().map(|total| (total - rested).max(0.0));
-        row("impulse of the impacts", quantity(struck, "N*s"));
+        let of_impacts = contact["impulse_total"].as_f64().map(|total| (total - rested).max(0.0));
+        row("impulse of the impacts", quantity(of_impacts, "N*s"));
         if !rests.is_empty() {
             row("times in resting contact", rests.len().to_string());
             row("impulse of resting contact", quantity(Some(rested), "N*s"));
@@ -194,7 +194,7 @@ fn aftermath(contact: &Value) -> Vec<(&'static str, String)> {
         Some(true) => ", structure taken as linear elastic",
         _ => "",
     };
-    let told = |label, key: &str| {
+    let shown = |label, key: &str| {
         let value = quantity(Some(force[key].as_f64()?), "N");
         Some((label, format!("{value}{elastic}")))
     };
@@ -202,8 +202,8 @@ fn aftermath(contact: &Value) -> Vec<(&'static str, String)> {
     let depth = contact["permanent_penetration"].as_f64().filter(|depth| *depth > 0.0);
     [
         depth.map(|depth| ("permanent indentation", quantity(Some(depth), "m"))),
-        told("equivalent static force, same largest moment", "moment"),
-        told("equivalent static force, same largest deflection", "deflection"),
+        shown("equivalent static force, same largest moment", "moment"),
+        shown("equivalent static force, same largest deflection", "deflection"),
         note.map(|why| ("equivalent static force", format!("none: {why}"))),
     ]
     .into_iter()
@@ -248,8 +248,8 @@ impl Sizes {
 fn departure(projectile: &Value, sizes: &Sizes) -> Vec<Vec<String>> {
     let velocity = &projectile["velocity_final"];
     let component = |k: usize| {
-        let told = velocity[k].as_f64().map(|v| number(without_round_off(v, sizes.velocity)));
-        told.unwrap_or("\u{2013}".to_owned())
+        let shown = velocity[k].as_f64().map(|v| number(without_round_off(v, sizes.velocity)));
+        shown.unwrap_or("\u{2013}".to_owned())
     };
     let given = |key: &str, size: f64| projectile[key].as_f64().map(|v| without_round_off(v, size));
     let row = |label: &str, value: String| vec![label.to_owned(), value];

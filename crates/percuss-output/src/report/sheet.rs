@@ -30,7 +30,7 @@ pub struct Sheet {
     pub status: String,
     /// Whether that line is a warning.
     pub alarming: bool,
-    /// What stands on it, shape (blocks).
+    /// Its content, shape (blocks).
     pub blocks: Vec<Block>,
 }
 

@@ -9,7 +9,7 @@ use super::data::ReportData;
 use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
 use super::figures;
 use super::html::{self, escape, table};
-use super::page::frame;
+use super::page::{frame, state};
 use super::quantity::{Scale, number, quantity, without_round_off};
 use super::template::{fill_holes, page_parts};
 use super::{payload, scene, story};
@@ -20,14 +20,14 @@ use crate::files;
 const TEMPLATE: &str = include_str!("../../web/comparison.html");
 /// What a page of ours begins with, within its first bytes.
 pub const MARK: &str = "<meta name=\"generator\" content=\"percuss comparison\">";
-/// Runs on a page: as many as there are colours to tell them apart.
+/// Runs on a page: as many as there are distinct colours.
 pub const MOST_RUNS: usize = 8;
 /// Colours of the runs, by their number.
 const STYLES: [usize; MOST_RUNS] = [0, 1, 2, 3, 4, 5, 6, 8];
 /// Curves that get a figure.
 const MOST_FIGURES: usize = 60;
 
-/// Stands in the path of a result for `min` or `max`, whichever is of larger magnitude.
+/// Placeholder in the path of a result for `min` or `max`, whichever is of larger magnitude.
 const LARGEST: &str = "largest";
 
 /// A run and what it is called on the page.
@@ -75,7 +75,7 @@ pub fn render(runs: &[Named]) -> Result<String, Error> {
             names[0]
         )),
         "scene" if scenes.is_empty() => format!("<p class=\"story\">{}</p>\n", escape(&lead)),
-        "scene" => scene::section(&lead, None),
+        "scene" => scene::section(&lead, scene::instant(&runs[0].data.summary)),
         "scene_scripts" => scene::SCRIPTS.join("\n"),
         "results" => results(runs),
         "figures" => figures.iter().map(frame).collect(),
@@ -89,8 +89,12 @@ pub fn render(runs: &[Named]) -> Result<String, Error> {
 
 fn stories(runs: &[Named]) -> String {
     let one = |run: &Named| {
-        let (name, text) = (escape(&run.name), escape(&story::story(&run.data.summary)));
-        format!("<p><strong>{name}</strong>: {text}</p>\n")
+        let summary = &run.data.summary;
+        let (name, text) = (escape(&run.name), escape(&story::story(summary)));
+        format!(
+            "<h3>{name}</h3>\n<p class=\"status\">{}</p>\n<p>{text}</p>\n",
+            escape(&state(summary))
+        )
     };
     runs.iter().map(one).collect()
 }
@@ -105,7 +109,7 @@ fn figures_of(runs: &[Named]) -> Result<Vec<Figure>, Error> {
         each.iter().flatten().filter(|f| f.scaled.is_some() && f.section != Section::Audit)
     {
         for series in figure.tables.iter().flat_map(|t| &t.series) {
-            // A curve may stand in another figure in another run, where sizes differ.
+            // A curve may be in another figure in another run, where sizes differ.
             let id = (
                 figure.id.trim_end_matches(|c: char| c == '-' || c.is_ascii_digit()),
                 &series.label,
@@ -191,9 +195,9 @@ fn results(runs: &[Named]) -> String {
         header.extend((k > 0).then(|| "difference".to_owned()));
     }
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
-    let told: Vec<Vec<String>> =
+    let shown: Vec<Vec<String>> =
         rows.iter().filter_map(|row| cells(row, scale(row, &rows, runs), runs)).collect();
-    table("Results of each run", &header, &told)
+    table("Results of each run", &header, &shown)
 }
 
 /// Size beside which a result is round-off: the largest of this unit and of what it belongs to, in any run.
@@ -218,8 +222,8 @@ fn value_at(summary: &Value, pointer: &str) -> Option<f64> {
 }
 
 fn cells(row: &KeyResult, scale: f64, runs: &[Named]) -> Option<Vec<String>> {
-    let told = |v: f64| without_round_off(v, scale);
-    let value = |run: &Named| value_at(&run.data.summary, &row.pointer).map(told);
+    let shown = |v: f64| without_round_off(v, scale);
+    let value = |run: &Named| value_at(&run.data.summary, &row.pointer).map(shown);
     let values: Vec<Option<f64>> = runs.iter().map(value).collect();
     let mut cells = vec![row.label.clone()];
     let mut any = false;
@@ -276,6 +280,8 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
         let slid = format!("/contact/{key}/sliding_distance");
         row(format!("sliding distance, {name}"), slid, "m");
         row(format!("friction work, {name}"), format!("/contact/{key}/friction_work"), "J");
+        let equivalent = format!("/contact/{key}/equivalent_force/moment");
+        row(format!("equivalent static force by moment, {name}"), equivalent, "N");
     }
     for (name, key) in named("projectile") {
         for (k, axis) in [(0, "x"), (1, "y")] {
@@ -306,29 +312,37 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
             );
         }
     }
-    for (name, key) in named("section_forces") {
-        row(
-            format!("largest moment, {name}"),
-            format!("/section_forces/{key}/moment_max/value"),
-            "N*m",
-        );
-        row(
-            format!("largest axial force, {name}"),
-            format!("/section_forces/{key}/axial_max/value"),
-            "N",
-        );
-        row(
-            format!("largest stress, {name}"),
-            // Of the largest and the smallest the one of larger magnitude.
-            format!("/section_forces/{key}/stress/{LARGEST}/value"),
-            "Pa",
-        );
-    }
-    for (name, key) in named("plastic") {
-        row(format!("permanent deflection, {name}"), format!("/plastic/{key}/permanent_set"), "m");
-    }
+    beam_rows(summary, &mut row);
     balance_rows(&mut row);
     rows
+}
+
+/// Section forces of beams, and what yielding left of them.
+fn beam_rows(summary: &Value, row: &mut impl FnMut(String, String, &'static str)) {
+    let names = |part: &str| -> Vec<(String, String)> {
+        let all = summary[part].as_object().into_iter().flat_map(|all| all.keys());
+        all.map(|name| (name.clone(), key(name))).collect()
+    };
+    // Of the largest and the smallest stress the one of larger magnitude.
+    let stress = format!("stress/{LARGEST}/value");
+    for (name, key) in names("section_forces") {
+        for (label, what, unit) in [
+            ("largest moment", "moment_max/value", "N*m"),
+            ("largest axial force", "axial_max/value", "N"),
+            ("largest stress", stress.as_str(), "Pa"),
+        ] {
+            row(format!("{label}, {name}"), format!("/section_forces/{key}/{what}"), unit);
+        }
+    }
+    for (name, key) in names("plastic") {
+        for (label, what, unit) in [
+            ("largest plastic strain", "strain_max", "1"),
+            ("largest plastic hinge rotation", "rotation", "rad"),
+            ("permanent deflection", "permanent_set", "m"),
+        ] {
+            row(format!("{label}, {name}"), format!("/plastic/{key}/{what}"), unit);
+        }
+    }
 }
 
 /// Where the energy went, how well the balance closed, and what the run cost.
@@ -376,11 +390,11 @@ mod tests {
 
     #[test]
     fn differences_are_relative_and_of_absolute_values() {
-        let told = |a: f64, b: f64| difference(Some(a), Some(b)).replace('\u{a0}', " ");
-        assert_eq!(told(-5.0, -6.0), "+20 %");
-        assert_eq!(told(4.0, -3.0), "-25 %, opposite sign");
-        assert_eq!(told(4.0, 4.0), "none");
-        assert_eq!(told(0.0, 1.0), "\u{2013}");
+        let shown = |a: f64, b: f64| difference(Some(a), Some(b)).replace('\u{a0}', " ");
+        assert_eq!(shown(-5.0, -6.0), "+20 %");
+        assert_eq!(shown(4.0, -3.0), "-25 %, opposite sign");
+        assert_eq!(shown(4.0, 4.0), "none");
+        assert_eq!(shown(0.0, 1.0), "\u{2013}");
         assert_eq!(difference(None, Some(1.0)), "\u{2013}");
     }
 }

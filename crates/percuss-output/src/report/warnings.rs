@@ -1,4 +1,4 @@
-//! Warnings of a run, the worst first: how many the state names, and those that stand above the scene.
+//! Warnings of a run, the worst first: how many the state names, and those shown above the scene.
 
 use serde_json::Value;
 

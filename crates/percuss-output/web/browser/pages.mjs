@@ -1,5 +1,5 @@
 // Report pages in a real browser, from files and without a network: PAGES is a directory with a page of each scenario,
-// STILL one of results of `static`, `static --path` and `modes`, SHOTS one for pictures of them, BROWSER the program, PLAYWRIGHT the library that drives it, AXE axe-core, which checks accessibility. See scripts/check-browser.
+// STILL one of results of `static`, `static --path` and `modes`, STUDY results of a study, SHOTS one for pictures of them, BROWSER the program, PLAYWRIGHT the library that drives it, AXE axe-core, which checks accessibility. See scripts/check-browser.
 
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, readdirSync } from "node:fs";
@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-const { PAGES, SHOTS, BROWSER, PLAYWRIGHT, COMPARISON, STILL, AXE } = process.env;
+const { PAGES, SHOTS, BROWSER, PLAYWRIGHT, COMPARISON, STILL, STUDY, AXE } = process.env;
 const { chromium } = createRequire(import.meta.url)(PLAYWRIGHT);
 const quiet = ["--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const root = process.getuid?.() === 0;
@@ -61,6 +61,8 @@ for (const name of readdirSync(PAGES)) {
     const { page, errors, close } = await open(name, 1400, 900);
     const box = await page.locator("#scene canvas").boundingBox();
     assert.ok(box.y + box.height <= 900, `the scene ends at ${box.y + box.height}`);
+    const play = await page.locator("[data-scene=play]").boundingBox();
+    assert.ok(play.y + play.height <= 900, `its controls begin at ${play.y}`);
     assert.ok((await page.textContent(".story")).length > 20);
     assert.ok((await inked(page)) > 300);
     await page.screenshot({ path: join(SHOTS, `${name}.png`) });
@@ -135,11 +137,15 @@ for (const [width, scheme] of [[1400, "light"], [400, "dark"]]) {
   test(`all kinds of pages are accessible, ${width} pixels wide, ${scheme}`, async () => {
     const files = ["gapped-pipe", "struck-column", "tapping-cantilever"].map((name) => join(PAGES, name, "report.html"));
     const resting = ["static/static.html", "modes/modes.html", "path/path.html"].map((name) => join(STILL, name));
-    for (const file of [...files, COMPARISON, ...resting]) {
-      const ready = resting.includes(file) ? () => document.documentElement.dataset.open : drawn;
+    const study = join(STUDY, "report.html");
+    const opened = () => document.documentElement.dataset.open;
+    const figures = () => document.querySelector(".u-over");
+    for (const file of [...files, COMPARISON, study, ...resting]) {
+      const ready = resting.includes(file) ? opened : file === study ? figures : drawn;
       const { page, errors, close } = await openFile(file, width, 900, ready, { ...calm, colorScheme: scheme });
       await page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
       await checkAccessibility(page);
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width, file);
       assert.deepEqual(errors, [], file);
       await close();
     }
@@ -152,7 +158,7 @@ test("the scene plays once when the page opens, then shows the instant of greate
   assert.equal(await page.textContent("[data-scene=play]"), "Pause");
   await page.waitForFunction(() => document.querySelector("[data-scene=play]").textContent === "Play", null, { timeout: 15000 });
   assert.equal(await time(page), "400 ms");
-  assert.match(await page.getAttribute("#scene canvas", "aria-label"), /^Scene, t = 400 ms; .*largest displacement \d/);
+  assert.match(await page.getAttribute("#scene canvas", "aria-label"), /^Scene, t = 400 ms; .*largest displacement of beams \d/);
   assert.match(await page.textContent(".status"), /^Completed, t = 400.ms, (no|\d+) warnings?$/);
   assert.deepEqual(errors, []);
   await close();
@@ -183,12 +189,12 @@ test("a click into a figure takes the scene to its time, and figures follow the 
   await page.mouse.click(box.x + 0.73 * box.width, box.y + 0.5 * box.height);
   assert.notEqual(await time(page), before);
   await scrub(page, 0.25);
-  const told = () => page.evaluate(() => document.querySelector("figure[data-figure] .u-legend .u-value").textContent);
+  const shown = () => page.evaluate(() => document.querySelector("figure[data-figure] .u-legend .u-value").textContent);
   await page.waitForFunction(() => !document.querySelector("figure[data-figure] .u-legend .u-value").textContent.startsWith("--"));
-  const quarter = await told();
+  const quarter = await shown();
   await scrub(page, 0.75);
   await page.waitForTimeout(200);
-  assert.notEqual(await told(), quarter);
+  assert.notEqual(await shown(), quarter);
   assert.deepEqual(errors, []);
   await close();
 });

@@ -12,7 +12,7 @@ const POINTS: usize = 150_000;
 const POINTS_OF_FIGURE: usize = 4000;
 /// Points that a map is made of at most.
 const POINTS_OF_MAP: usize = 3000;
-/// Groups of runs told apart by colour.
+/// Groups of runs with a colour each.
 const GROUPS: usize = 8;
 /// Steps of an empirical distribution at most.
 const STEPS: usize = 800;
@@ -206,7 +206,7 @@ fn numeric(study: &Study) -> Vec<&Parameter> {
     all.filter(|p| !matches!(p.variation, Variation::Words(_))).collect()
 }
 
-/// Runs by the words they take; all in one group where these are too many to be told apart.
+/// Runs by the words they take; all in one group where these are more than there are colours.
 fn groups(study: &Study, table: &Table) -> Vec<Group> {
     let all = study.parameters().iter();
     let words = all.filter(|p| matches!(p.variation, Variation::Words(_)));

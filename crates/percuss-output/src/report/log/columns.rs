@@ -18,7 +18,7 @@ pub(super) struct Column {
     content: Content,
 }
 
-/// What stands in a column.
+/// Content of a column.
 enum Content {
     /// Numbers on one scale, so that they compare.
     Number {
@@ -26,7 +26,7 @@ enum Content {
         factor: f64,
         /// Beside which a number is round-off.
         size: f64,
-        /// Whether five digits would not tell the rows apart.
+        /// Whether neighbouring rows are equal in five digits.
         fine: bool,
     },
     Other(Box<dyn Fn(&Entry) -> Cell>),

@@ -41,7 +41,7 @@ fn numbers_have_five_digits_and_round_off_is_nothing() {
     let page = of([impact(1.2345678, 0.5), impact(9.8765432, 1e-14)]);
     assert!(page.contains("<td>1.2346</td>") && page.contains("<td>9.8765</td>"), "{page}");
     assert!(page.contains("<td>0</td>") && page.contains("<td>0\u{a0}J</td>"), "{page}");
-    // Instants that five digits would not tell apart have more.
+    // Instants that are equal in five digits have more.
     let page = of([impact(1.2345678, 0.5), impact(1.2345687, 0.5)]);
     assert!(page.contains("<td>1.234568</td>") && page.contains("<td>1.234569</td>"), "{page}");
 }

@@ -19,7 +19,7 @@ use crate::report::scene;
 pub struct EquilibriumInfo<'a> {
     /// The scenario's title.
     pub title: &'a str,
-    /// What stands in the model.
+    /// Parts of the model as drawn.
     pub scene: &'a Scene,
     /// The equilibrium.
     pub found: &'a Equilibrium,
@@ -121,12 +121,13 @@ fn largest_section(
 /// Displacements, reactions, contacts, section forces.
 pub(super) fn tables(found: &Equilibrium) -> String {
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
-    let told = |v: f64, scale: f64, unit: &str| quantity(Some(without_round_off(v, scale)), unit);
+    let text_of =
+        |v: f64, scale: f64, unit: &str| quantity(Some(without_round_off(v, scale)), unit);
     let turned = largest(found.rotations.iter());
     let points: Vec<Vec<String>> = (found.points.iter().zip(&found.rotations))
         .map(|((name, u), rotation)| {
-            let [u1, u2] = u.map(|u| told(u, moved, "m"));
-            vec![name.clone(), u1, u2, told(*rotation, turned, "rad")]
+            let [u1, u2] = u.map(|u| text_of(u, moved, "m"));
+            vec![name.clone(), u1, u2, text_of(*rotation, turned, "rad")]
         })
         .collect();
     let size = largest(found.reactions.iter().flat_map(|(_, r)| &r[..2]));
@@ -135,9 +136,9 @@ pub(super) fn tables(found: &Equilibrium) -> String {
         .map(|(name, r)| {
             vec![
                 name.clone(),
-                told(r[0], size, "N"),
-                told(r[1], size, "N"),
-                told(r[2], turning, "N*m"),
+                text_of(r[0], size, "N"),
+                text_of(r[1], size, "N"),
+                text_of(r[2], turning, "N*m"),
             ]
         })
         .collect();

@@ -46,7 +46,7 @@ pub(super) struct Page<'a> {
     pub details: Value,
     /// Markup.
     pub tables: String,
-    /// What stands there without scripts; markup.
+    /// Shown without scripts; markup.
     pub fallback: String,
 }
 

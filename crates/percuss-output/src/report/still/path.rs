@@ -17,7 +17,7 @@ use crate::report::scene;
 pub struct PathInfo<'a> {
     /// The scenario's title.
     pub title: &'a str,
-    /// What stands in the model.
+    /// Parts of the model as drawn.
     pub scene: &'a Scene,
     /// The path.
     pub path: &'a Path,
@@ -101,7 +101,7 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
 /// Place of the curve.
 const CHART: &str = "<figure class=\"chart\" id=\"chart\"><figcaption><h2>Load factor over displacements</h2><span>\
 <button type=\"button\" class=\"save\" data-chart=\"svg\" aria-label=\"Save the curve as SVG\">SVG</button></span>\
-<p>Click a point to show the structure; data in path.csv.</p></figcaption><canvas></canvas></figure>\n";
+<p>Click a point to show the structure; data in path.csv.</p></figcaption><canvas role=\"img\" aria-label=\"Load factor over displacements\"></canvas></figure>\n";
 
 fn story(path: &Path) -> String {
     let names = |point: &PathPoint| {
@@ -181,9 +181,9 @@ fn turns(path: &Path, what: &str, points: &[PathPoint]) -> String {
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let moved = largest(points.iter().flat_map(|p| p.displacements.as_flattened()));
     let row = |point: &PathPoint| {
-        let told = |u: &f64| quantity(Some(without_round_off(*u, moved)), "m");
+        let text_of = |u: &f64| quantity(Some(without_round_off(*u, moved)), "m");
         let mut row = vec![number(point.factor)];
-        row.extend(point.displacements.as_flattened().iter().map(told));
+        row.extend(point.displacements.as_flattened().iter().map(text_of));
         row
     };
     let rows: Vec<Vec<String>> = points.iter().take(DRAWN).map(row).collect();
