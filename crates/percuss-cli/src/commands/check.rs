@@ -188,7 +188,8 @@ fn loads(ready: &Ready) -> Vec<String> {
     let point = of_kind(|kind| matches!(kind, LoadKind::Point { .. }));
     let distributed = of_kind(|kind| matches!(kind, LoadKind::Distributed { .. }));
     let base = of_kind(|kind| matches!(kind, LoadKind::Base { .. }));
-    let each = [(point, "point load"), (distributed, "distributed load"), (base, "base acceleration")];
+    let each =
+        [(point, "point load"), (distributed, "distributed load"), (base, "base acceleration")];
     let each = each.into_iter().filter(|(n, _)| *n > 0).map(|(n, noun)| count(n, noun));
     (gravity > 0).then(|| "gravity".to_owned()).into_iter().chain(each).collect()
 }
