@@ -125,6 +125,7 @@ impl<S: Number> SummaryInput<'_, S> {
                     permanent_penetration: None,
                     carried_crush: None,
                     pressed_in: None,
+                    sliding: None,
                     equivalent_force: None,
                     no_equivalent_force: None,
                     record: self.record(k, reading),

@@ -56,7 +56,7 @@ impl Error {
     /// This build has no graphics support.
     #[cfg(not(feature = "drawing"))]
     pub(crate) fn not_built() -> Self {
-        let text = "this build draws no pictures; cargo install --path crates/percuss-cli installs one that does";
+        let text = "this build has no graphics support; install with cargo install --path crates/percuss-cli";
         Self { text: text.into(), code: FileCode::Drawing.into(), input: true }
     }
 

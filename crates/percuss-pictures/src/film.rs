@@ -34,15 +34,14 @@ fn hindrance(found: &Value, factor: f64) -> Option<String> {
     if let Some(most) = found["most"].as_f64() {
         let most = (100.0 * most).floor() / 100.0;
         return Some(format!(
-            "displacements drawn {factor} times as large would let bodies overlap that do not; --exaggeration {most} is as far as \
-             they stay apart"
+            "deformation scale {factor} would show overlapping bodies; the largest is --exaggeration {most}"
         ));
     }
     let contact = found["contact"].as_str()?;
     let [one, other] = [0, 1].map(|k| word(&found["between"][k]));
     Some(format!(
-        "`{one}` and `{other}` touch in this run (contact `{contact}`), and displacements drawn larger than they are would let them \
-         overlap or part; leave --exaggeration out, and show what the beam does by --diagram moment or --colour moment"
+        "`{one}` and `{other}` touch in this run (contact `{contact}`), and a deformation scale would show them overlapping or \
+         apart; omit --exaggeration, and show what the beam does by --diagram moment or --colour moment"
     ))
 }
 

@@ -68,8 +68,8 @@ impl Mp4 {
         drop(self.child.stdin.take());
         let status = self.child.wait().map_or_else(|e| e.to_string(), |s| s.to_string());
         let said = self.complaints.take().and_then(|thread| thread.join().ok()).unwrap_or_default();
-        let said = said.trim().lines().last().unwrap_or("without a word").to_owned();
-        Error::failed(format!("ffmpeg gave up ({status}): {said}"))
+        let said = said.trim().lines().last().unwrap_or("no message").to_owned();
+        Error::failed(format!("ffmpeg failed ({status}): {said}"))
     }
 }
 

@@ -80,7 +80,7 @@ const OWN: &[Case] = &[
     },
     Case {
         id: "cradle",
-        title: "Newton's cradle of five balls: the blow passed on, and shared at once",
+        title: "Newton's cradle of five balls: sequential and simultaneous impacts",
         source: "closed form; Herrmann and Seitz 1982, Am. J. Phys. 50, 977",
         run: cradle::cradle_of_five,
     },

@@ -174,7 +174,7 @@ pub fn rigid_motion() -> Report {
     };
     c.relative("speed after [m/s]", speed(&b), speed(&a), 1e-9);
     c.relative("peak force [N]", smooth(&b).0.value, smooth(&a).0.value, 1e-9);
-    for (name, s) in [("as it stands", &a), ("turned and moved", &b)] {
+    for (name, s) in [("as given", &a), ("turned and moved", &b)] {
         c.at_most(format!("{name}: energy residual"), s.energy.residual_max, 1e-10);
         let m = s.momentum;
         c.at_most(format!("{name}: linear momentum residual"), m.linear_residual_max, 1e-10);

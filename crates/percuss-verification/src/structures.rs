@@ -297,7 +297,7 @@ pub fn everything() -> Report {
         let settings = Settings { scheme, start: Start::Static, ..Settings::new(0.15, 1e-4) };
         let mut run = match Simulation::new(&model, &settings) {
             Ok(run) => run,
-            Err(faults) => panic!("sound settings: {faults:?}"),
+            Err(faults) => panic!("valid settings: {faults:?}"),
         };
         let (mut energy, mut momentum, mut shrinks, mut loss) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0);
         let mut reached = true;

@@ -129,7 +129,7 @@ pub fn infinite_beam() -> Report {
     let _ = simulate(&model, &Settings::new(8e-2, 1e-4), &mut rows).expect("sound settings");
     let reaction = rows.column("support.left.force_2").unwrap_or_default();
     let first = reaction.iter().find(|r| r.abs() > 1.0).copied().unwrap_or(f64::NAN);
-    c.at_least("E9: first reaction, along the blow [N]", first, 0.0);
+    c.at_least("E9: first reaction, in the direction of the impact [N]", first, 0.0);
     c.into_report()
 }
 

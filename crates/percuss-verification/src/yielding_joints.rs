@@ -231,7 +231,7 @@ pub fn portal_pushover() -> Report {
     c.figure(
         "Load over the limit and sway over that at the limit",
         ["sway (1)", "load (1)"],
-        [Curve::computed("Percuss", curve), Curve::reference("by hand", reference)],
+        [Curve::computed("Percuss", curve), Curve::reference("hand calculation", reference)],
     );
     c.into_report()
 }

@@ -89,15 +89,14 @@ impl BucklingOutcome {
                 "no linear buckling: the tangent stays positive up to {up_to:.3e} times the loads, where strains reach one"
             ),
             Self::Unloaded => "no linear buckling: no load acts".into(),
-            Self::Follower => "no linear buckling factor: loads follow the beams and have no potential, so that the structure \
-                 may flutter where no factor tells; modes about the static equilibrium do"
+            Self::Follower => "no linear buckling factor: follower loads have no potential (flutter is possible); see the modes about the static \
+                 equilibrium"
                 .into(),
             Self::Mechanism => "no linear buckling factor: the unloaded structure is a mechanism".into(),
             Self::Unstable => "no linear buckling factor: the structure is unstable without loads".into(),
-            Self::Inelastic => "no linear buckling factor: something can yield, bears stress of one sign only or is given fibre by fibre; \
-                 the path of equilibria (--path) shows what the structure carries"
+            Self::Inelastic => "no linear buckling factor: yielding, tension-only, compression-only or fibre sections; see `percuss static --path`"
                 .into(),
-            Self::Unfinished => "linear buckling factors exist that the search did not find".into(),
+            Self::Unfinished => "the search did not find all linear buckling factors".into(),
         })
     }
 }

@@ -3,6 +3,7 @@
 use super::balance::StaticBalance;
 use super::course::StaticFirstYield;
 use super::failure::StaticFailure;
+use super::largest_displacement::LargestDisplacement;
 use super::spectrum::Held;
 use super::static_contacts::StaticContact;
 use super::yields::StaticYielding;
@@ -18,6 +19,10 @@ pub struct Equilibrium {
     pub state: State,
     /// Displacements of the recorded points, with their names, shape (points, 2) \[m\].
     pub points: Vec<(String, [f64; 2])>,
+    /// Rotations of the recorded points, counter-clockwise, continuous along each beam from within half a turn at its start, shape (points) \[rad\].
+    pub rotations: Vec<f64>,
+    /// The largest displacement of all beams, recorded or not.
+    pub largest_displacement: Option<LargestDisplacement>,
     /// Section forces of largest magnitude, one entry a beam, shape (beams).
     pub section_forces: Vec<SectionForceSummary>,
     /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].

@@ -35,11 +35,11 @@ pub fn equivalent_force(
     let projectile = striker(model)?;
     refuse_others(model, start)?;
     refuse_what_is_not_linear(model, run)?;
-    let mut linear =
-        SmallForces::new(model, projectile).ok_or("nothing holds the structure against it")?;
+    let mut linear = SmallForces::new(model, projectile)
+        .ok_or("the structure is not supported in this direction")?;
     let moment = run.section_forces[projectile.point.beam].moment.largest().value.abs();
     if moment.is_nan() || moment <= linear.moment(0.0) * (1.0 + FOUND) {
-        return Err("nothing bends the struck beam farther than it was at rest");
+        return Err("the impact does not increase the bending moment");
     }
     let along = (0..2).find(|k| projectile.direction[*k].abs() > 1.0 - 1e-12);
     let recorded = run.points.iter().find(|p| p.name == model.contacts[0].between[0]);
@@ -60,8 +60,8 @@ pub fn equivalent_force(
 fn striker(model: &Model) -> Result<&ProjectileData, &'static str> {
     match (model.projectiles.as_slice(), model.contacts.len()) {
         ([projectile], 1) => Ok(projectile),
-        ([], _) => Err("no guided projectile strikes"),
-        _ => Err("other contacts may act as well"),
+        ([], _) => Err("no guided projectile"),
+        _ => Err("other contacts are possible"),
     }
 }
 
@@ -72,15 +72,13 @@ fn refuse_others(model: &Model, start: Start) -> Result<(), &'static str> {
             && [0.0, 1e-3, 1.0, 1e3].iter().all(|t| load.factor(*t, 1e-6) == 1.0)
     };
     if !model.loads().all(|load| steady(&load)) {
-        return Err("other loads than a steady weight act as well");
+        return Err("loads other than a steady weight act");
     }
     if !model.loads.is_empty() && start != Start::Static {
-        return Err(
-            "the structure swings under its weight from the start: time.start = \"static\" lets it hang at rest",
-        );
+        return Err("the structure vibrates under self-weight: use time.start = \"static\"");
     }
     if !model.motions.is_empty() {
-        return Err("supports are moved");
+        return Err("supports have prescribed motions");
     }
     if !model.is_still() {
         return Err("the structure moves from the start");

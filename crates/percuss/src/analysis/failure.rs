@@ -45,9 +45,8 @@ impl fmt::Display for StaticFailure {
         let (name, s) = (&self.name, self.s);
         match self.kind {
             FailureKind::Fibres => write!(f, "fibres of `{name}` fail at s = {s:.6} m"),
-            FailureKind::Parted => write!(f, "`{name}` parts at s = {s:.6} m"),
-            FailureKind::Extension => write!(f, "`{name}` fails"),
-            FailureKind::Torn => write!(f, "`{name}` tears"),
+            FailureKind::Parted => write!(f, "`{name}` fractures at s = {s:.6} m"),
+            FailureKind::Extension | FailureKind::Torn => write!(f, "`{name}` fails"),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::balance::{self, StaticBalance};
 use super::equilibrium::Equilibrium;
+use super::largest_displacement::LargestDisplacement;
 use super::lost::{loose, moves};
 use super::spectrum::{Layout, free_motions};
 use super::stability::stability;
@@ -97,6 +98,8 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     let balance = StaticBalance::new(search, &reactions);
     Equilibrium {
         points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
+        rotations: model.rotations(&state.displacement),
+        largest_displacement: LargestDisplacement::of(model, &state),
         section_forces,
         element_forces,
         contact_forces: search.contacts.frame_forces(model, &state),
@@ -149,11 +152,11 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
         model.beams.iter().zip(&touchable).any(|(b, t)| *t && b.nodes.contains(&node))
     });
     let fault = |(index, beam): (usize, &BeamData)| {
-        let mut found = format!("a mechanism: `{}` can move without being strained", beam.name);
-        let mut expected = "supports and joints that hold every beam".to_owned();
+        let mut found = format!("a mechanism: `{}` can move without strain", beam.name);
+        let mut expected = "supports and joints that fix every beam".to_owned();
         if let Some(one) = apart.iter().find(|one| one.beams.contains(&index)) {
             let [a, b] = &one.ends;
-            found += &format!(", and nothing joins `{a}` and `{b}`, which lie at one place");
+            found += &format!(", and the coincident ends `{a}` and `{b}` are not connected");
             expected += &format!(": {}", one.joint());
         }
         Fault::new(format!("beam.{}", beam.name), found, expected)

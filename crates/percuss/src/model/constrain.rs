@@ -230,13 +230,13 @@ fn joints(builder: &ModelBuilder, model: &mut Model, independent: &mut Independe
         let kept = join(model, independent, points, (rigid, own), &path);
         if parts && kept != 0 && kept < 2 + usize::from(rigid) {
             // If one of them has failed, the others would have to carry its remaining force here.
-            let found = "a joint that follows in part from what holds and joins its points already, where a joint may part";
-            faults.push(Fault::new(path, found, "joints each of which carries all that it shares"));
+            let found = "a joint that is partly redundant with supports or other joints, in a model whose joints can fail";
+            faults.push(Fault::new(path, found, "joints without redundancy"));
             continue;
         }
         if kept == 0 && !matches!(joint.kind, JointKind::ElasticHinge { .. }) {
-            let found = "a joint between points that are held or joined already";
-            faults.push(Fault::new(path, found, "a joint that connects something"));
+            let found = "a joint between points that are fixed or connected already";
+            faults.push(Fault::new(path, found, "no redundant joint"));
         }
     }
     faults

@@ -15,7 +15,7 @@ pub struct Fault {
 
 impl Fault {
     /// Text for an obstacle that no contact names. (Readers of files, which know the intended contacts, have a more precise one.)
-    pub const UNTOUCHED: &str = "nothing touches it";
+    pub const UNTOUCHED: &str = "no contact";
 
     /// A fault at `path`.
     pub fn new(

@@ -270,12 +270,24 @@ pub struct ContactSummary {
     pub carried_crush: Option<CarriedCrush>,
     /// Largest penetration of a compliant contact, compared with the size of its partners; `None` for guided projectiles and half-planes.
     pub pressed_in: Option<PressedIn>,
+    /// Sliding distance and friction work of a contact with friction.
+    pub sliding: Option<Sliding>,
     /// Equivalent static force of the impacts, if only weight at rest acts on the structure as well.
     pub equivalent_force: Option<EquivalentForce>,
     /// Reason why there is none, for a guided projectile.
     pub no_equivalent_force: Option<&'static str>,
     /// Record.
     pub record: ContactRecord,
+}
+
+/// Sliding distance of the surfaces of a contact under force, and dissipation by friction, which determine wear.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Sliding {
+    /// Sum of the magnitudes of the relative tangential displacements of the surfaces; for several simultaneous points their mean,
+    /// weighted by the normal impulses \[m\].
+    pub distance: f64,
+    /// Energy that friction dissipated, a part of the losses of impacts and persistent contact \[J\].
+    pub work: f64,
 }
 
 /// Penetration under a compliant law.

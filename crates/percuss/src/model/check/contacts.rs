@@ -28,7 +28,7 @@ pub(super) fn check_obstacle(model: &ModelBuilder, obstacle: &Obstacle, out: &mu
             out.finite(path("point"), point, "m");
             if !(norm(*normal) > 0.0 && norm(*normal).is_finite()) {
                 let found = format!("[{}, {}]", normal[0], normal[1]);
-                out.add(path("normal"), found, "a direction out of the obstacle");
+                out.add(path("normal"), found, "the outward normal");
             }
         }
         ObstacleShape::Disc { centre, radius } => {
@@ -80,16 +80,16 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
         };
         if !known {
             let expected = "beams, discs and obstacles of this model";
-            out.add(path("between"), "something unknown", expected);
+            out.add(path("between"), "an unknown name", expected);
         }
     }
     match contact.between {
         [ContactPartner::Obstacle(_), ContactPartner::Obstacle(_)] => {
-            let expected = "a beam or a projectile, and what it touches";
-            out.add(path("between"), "two obstacles, which do not move each other", expected);
+            let expected = "a beam or a projectile, and another body";
+            out.add(path("between"), "two fixed obstacles", expected);
         }
         [ContactPartner::Disc(a), ContactPartner::Disc(b)] if a == b => {
-            out.add(path("between"), "a disc and itself", "two different things");
+            out.add(path("between"), "a disc and itself", "two different bodies");
         }
         [one, other] => check_thickness(model, [one, other], path("between"), out),
     }
@@ -125,7 +125,7 @@ fn check_thickness(
     } else {
         (format!("{} and {}", one.0, other.0), format!("{}, or {}", one.2, other.2))
     };
-    out.add(path, format!("{both}: end on they would pass through each other"), &cure);
+    out.add(path, format!("{both}: end-to-end contact needs a depth or radius"), &cure);
 }
 
 /// Whether two bodies without extent can only meet in axial motion, or will in their position.
@@ -247,7 +247,7 @@ pub(super) fn check_smooth(law: &SmoothLaw, path: &impl Fn(&str) -> String, out:
     check_unloading(law, path, out);
     if law.dissipation > 0.0 && law.force == ContactForce::Midpoint {
         let found = "dissipation with the force in the middle of the step";
-        out.add(path("force"), found, "a conserving force: its balance closes");
+        out.add(path("force"), found, "an energy-conserving force");
     }
 }
 
@@ -256,7 +256,7 @@ fn check_unloading(law: &SmoothLaw, path: &impl Fn(&str) -> String, out: &mut Fa
     let Some(slope) = law.unloading else { return };
     if law.force == ContactForce::Midpoint {
         let found = "a contact that crushes with the force in the middle of the step";
-        return out.add(path("force"), found, "a conserving force: its balance closes");
+        return out.add(path("force"), found, "an energy-conserving force");
     }
     let steepest = match &law.potential {
         Potential::Linear { stiffness } => *stiffness,

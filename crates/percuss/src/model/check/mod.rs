@@ -29,7 +29,7 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
     check_materials(model, &mut out);
     check_sections(model, &mut out);
     if model.beams.is_empty() && model.discs.is_empty() {
-        out.add("beam".into(), "no beam and no disc", "at least one of them: something that moves");
+        out.add("beam".into(), "no beam and no disc", "at least one beam or disc");
     }
     for beam in &model.beams {
         check_beam(model, beam, &mut out);

@@ -48,12 +48,12 @@ pub(super) fn check_plasticity(m: &Material, law: &Plasticity, out: &mut Faults)
 pub(super) fn check_one_sided(m: &Material, law: &Plasticity, out: &mut Faults) {
     let path = |field: &str| format!("material.{}.{field}", m.name);
     if law.kinematic != 0.0 {
-        let found = "kinematic hardening of a material that bears stress of one sign only";
+        let found = "kinematic hardening of a tension-only or compression-only material";
         out.add(path("hardening.kinematic"), found, "isotropic hardening, or a table");
     }
     if law.overstress.is_some() {
-        let found = "a rate law of a material that bears stress of one sign only";
-        out.add(path("rate"), found, "no `rate`, or a material that bears both");
+        let found = "a rate law of a tension-only or compression-only material";
+        out.add(path("rate"), found, "no `rate`, or a material for both signs of stress");
     }
 }
 
@@ -82,7 +82,7 @@ pub(super) fn check_yielding_length(spring: &Spring, distance: f64, out: &mut Fa
             "{length} m for points {distance:.6} m apart: an extension of {extension:.6} m, \
              and it yields at {most:.6} m"
         );
-        let expected = "a length with which it does not yield before anything moves";
+        let expected = "a length without initial yielding";
         out.add(format!("spring.{}.length", spring.name), found, expected);
     }
 }
@@ -195,8 +195,8 @@ impl Words {
 
     fn softening(&self) -> &'static str {
         match self.path.starts_with("material.") {
-            true => "what softens does so over a length that no mesh knows",
-            false => "softening is not followed",
+            true => "softening has no length scale and is mesh-dependent",
+            false => "softening is not supported",
         }
     }
 
@@ -235,11 +235,10 @@ pub(super) fn check_fibres(model: &ModelBuilder, beam: &Beam, out: &mut Faults) 
         }
         if s.profiles().any(|(profile, _)| *profile == Profile::Unknown) {
             let found = format!(
-                "area and second moment alone for `{}` of `{}`, whose material `{}` does more than Hooke's law",
+                "area and second moment only for `{}` of `{}`, with the nonlinear material `{}`",
                 s.name, beam.name, m.name
             );
-            let expected =
-                "a `shape`, such as \"rectangle\" or \"i\", which tells where its fibres lie";
+            let expected = "a `shape`, such as \"rectangle\" or \"i\", for the fibre positions";
             out.add(format!("section.{}.shape", s.name), found, expected);
         } else if !(4..=Section::MOST_FIBRES).contains(&s.fibres) || s.fibres % 2 == 1 {
             let expected = "an even number of fibres from 4 to 200";

@@ -9,6 +9,7 @@ mod load;
 mod material;
 mod profile;
 mod projectile;
+mod rounding;
 mod section;
 mod support;
 
