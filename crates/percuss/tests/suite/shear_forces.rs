@@ -74,7 +74,7 @@ fn the_shear_force_is_the_slope_of_the_bending_moment_at_rest_and_in_motion() {
             let shear = rows.column(&format!("section.{k} here.shear"));
             for (row, shear) in shear.into_iter().enumerate() {
                 let slope = (after[row] - before[row]) / (2.0 * APART * length);
-                // The rotary inertia of a strip as thin as this is what else changes the moment, up to a thousandth of V.
+                // The rotary inertia of such a thin strip also changes the moment, by up to a thousandth of V.
                 assert!(
                     (shear - slope).abs() < 5e-3 * peak,
                     "arc {arc} {place}, row {row}: V = {shear}, dM/ds = {slope}"

@@ -1,4 +1,4 @@
-//! Sliding distance and friction work of contacts, what wear goes by.
+//! Sliding distance and friction work of contacts, which determine wear.
 
 use crate::common;
 
