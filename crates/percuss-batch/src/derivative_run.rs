@@ -254,7 +254,7 @@ impl<'a> DerivativeRun<'a> {
     }
 
     /// The instant at which a projectile was located, as the size of the part solved last: it moves with the parameters so that the gap half an
-    /// impact interval ahead stays what it is. The part is solved once more with it.
+    /// impact interval ahead is constant. The part is solved once more with it.
     fn follow_instant(&mut self, k: usize) -> Result<Derived, Horizon> {
         let mut h = self.engine.h;
         h.slope[TOGETHER] = 1.0;

@@ -287,7 +287,7 @@ pub fn fan() -> Report {
     // The last load that it bears, but for a hundredth.
     let load = 0.99 * 81_961.5;
     let plastic = run(load, true, 1e-2);
-    // Loaded, the outer bars bear what the middle one cannot. What turns of them is left out, 4e-5.
+    // Under load, the outer bars carry the force that the middle one cannot. Their rotation is neglected, 4e-5.
     let down = plastic.value("point.tip.displacement_2", 100) / SMALL;
     let outer = (load - 30_000.0) / (2.0 * cosine);
     let exact = -outer * length / (young * cosine * cosine);

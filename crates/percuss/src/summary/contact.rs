@@ -270,7 +270,7 @@ pub struct ContactSummary {
     pub carried_crush: Option<CarriedCrush>,
     /// Largest penetration of a compliant contact, compared with the size of its partners; `None` for guided projectiles and half-planes.
     pub pressed_in: Option<PressedIn>,
-    /// Sliding distance and friction work, of a contact with friction.
+    /// Sliding distance and friction work of a contact with friction.
     pub sliding: Option<Sliding>,
     /// Equivalent static force of the impacts, if only weight at rest acts on the structure as well.
     pub equivalent_force: Option<EquivalentForce>,
@@ -280,13 +280,13 @@ pub struct ContactSummary {
     pub record: ContactRecord,
 }
 
-/// Sliding distance and friction work of a contact while it pressed, for estimates of wear.
+/// Sliding distance of the surfaces of a contact under force, and dissipation by friction, which determine wear.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Sliding {
-    /// Sum of the sizes of the tangential displacements of one surface against the other, where several points press at once their mean,
+    /// Sum of the magnitudes of the relative tangential displacements of the surfaces; for several simultaneous points their mean,
     /// weighted by the normal impulses \[m\].
     pub distance: f64,
-    /// Energy that friction dissipated, a part of what impacts and persistent contact lost \[J\].
+    /// Energy that friction dissipated, a part of the losses of impacts and persistent contact \[J\].
     pub work: f64,
 }
 

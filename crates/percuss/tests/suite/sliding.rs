@@ -1,4 +1,4 @@
-//! Sliding distance and friction work of contacts.
+//! Sliding distance and friction work of contacts, which determine wear.
 
 use crate::common;
 

@@ -243,7 +243,7 @@ fn a_limit_point_under_load_control_names_arc_length() {
     assert!(path.reached && path.limit_points.len() >= 2, "{:?}", path.limit_points);
     let limit = path.limit_points[0].factor;
     assert!(limit > 0.0 && limit < 1.0, "{limit}");
-    // Load control either stops before the limit point, naming the path by arc length, or says that it has jumped past it.
+    // Load control either stops before the limit point, naming the path by arc length, or reports that it has jumped past it.
     match equilibrium(&model) {
         Err(error) => assert!(error.to_string().contains("static --path"), "{error}"),
         Ok(found) => panic!("jumped to {:?}", found.points),

@@ -136,7 +136,7 @@ impl Condensed {
     /// Factors the assembled matrix.
     ///
     /// # Errors
-    /// The node where it is singular; `None` stands for the interface system.
+    /// The node where it is singular; `None` for the interface system.
     pub fn factor(&mut self) -> Result<(), Option<SingularPivot>> {
         if self.interface.is_empty() {
             return self.chain.factor().map_err(Some);

@@ -34,7 +34,7 @@ pub struct ContactLog {
     pub residual: f64,
     /// Time of the largest penetration of each smooth contact, shape (contacts).
     pub pressed: Vec<Option<PressedIn>>,
-    /// How far each contact with friction slid, shape (contacts).
+    /// Sliding distances and friction works of the contacts with friction, shape (contacts).
     slides: Vec<Option<Slides>>,
     /// Number of the open interval of each smooth contact in its record, shape (contacts) \[index of an interval\].
     open: Vec<Option<usize>>,
@@ -196,7 +196,7 @@ impl ContactLog {
             })
     }
 
-    /// How far a contact with friction slid, and what that dissipated; nothing of one without.
+    /// Sliding distance and friction work of a contact; `None` without friction.
     pub fn sliding(&self, contact: usize) -> Option<Sliding> {
         self.slides[contact].map(|slides| slides.total)
     }

@@ -231,7 +231,7 @@ fn has_depth(model: &Model, point: &MaterialPoint) -> bool {
 pub struct SinceLast<'a> {
     /// Impulses along normal and tangent, shape (contacts, 2) \[N s\].
     pub impulse: &'a [[f64; 2]],
-    /// Rotations of the recorded points where the state stands, shape (points) \[rad\].
+    /// Rotations of the recorded points in the current state, shape (points) \[rad\].
     pub rotations: &'a [f64],
     /// Pairs evaluated in the current state, and bounds for the gaps of the others.
     pub search: &'a Search,

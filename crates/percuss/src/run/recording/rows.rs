@@ -89,7 +89,7 @@ impl Rows {
         &self.values
     }
 
-    /// Rotations of the recorded points where the state stands: at first as along their beams, then with no more than half a turn since the
+    /// Rotations of the recorded points in the current state: at first as along their beams, then with no more than half a turn since the
     /// row before.
     fn turn(&mut self, model: &Model, state: &State) {
         if self.count <= 1 {

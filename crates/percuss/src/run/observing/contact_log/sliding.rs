@@ -1,4 +1,4 @@
-//! How far the surfaces of a contact with friction slide on each other, and what that dissipates.
+//! Sliding distance of the surfaces of a contact with friction, and its dissipation.
 
 use serde::{Deserialize, Serialize};
 
@@ -41,7 +41,7 @@ mod tests {
     #[test]
     fn points_that_slide_together_count_by_what_they_press() {
         let mut slides = Slides::default();
-        // Two points that press alike and slide alike are one; then one of them presses three times as much and stands still.
+        // Two points with equal forces and equal sliding count as one; then one of them has three times the force and does not slide.
         for (part, points) in [(1, [[1.0, 0.2], [1.0, -0.2]]), (2, [[1.0, 0.4], [3.0, 0.0]])] {
             for [pressed, slip] in points {
                 slides.take(part, pressed, slip, -0.5);
