@@ -12,6 +12,8 @@ use crate::model::frozen::BeamData;
 use crate::step::forcing::Forcing;
 use crate::step::tangent::Tangent;
 
+/// Stiffness of what stands still, far beyond that of any spring.
+const IMMOVABLE: f64 = 1e30;
 /// What has moved by so many times the size of everything is held by nothing.
 const LOST: f64 = 1e2;
 /// A disc is pushed no deeper into a compliant contact than where it presses with so many times its weight.
@@ -66,6 +68,22 @@ impl StaticContacts {
                 (diagonal[0][0], diagonal[1][1]) = (spring, spring);
             }
         }
+    }
+
+    /// Bodies that stand still whatever springs pull at them, once these act.
+    pub fn stand<const TANGENT: bool>(&self, residual: &mut [[f64; 4]], tangent: &mut Tangent) {
+        for node in &self.standing {
+            residual[*node] = [0.0; 4];
+            if TANGENT {
+                let diagonal = &mut tangent.chain_mut().diag[*node];
+                (0..4).for_each(|k| diagonal[k][k] = IMMOVABLE);
+            }
+        }
+    }
+
+    /// Whether the body of a node is one of them.
+    pub fn stands(&self, node: usize) -> bool {
+        self.standing.contains(&node)
     }
 
     /// The share of a correction that discs can take: up to what is in their way, and not much further.

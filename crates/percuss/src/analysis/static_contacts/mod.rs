@@ -59,6 +59,8 @@ pub(super) struct StaticContacts {
     dents: Vec<Dents>,
     /// Discs at rest, and guided projectiles at rest on springs, that take part, shape (such bodies).
     discs: Vec<RestingDisc>,
+    /// Nodes of bodies that springs end at and that stand still, shape (such bodies).
+    standing: Vec<usize>,
     /// Bodies in the model: all of them stand still but those discs.
     has_bodies: bool,
     /// Scale of positions \[m\].
@@ -116,8 +118,10 @@ impl StaticContacts {
         let moves =
             |i: &usize| (model.bodies[*i].kind.is_disc() && rests(model, *i)) || hangs(model, *i);
         let discs: Vec<RestingDisc> = (0..model.bodies.len()).filter(moves).map(disc).collect();
-        let mut contacts =
-            Self { discs, has_bodies: !model.bodies.is_empty(), size, ..Self::default() };
+        let stands = |i: &usize| !moves(i) && model.is_tied(*i);
+        let standing = (0..model.bodies.len()).filter(stands).map(|i| model.body_node(i)).collect();
+        let has_bodies = !model.bodies.is_empty();
+        let mut contacts = Self { discs, standing, has_bodies, size, ..Self::default() };
         let at = Configuration::of(&base.displacement);
         for (i, pair) in model.pairs.iter().enumerate().filter(|(_, p)| takes_part(model, p)) {
             let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
