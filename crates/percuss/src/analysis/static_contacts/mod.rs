@@ -59,7 +59,7 @@ pub(super) struct StaticContacts {
     dents: Vec<Dents>,
     /// Discs at rest, and guided projectiles at rest on springs, that take part, shape (such bodies).
     discs: Vec<RestingDisc>,
-    /// Nodes of bodies that springs end at and that stand still, shape (such bodies).
+    /// Nodes of bodies that springs end at and that stand still, shape (such bodies) \[index of a node\].
     standing: Vec<usize>,
     /// Bodies in the model: all of them stand still but those discs.
     has_bodies: bool,
