@@ -120,6 +120,20 @@ pub(super) fn partings(summary: &Value) -> Option<String> {
     })
 }
 
+/// The first of the springs that failed without yielding, those of a given strength.
+fn failed(all: &serde_json::Map<String, Value>) -> Option<String> {
+    let times = all.iter().filter_map(|(name, one)| Some((name, one["failure"]["time"].as_f64()?)));
+    let mut failed: Vec<(&String, f64)> = times.collect();
+    failed.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let (name, time) = failed.first()?;
+    let time = quantity(Some(*time), "s");
+    Some(match failed.len() - 1 {
+        0 => format!("{name} failed at {time}."),
+        1 => format!("{name} failed at {time}, another spring later."),
+        more => format!("{name} failed at {time}, {more} other springs later."),
+    })
+}
+
 /// The spring or hinge that dissipated most.
 pub(super) fn connectors(summary: &Value) -> Option<String> {
     let lost = |one: &Value| one["dissipated"].as_f64().unwrap_or(0.0);
@@ -127,6 +141,9 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
     let all = summary["yielding"].as_object().filter(|all| !all.is_empty())?;
     let (name, most) = all.iter().max_by(|a, b| lost(a.1).total_cmp(&lost(b.1)))?;
     let Some(began) = first(most) else {
+        if let Some(failed) = failed(all) {
+            return Some(failed);
+        }
         return Some(match all.len() {
             1 => format!("{name} did not yield."),
             n => format!("None of {n} springs and joints that can yield did."),
@@ -194,6 +211,25 @@ mod tests {
         );
         let none = json!({ "plastic": { "a": untouched, "b": untouched } });
         assert_eq!(beams(&none).as_deref(), Some("None of 2 beams that can yield did."));
+    }
+
+    /// Springs of a given strength fail without yielding.
+    #[test]
+    fn a_spring_that_breaks_is_named_with_the_time() {
+        let spring = |failed: Option<f64>| {
+            json!({
+                "first_yield": { "time": null }, "dissipated": 0.0, "failure": { "time": failed },
+            })
+        };
+        let story = |all: Value| connectors(&all).unwrap().replace('\u{a0}', " ");
+        let one = json!({ "yielding": { "spring.rope": spring(Some(0.032)) } });
+        assert_eq!(story(one), "spring.rope failed at 32 ms.");
+        let two = json!({ "yielding": {
+            "spring.a": spring(Some(0.05)), "spring.b": spring(Some(0.032)), "spring.c": spring(None),
+        } });
+        assert_eq!(story(two), "spring.b failed at 32 ms, another spring later.");
+        let none = json!({ "yielding": { "spring.rope": spring(None) } });
+        assert_eq!(story(none), "spring.rope did not yield.");
     }
 
     #[test]
