@@ -238,6 +238,7 @@ impl StaticContacts {
     ) {
         if TANGENT {
             self.add_springs(tangent);
+            self.damping = (0.5 * self.damping).max(WEAK);
         }
         if self.places.is_empty() {
             return;
@@ -292,7 +293,6 @@ impl StaticContacts {
             // What presses next to nothing may come and go by round-off.
             self.changed = flips > NEXT_TO_NOTHING * most;
             self.opened = held && !closed(self);
-            self.damping = (0.5 * self.damping).max(WEAK);
         }
     }
 
