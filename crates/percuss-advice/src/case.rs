@@ -101,11 +101,28 @@ pub struct Beams<'a> {
 pub fn read<'a>(model: &'a Model, index: usize, at: Option<ContactPlace>) -> Option<Case<'a>> {
     let contact = model.contact(index)?;
     let guided = (index < model.guided().len()).then_some(index);
+    if is_on_a_spring(model, &contact, guided) {
+        return None;
+    }
     let meeting = match guided {
         Some(k) => Meeting::Struck(projectile(model, k)?),
         None => meeting(model, &contact, at)?,
     };
     Some(Case { name: contact.name(), index, law: contact.law(), guided, meeting })
+}
+
+/// Whether a spring acts on a projectile of a contact: no formula knows of that.
+fn is_on_a_spring(model: &Model, contact: &ContactView<'_>, guided: Option<usize>) -> bool {
+    let tied = |name: &str| model.connectors().any(|c| c.projectiles().any(|own| own == name));
+    if let Some(projectile) = guided.and_then(|k| model.guided().nth(k)) {
+        return tied(&projectile.body.name);
+    }
+    contact.pairs().next().is_some_and(|(partners, _)| {
+        partners.into_iter().any(|partner| match partner {
+            MovingPartner::Body(k) => tied(&model.bodies()[k].name),
+            MovingPartner::Beam(_) => false,
+        })
+    })
 }
 
 fn projectile(model: &Model, k: usize) -> Option<Struck<'_>> {

@@ -89,8 +89,13 @@ struct Tie {
 }
 
 fn ties(model: &Model) -> Vec<Tie> {
-    let tie = |beams: Vec<usize>| Tie { to_ground: beams.len() == 1, beams };
-    let constraints = model.constraints().map(|one| one.points().map(|p| p.beam).collect());
-    let connectors = model.connectors().map(|one| one.points().map(|p| p.beam).collect());
-    constraints.chain(connectors).map(tie).collect()
+    let constraints = model.constraints().map(|one| {
+        let beams: Vec<usize> = one.points().map(|p| p.beam).collect();
+        Tie { to_ground: beams.len() == 1, beams }
+    });
+    let connectors = model.connectors().map(|one| {
+        let beams: Vec<usize> = one.points().map(|p| p.beam).collect();
+        Tie { to_ground: beams.len() == 1 && one.projectiles().next().is_none(), beams }
+    });
+    constraints.chain(connectors).collect()
 }

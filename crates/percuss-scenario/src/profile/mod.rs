@@ -23,11 +23,11 @@ pub struct SteelProfile {
 /// Dimensions of a profile \[m\].
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Form {
-    /// A rolled I: depth, width, web, flange, radius of the fillets.
+    /// A rolled I: depth, width, web, flange, radius of the fillets, shape (5) \[m\].
     I([f64; 5]),
-    /// A hollow rectangle: depth, width, wall.
+    /// A hollow rectangle: depth, width, wall, shape (3) \[m\].
     Box([f64; 3]),
-    /// A hollow circle: diameter, wall.
+    /// A hollow circle: diameter, wall, shape (2) \[m\].
     Tube([f64; 2]),
 }
 

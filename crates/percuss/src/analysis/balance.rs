@@ -92,12 +92,15 @@ impl StaticSearch<'_> {
         out
     }
 
-    /// Forces on the structure of springs to the ground, shape (springs, 2) \[N\].
+    /// Forces on the structure of springs to the ground or to a fixed body, shape (springs, 2) \[N\].
     fn ground_springs(&self) -> Vec<[f64; 2]> {
         let mut out = Vec::new();
         for (i, c) in self.model.connectors.iter().enumerate().filter(|(_, c)| c.support.is_none())
         {
-            let mut ends = c.attachments().filter(|(_, (_, slope))| !slope);
+            let stands = |node| self.contacts.stands(node);
+            let mut ends = c
+                .attachments()
+                .filter(|(_, (p, slope))| !slope && !p.body_node().is_some_and(stands));
             if let (Some((end, _)), None) = (ends.next(), ends.next()) {
                 let step = self.connector_step(i, c);
                 out.push(step.forms[end].map(|form| -step.force * form));

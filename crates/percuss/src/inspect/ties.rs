@@ -109,6 +109,18 @@ impl<'m> ConnectorView<'m> {
         points.into_iter().flatten().map(PointView::of)
     }
 
+    /// Names of the projectiles that it ends at.
+    pub fn projectiles(&self) -> impl Iterator<Item = &'m str> + use<'m> {
+        let ends: &'m [ConnectorEnd] = match &self.0.coordinate {
+            Coordinate::Distance { ends } => ends.as_slice(),
+            _ => &[],
+        };
+        ends.iter().filter_map(|end| match end {
+            ConnectorEnd::Body(point) => Some(point.label.as_str()),
+            _ => None,
+        })
+    }
+
     /// Its potential.
     pub fn law(&self) -> ConnectorLaw {
         self.0.law.clone()

@@ -35,6 +35,9 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
     for item in &builder.obstacles {
         obstacle(item, model);
     }
+    if model.node_count() == 1 && !builder.springs.is_empty() {
+        ground(model); // a point of a spring lies between two nodes
+    }
 }
 
 fn push(model: &mut Model, position: [f64; 2], body: Body) -> usize {
@@ -105,7 +108,7 @@ fn obstacle(item: &Obstacle, model: &mut Model) {
 }
 
 /// The body of all fixed obstacles.
-pub(super) fn ground(model: &mut Model) -> usize {
+fn ground(model: &mut Model) -> usize {
     let known = |b: &Body| b.kind == BodyKind::Obstacle && b.name.is_empty();
     let found = model.bodies.iter().position(known);
     found.unwrap_or_else(|| held_body(model, "", [0.0; 2], None, [0.0; 2]))

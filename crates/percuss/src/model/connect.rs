@@ -89,7 +89,7 @@ fn push(
 /// Adds springs between points, and those of elastic hinges.
 pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
     for spring in &builder.springs {
-        let mut place = |anchor: &Anchor| match anchor {
+        let place = |anchor: &Anchor| match anchor {
             Anchor::Point(p) => ConnectorEnd::Point(locate(model, p)),
             Anchor::Projectile(name) => ConnectorEnd::Body(centre(model, name)),
             Anchor::Ground(x) => ConnectorEnd::Ground(*x),
@@ -148,20 +148,17 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
 }
 
 /// The centre of a body that strikes as a point of the mesh: the shape function of its node alone.
-fn centre(model: &mut Model, name: &str) -> MaterialPoint {
+fn centre(model: &Model, name: &str) -> MaterialPoint {
     let own = |i: &usize| model.bodies[*i].name == name;
     let body = model.striking_bodies().find(own).unwrap_or_default();
     let own = model.body_node(body);
-    if model.node_count() == 1 {
-        super::bodies::ground(model); // a point lies between two nodes
-    }
     let (node, shape) = match own.checked_sub(1) {
         Some(before) => (before, [0.0, 0.0, 1.0, 0.0]),
         None => (own, [1.0, 0.0, 0.0, 0.0]),
     };
     MaterialPoint {
         label: name.into(),
-        beam: usize::MAX,
+        beam: MaterialPoint::OF_BODY,
         node,
         s: f64::NAN,
         shape,
@@ -247,8 +244,7 @@ impl Connector {
             _ => &[],
         };
         ends.iter().filter_map(|end| match end {
-            ConnectorEnd::Body(p) if p.shape[0] != 0.0 => Some(p.node),
-            ConnectorEnd::Body(p) => Some(p.node + 1),
+            ConnectorEnd::Body(p) => p.body_node(),
             _ => None,
         })
     }

@@ -83,6 +83,17 @@ impl<S: Copy> MaterialPoint<S> {
     }
 }
 
+impl MaterialPoint {
+    /// Beam of a point that is none of a beam: the centre of a body.
+    pub const OF_BODY: usize = usize::MAX;
+
+    /// Node of the body whose centre it is; none of a point of a beam.
+    pub fn body_node(&self) -> Option<usize> {
+        let own = || if self.shape[0] == 0.0 { self.node + 1 } else { self.node };
+        (self.beam == Self::OF_BODY).then(own)
+    }
+}
+
 /// Interpolates nodal values with shape functions, or their derivatives, of the element of a node.
 #[inline(always)]
 pub fn combine<S: Real>(nodal: &[[S; 4]], node: usize, n: &[S; 4]) -> [S; 2] {

@@ -316,8 +316,9 @@ pub enum ActsFrom {
 pub struct ForceTable<S = f64> {
     /// Slope next to zero, force per extension.
     pub slope: S,
-    /// Bends from zero up and below it: extension and change of the slope, shape (bends, 2).
+    /// Bends from zero up: extension and change of the slope, shape (bends, 2) \[m, N/m\].
     pub above: Vec<[S; 2]>,
+    /// Bends below zero, likewise, shape (bends, 2) \[m, N/m\].
     pub below: Vec<[S; 2]>,
 }
 

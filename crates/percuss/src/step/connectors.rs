@@ -45,7 +45,7 @@ pub type Attachment<'a> = (&'a MaterialPoint, bool);
 impl Connector {
     /// Its ends on beams alone.
     pub fn on_beams(&self) -> impl Iterator<Item = &MaterialPoint> {
-        self.attachments().map(|(_, (point, _))| point).filter(|point| point.beam != usize::MAX)
+        self.attachments().map(|(_, (point, _))| point).filter(|point| point.body_node().is_none())
     }
 
     /// Its ends on beams and bodies, with their number.

@@ -23,7 +23,7 @@ pub struct Tangent {
     linked: Vec<bool>,
     /// Couplings of contacts, which vary: (row node, column node, block), shape (couplings, 4, 4) \[index of a node, index of a node, N/m, N, N m\].
     contacts: Vec<(usize, usize, Block)>,
-    /// Nodes of bodies that springs end at, shape (such ends).
+    /// Nodes of bodies that springs end at, shape (such ends) \[index of a node\].
     tied: Vec<usize>,
     /// Bodies that touch one element only, eliminated first.
     condensed_bodies: CondensedBodies,

@@ -156,6 +156,34 @@ fn a_vehicle_on_its_suspension_starts_in_balance() {
     stays(&b.build().unwrap(), "car", (100.0, 1e5, 0.6));
 }
 
+/// A ball that is thrown stands still in statics: the spring acts as one to the ground does.
+#[test]
+fn a_moving_ball_holds_its_spring_at_the_start() {
+    let sag = |end: &dyn Fn(&mut ModelBuilder) -> Anchor| {
+        let mut b = ModelBuilder::new();
+        let middle = bridge(&mut b);
+        let own = end(&mut b);
+        let law = SpringLaw::Linear { stiffness: 1e5 };
+        let own = spring("rope", [Anchor::Point(middle), own], law);
+        b.spring(Spring { length: Some(0.49), ..own });
+        let found = equilibrium(&b.build().unwrap()).unwrap();
+        (found.state.displacement, found.balance)
+    };
+    let place = [0.5 * SPAN, -0.5];
+    let (tied, balance) = sag(&|b| {
+        b.disc(disc("ball", 100.0, 0.1, place, [1.0, 0.0]));
+        at_body("ball")
+    });
+    let (held, same) = sag(&|_| Anchor::Ground(place));
+    for (a, b) in tied.iter().zip(&held) {
+        assert!((0..4).all(|k| (a[k] - b[k]).abs() < 1e-12), "{a:?} {b:?}");
+    }
+    assert!(tied[held.len()].iter().all(|x| x.abs() < 1e-20), "{:?}", tied[held.len()]);
+    for (a, b) in balance.springs.iter().zip(same.springs) {
+        assert!((a - b).abs() < 1e-6, "{balance:?} {same:?}");
+    }
+}
+
 /// A disc on a tether strikes a beam, with a compliant and with a rigid contact.
 #[test]
 fn a_tethered_disc_strikes_a_beam() {

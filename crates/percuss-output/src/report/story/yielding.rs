@@ -140,6 +140,20 @@ pub(super) fn fractures(summary: &Value) -> Option<String> {
     })
 }
 
+/// The first of the springs with a strength that failed without yielding.
+fn failed(all: &serde_json::Map<String, Value>) -> Option<String> {
+    let times = all.iter().filter_map(|(name, one)| Some((name, one["failure"]["time"].as_f64()?)));
+    let mut failed: Vec<(&String, f64)> = times.collect();
+    failed.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let (name, time) = failed.first()?;
+    let first = capital(&format!("{} failed at {}.", connector(name), instant(Some(*time))));
+    Some(match failed.len() - 1 {
+        0 => first,
+        1 => format!("{first} One more spring failed."),
+        more => format!("{first} {more} more springs failed."),
+    })
+}
+
 /// The spring or hinge with the largest dissipation.
 pub(super) fn connectors(summary: &Value) -> Option<String> {
     let lost = |one: &Value| one["dissipated"].as_f64().unwrap_or(0.0);
@@ -147,6 +161,9 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
     let all = summary["yielding"].as_object().filter(|all| !all.is_empty())?;
     let (name, most) = all.iter().max_by(|a, b| lost(a.1).total_cmp(&lost(b.1)))?;
     let Some(began) = first(most) else {
+        if let Some(failed) = failed(all) {
+            return Some(failed);
+        }
         return Some(match all.len() {
             1 => capital(&format!("{} did not yield.", connector(name))),
             n => format!("None of the {n} springs and joints with a yield limit yielded."),
@@ -222,6 +239,25 @@ mod tests {
         );
         let none = json!({ "plastic": { "a": untouched, "b": untouched } });
         assert_eq!(beams(&none).as_deref(), Some("No beam yielded (2 can yield)."));
+    }
+
+    /// Springs of a given strength fail without yielding.
+    #[test]
+    fn a_spring_that_breaks_is_named_with_the_time() {
+        let spring = |failed: Option<f64>| {
+            json!({
+                "first_yield": { "time": null }, "dissipated": 0.0, "failure": { "time": failed },
+            })
+        };
+        let story = |all: Value| connectors(&all).unwrap().replace('\u{a0}', " ");
+        let one = json!({ "yielding": { "spring.rope": spring(Some(0.032)) } });
+        assert_eq!(story(one), "Spring 'rope' failed at t = 32 ms.");
+        let two = json!({ "yielding": {
+            "spring.a": spring(Some(0.05)), "spring.b": spring(Some(0.032)), "spring.c": spring(None),
+        } });
+        assert_eq!(story(two), "Spring 'b' failed at t = 32 ms. One more spring failed.");
+        let none = json!({ "yielding": { "spring.rope": spring(None) } });
+        assert_eq!(story(none), "Spring 'rope' did not yield.");
     }
 
     #[test]

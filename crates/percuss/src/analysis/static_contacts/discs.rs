@@ -12,6 +12,8 @@ use crate::model::frozen::BeamData;
 use crate::step::forcing::Forcing;
 use crate::step::tangent::Tangent;
 
+/// Stiffness of fixed bodies, far beyond that of any spring.
+const IMMOVABLE: f64 = 1e30;
 /// A body that has moved by more than this multiple of the total size is unsupported.
 const LOST: f64 = 1e2;
 /// Limit of the penetration of a disc in a compliant contact, as a multiple of the one under its weight.
@@ -66,6 +68,22 @@ impl StaticContacts {
                 (diagonal[0][0], diagonal[1][1]) = (spring, spring);
             }
         }
+    }
+
+    /// Bodies that are fixed whatever forces of springs act on them.
+    pub fn stand<const TANGENT: bool>(&self, residual: &mut [[f64; 4]], tangent: &mut Tangent) {
+        for node in &self.standing {
+            residual[*node] = [0.0; 4];
+            if TANGENT {
+                let diagonal = &mut tangent.chain_mut().diag[*node];
+                (0..4).for_each(|k| diagonal[k][k] = IMMOVABLE);
+            }
+        }
+    }
+
+    /// Whether the body of a node is fixed.
+    pub fn stands(&self, node: usize) -> bool {
+        self.standing.contains(&node)
     }
 
     /// Share of a correction that discs can follow: up to the next obstacle, and not much further.

@@ -59,7 +59,9 @@ pub(super) struct StaticContacts {
     dents: Vec<Dents>,
     /// Discs at rest, and guided projectiles at rest on springs, in the analysis, shape (such bodies).
     discs: Vec<RestingDisc>,
-    /// Bodies in the model: all of them are fixed except those discs.
+    /// Nodes of fixed bodies at which springs end, shape (such bodies) \[index of a node\].
+    standing: Vec<usize>,
+    /// Bodies in the model: all of them are fixed except those discs and projectiles.
     has_bodies: bool,
     /// Scale of positions \[m\].
     size: f64,
@@ -116,8 +118,10 @@ impl StaticContacts {
         let moves =
             |i: &usize| (model.bodies[*i].kind.is_disc() && rests(model, *i)) || hangs(model, *i);
         let discs: Vec<RestingDisc> = (0..model.bodies.len()).filter(moves).map(disc).collect();
-        let mut contacts =
-            Self { discs, has_bodies: !model.bodies.is_empty(), size, ..Self::default() };
+        let stands = |i: &usize| !moves(i) && model.is_tied(*i);
+        let standing = (0..model.bodies.len()).filter(stands).map(|i| model.body_node(i)).collect();
+        let has_bodies = !model.bodies.is_empty();
+        let mut contacts = Self { discs, standing, has_bodies, size, ..Self::default() };
         let at = Configuration::of(&base.displacement);
         for (i, pair) in model.pairs.iter().enumerate().filter(|(_, p)| takes_part(model, p)) {
             let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
@@ -234,6 +238,7 @@ impl StaticContacts {
     ) {
         if TANGENT {
             self.add_springs(tangent);
+            self.damping = (0.5 * self.damping).max(WEAK);
         }
         if self.places.is_empty() {
             return;
@@ -288,7 +293,6 @@ impl StaticContacts {
             // Contacts with negligible forces may open and close by round-off.
             self.changed = flips > NEXT_TO_NOTHING * most;
             self.opened = held && !closed(self);
-            self.damping = (0.5 * self.damping).max(WEAK);
         }
     }
 
