@@ -156,18 +156,7 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
             row("impulse of persistent contact", quantity(Some(rested), "N*s"));
         }
     }
-    let work = contact["friction_work"].as_f64().unwrap_or(0.0);
-    if without_round_off(work, sizes.energy) > 0.0 {
-        row("sliding distance", quantity(contact["sliding_distance"].as_f64(), "m"));
-        row("friction work", quantity(Some(work), "J"));
-    }
-    if let Some(count) = contact["fallback_count"].as_u64().filter(|n| *n > 0) {
-        row(
-            "impacts with Moreau's law (Newton's law would increase the energy)",
-            count.to_string(),
-        );
-    }
-    for (label, value) in aftermath(contact) {
+    for (label, value) in aftermath(contact, sizes) {
         row(label, value);
     }
     if contact["impact_count"].is_u64() && contact["effective_mass"].is_number() {
@@ -190,8 +179,8 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
     table(&title, &[], &rows)
 }
 
-/// Permanent indentation; equivalent static forces, or why there are none.
-fn aftermath(contact: &Value) -> Vec<(&'static str, String)> {
+/// Friction, impacts under another law, permanent indentation; equivalent static forces, or why there are none.
+fn aftermath(contact: &Value, sizes: &Sizes) -> Vec<(&'static str, String)> {
     let force = &contact["equivalent_force"];
     let elastic = match force["as_if_elastic"].as_bool() {
         Some(true) => ", elastic structure assumed",
@@ -203,7 +192,15 @@ fn aftermath(contact: &Value) -> Vec<(&'static str, String)> {
     };
     let note = contact["equivalent_force_note"].as_str();
     let depth = contact["permanent_penetration"].as_f64().filter(|depth| *depth > 0.0);
+    let work = contact["friction_work"].as_f64();
+    let work = work.filter(|work| without_round_off(*work, sizes.energy) > 0.0);
+    let sliding = work.map(|_| quantity(contact["sliding_distance"].as_f64(), "m"));
+    let moreau = "impacts with Moreau's law (Newton's law would increase the energy)";
+    let fallbacks = contact["fallback_count"].as_u64().filter(|count| *count > 0);
     [
+        sliding.map(|distance| ("sliding distance", distance)),
+        work.map(|work| ("friction work", quantity(Some(work), "J"))),
+        fallbacks.map(|count| (moreau, count.to_string())),
         depth.map(|depth| ("permanent indentation", quantity(Some(depth), "m"))),
         shown("equivalent static force, same peak moment", "moment"),
         shown("equivalent static force, same peak deflection", "deflection"),
