@@ -395,6 +395,38 @@ fn findings_and_hand_formulas_stand_in_the_report() -> Outcome {
     Ok(())
 }
 
+/// The energy of a run that loses 400 of 1000 J, 150 of them in the contact; a force of 120 kN bends the beam as far as the impact does.
+#[test]
+fn energy_and_equivalent_static_force_stand_in_tables() -> Outcome {
+    let mut data = rigid()?;
+    data.summary["energy"] = json!({
+        "initial": 1000.0, "final": 600.0, "work_loads": 0.0, "work_supports": 0.0, "loss_impacts": 0.0, "loss_damping": 400.0,
+        "loss_contacts": 150.0, "plastic": 0.0, "hardening": 0.0, "failure": 0.0, "scale": 1000.0, "residual_max": 2e-15,
+    });
+    let contact = &mut data.summary["contact"]["hammer"];
+    contact["permanent_penetration"] = json!(0.0125);
+    contact["equivalent_force"] =
+        json!({ "moment": 120e3, "deflection": 95e3, "as_if_elastic": true });
+    let page = page(&data)?.replace('\u{a0}', " ");
+    for text in [
+        "initial energy</th><td>1000 J</td>",
+        "dissipated by damping</th><td>250 J</td>",
+        "dissipated in contacts</th><td>150 J</td>",
+        "final energy</th><td>600 J</td>",
+        "residual, relative</th><td>0</td>",
+        "permanent indentation</th><td>12.5 mm</td>",
+        "same peak moment</th><td>120 kN, elastic structure assumed</td>",
+        "same peak deflection</th><td>95 kN, elastic structure assumed</td>",
+    ] {
+        assert!(page.contains(text), "no {text}");
+    }
+    assert!(!page.contains("lost in failed parts</th>"), "terms that are zero are left out");
+    data.summary["contact"]["hammer"]["equivalent_force"] = Value::Null;
+    data.summary["contact"]["hammer"]["equivalent_force_note"] = json!("two < three");
+    assert!(self::page(&data)?.contains("<td>none: two &lt; three</td>"));
+    Ok(())
+}
+
 /// A disc and a wall beside the projectile: gap, place and impulses of the contact, motion of the disc.
 #[test]
 fn contacts_between_free_things_have_their_figures() -> Outcome {
