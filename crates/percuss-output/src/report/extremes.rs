@@ -31,7 +31,7 @@ fn joints(summary: &Value) -> String {
         let most = |key: &str, unit: &str| quantity(joint[key]["value"].as_f64(), unit);
         let failed = match joint["parted"]["time"].as_f64() {
             Some(time) => quantity(Some(time), "s"),
-            None => "not failed".to_owned(),
+            None => "intact".to_owned(),
         };
         vec![name.clone(), most("force_max", "N"), most("moment_max", "N*m"), failed]
     };

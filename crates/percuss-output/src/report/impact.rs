@@ -196,7 +196,7 @@ pub(super) fn impulses(canvas: &Canvas<'_>, id: &str, name: &str, contact: &Valu
     let friction = column(impacts, "tangential_impulse");
     let mut drawn = vec![series("impulse of an impact".to_owned(), 2, Shape::Stem, stems)];
     if largest(&friction) > 0.0 {
-        drawn.push(series("of friction".to_owned(), 1, Shape::Stem, friction));
+        drawn.push(series("friction impulse".to_owned(), 1, Shape::Stem, friction));
     }
     let mut tables = vec![Table { x: scaled(times, canvas.time_scale.factor), series: drawn }];
     if !intervals.is_empty() {

@@ -44,7 +44,7 @@ fn tables(summary: &Value) -> String {
         out.push_str(&mass_warning(contact));
     }
     if crowded {
-        out.push_str(&never_closed(&untouched));
+        out.push_str(&not_closed(&untouched));
     }
     for (name, projectile) in projectiles.iter().filter(|(name, _)| !contacts.contains_key(*name)) {
         out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile, &sizes)));
@@ -90,7 +90,7 @@ fn energy(summary: &Value) -> String {
     };
     let mut rows: Vec<Vec<String>> = terms.into_iter().filter_map(row).collect();
     let error = energy["residual_max"].as_f64().map(|v| without_round_off(v, 1.0));
-    rows.push(vec!["balance error, relative".to_owned(), quantity(error, "1")]);
+    rows.push(vec!["residual, relative".to_owned(), quantity(error, "1")]);
     table("Energy", &[], &rows)
 }
 
@@ -117,13 +117,13 @@ fn touched(contact: &Value) -> bool {
     closed || contact["impact_count"].as_u64().is_some_and(|count| count > 0)
 }
 
-fn never_closed(names: &[&str]) -> String {
+fn not_closed(names: &[&str]) -> String {
     let shown = names.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
     let more = match names.len().saturating_sub(NAMED) {
         0 => String::new(),
         more => format!(" and {more} more"),
     };
-    let text = format!("{} contacts never closed: {shown}{more}", names.len());
+    let text = format!("{} contacts not closed: {shown}{more}", names.len());
     format!("<p class=\"more\">{}</p>\n", escape(&text))
 }
 
@@ -134,15 +134,15 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
     if peak.is_object() {
         let force = quantity(peak["value"].as_f64(), "N");
         let time = quantity(peak["time"].as_f64(), "s");
-        // What never closed has none.
+        // A contact that did not close has none.
         if peak["value"].is_null() {
             row("peak contact force", "none (not closed)".into());
         } else {
-            row("peak contact force", format!("{force} at {time}"));
+            row("peak contact force", format!("{force} at t = {time}"));
         }
         let intervals = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
         let impulse = intervals.iter().filter_map(|i| i["impulse"].as_f64()).sum();
-        row("times closed", intervals.len().to_string());
+        row("intervals of contact", intervals.len().to_string());
         row("impulse", quantity(Some(impulse), "N*s"));
     }
     if let Some(count) = contact["impact_count"].as_u64() {
@@ -152,19 +152,11 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         let of_impacts = contact["impulse_total"].as_f64().map(|total| (total - rested).max(0.0));
         row("impulse of the impacts", quantity(of_impacts, "N*s"));
         if !rests.is_empty() {
-            row("times in resting contact", rests.len().to_string());
-            row("impulse of resting contact", quantity(Some(rested), "N*s"));
+            row("intervals of persistent contact", rests.len().to_string());
+            row("impulse of persistent contact", quantity(Some(rested), "N*s"));
         }
     }
-    let work = contact["friction_work"].as_f64().unwrap_or(0.0);
-    if without_round_off(work, sizes.energy) > 0.0 {
-        row("sliding distance", quantity(contact["sliding_distance"].as_f64(), "m"));
-        row("friction work", quantity(Some(work), "J"));
-    }
-    if let Some(count) = contact["fallback_count"].as_u64().filter(|n| *n > 0) {
-        row("impacts with Moreau's instead of Newton's law", count.to_string());
-    }
-    for (label, value) in aftermath(contact) {
+    for (label, value) in aftermath(contact, sizes) {
         row(label, value);
     }
     if contact["impact_count"].is_u64() && contact["effective_mass"].is_number() {
@@ -187,11 +179,11 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
     table(&title, &[], &rows)
 }
 
-/// Permanent indentation; equivalent static forces, or why there are none.
-fn aftermath(contact: &Value) -> Vec<(&'static str, String)> {
+/// Friction, impacts under another law, permanent indentation; equivalent static forces, or why there are none.
+fn aftermath(contact: &Value, sizes: &Sizes) -> Vec<(&'static str, String)> {
     let force = &contact["equivalent_force"];
     let elastic = match force["as_if_elastic"].as_bool() {
-        Some(true) => ", structure taken as linear elastic",
+        Some(true) => ", elastic structure assumed",
         _ => "",
     };
     let shown = |label, key: &str| {
@@ -200,10 +192,18 @@ fn aftermath(contact: &Value) -> Vec<(&'static str, String)> {
     };
     let note = contact["equivalent_force_note"].as_str();
     let depth = contact["permanent_penetration"].as_f64().filter(|depth| *depth > 0.0);
+    let work = contact["friction_work"].as_f64();
+    let work = work.filter(|work| without_round_off(*work, sizes.energy) > 0.0);
+    let sliding = work.map(|_| quantity(contact["sliding_distance"].as_f64(), "m"));
+    let moreau = "impacts with Moreau's law (Newton's law would increase the energy)";
+    let fallbacks = contact["fallback_count"].as_u64().filter(|count| *count > 0);
     [
+        sliding.map(|distance| ("sliding distance", distance)),
+        work.map(|work| ("friction work", quantity(Some(work), "J"))),
+        fallbacks.map(|count| (moreau, count.to_string())),
         depth.map(|depth| ("permanent indentation", quantity(Some(depth), "m"))),
-        shown("equivalent static force, same largest moment", "moment"),
-        shown("equivalent static force, same largest deflection", "deflection"),
+        shown("equivalent static force, same peak moment", "moment"),
+        shown("equivalent static force, same peak deflection", "deflection"),
         note.map(|why| ("equivalent static force", format!("none: {why}"))),
     ]
     .into_iter()

@@ -106,7 +106,7 @@ fn connector_table(connectors: &[Named<'_>]) -> String {
         let left = one[format!("plastic_{what}")].as_f64().map(|v| without_round_off(v, size));
         let failed = match one["failure"]["time"].as_f64() {
             Some(time) => quantity(Some(time), "s"),
-            None => "not failed".to_owned(),
+            None => "intact".to_owned(),
         };
         vec![
             (*name).clone(),
@@ -131,7 +131,7 @@ fn connector_table(connectors: &[Named<'_>]) -> String {
 /// Why there is no permanent deflection.
 fn note((name, entry): &Named<'_>) -> Option<String> {
     let why = entry["permanent_set_note"].as_str()?;
-    let text = format!("No permanent deflection of '{name}': {why}");
+    let text = format!("Permanent deflection not available for '{name}': {why}");
     Some(format!("<p class=\"more\">{}</p>\n", escape(&text)))
 }
 
@@ -158,8 +158,8 @@ mod tests {
         for text in [
             "<td>2 ms</td><td>0.005 m</td><td>-0.025</td><td>0.005 m</td><td>20 mm</td><td>(20 mm, 0 m)</td><td>1 m</td><td>500 J</td>",
             "<td>-0.0312 rad</td><td>0.04 m</td><td>0.15 m</td><td>0.05 m</td><td>480 J</td>",
-            "<td>3 ms</td><td>0.012 rad</td><td>0.01 rad</td><td>not failed</td><td>3 J</td>",
-            "No permanent deflection of &#39;loose&#39;: nothing holds it",
+            "<td>3 ms</td><td>0.012 rad</td><td>0.01 rad</td><td>intact</td><td>3 J</td>",
+            "Permanent deflection not available for &#39;loose&#39;: nothing holds it",
         ] {
             assert!(page.contains(text), "no {text} in {page}");
         }

@@ -92,7 +92,7 @@ pub(super) fn columns(entries: &[Entry], several: bool) -> Vec<Column> {
         numbers("arc length", "m", |e| e.value["place"]["s"].as_f64()),
         any(&elsewhere).then(|| Column::other("place", place)),
         numbers("impulse", "N*s", |e| e.value["impulse"].as_f64()),
-        numbers("of friction", "N*s", |e| e.value["tangential_impulse"].as_f64())
+        numbers("friction impulse", "N*s", |e| e.value["tangential_impulse"].as_f64())
             .filter(|_| any(&slides)),
         numbers("peak force", "N", |e| e.value["peak_force"]["value"].as_f64()),
         numbers("approach", "m/s", |e| e.value["approach_velocity"].as_f64()),
