@@ -5,23 +5,23 @@ use percuss::*;
 /// The paper's elastic example, clamped, with any number of elements.
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn elastic_example(elements: usize) -> Model {
-    varied(elements, Besides::None)
+    varied(elements, Addition::None)
 }
 
-/// The same struck by a rigid projectile.
+/// The elastic example with a rigid projectile.
 ///
 /// # Panics
-/// If the restitution is none.
+/// If `restitution` is not a coefficient of restitution.
 pub fn rigid_example(elements: usize, restitution: f64) -> Model {
-    struck(elements, Besides::None, ProjectileKind::Rigid { restitution })
+    struck(elements, Addition::None, ProjectileKind::Rigid { restitution })
 }
 
 /// Variants of the paper's rigid example, which differ in speed, mass and restitution.
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn rigid_study(count: usize) -> Vec<Model> {
     let share = |k: usize, step: f64| (k as f64 * step).fract();
     let model = |k: usize| {
@@ -47,9 +47,9 @@ pub fn rigid_study(count: usize) -> Vec<Model> {
     (0..count).map(model).collect()
 }
 
-/// What a study may have besides.
+/// Property in which a run differs from the elastic example.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Besides {
+pub enum Addition {
     /// Nothing.
     None,
     /// Gravity.
@@ -60,33 +60,33 @@ pub enum Besides {
     Slender,
     /// No supports.
     Unsupported,
-    /// A section whose depth is known, and so its stresses.
+    /// A section with a depth, for which stresses are computed.
     Deep,
-    /// The same of a material that yields early.
+    /// A section with a depth, of a material with a low yield stress.
     Yielding,
 }
 
-/// The elastic example with something more.
+/// The elastic example with another property.
 ///
 /// # Panics
-/// Never: the definitions are sound.
-pub fn varied(elements: usize, besides: Besides) -> Model {
-    struck(elements, besides, ProjectileKind::spring(7.5e5))
+/// Never: the definitions are valid.
+pub fn varied(elements: usize, addition: Addition) -> Model {
+    struck(elements, addition, ProjectileKind::spring(7.5e5))
 }
 
-/// The clamped plank, struck amidst.
-fn struck(elements: usize, besides: Besides, kind: ProjectileKind) -> Model {
+/// The clamped plank, struck at midspan.
+fn struck(elements: usize, addition: Addition, kind: ProjectileKind) -> Model {
     let mut b = ModelBuilder::new();
     let (retardation, mass_damping) =
-        if besides == Besides::Damped { (1e-5, 1.0) } else { (0.0, 0.0) };
+        if addition == Addition::Damped { (1e-5, 1.0) } else { (0.0, 0.0) };
     let composite = Material::new("composite", 0.2e10, 3e3);
     let curve = vec![Hardening { from: 0.0, stress: 30e6, modulus: 2e7 }];
     let law = Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: None };
-    let inelasticity = (besides == Besides::Yielding).then_some(Inelasticity::Plastic(law));
+    let inelasticity = (addition == Addition::Yielding).then_some(Inelasticity::Plastic(law));
     let material = b.material(Material { retardation, mass_damping, inelasticity, ..composite });
-    let section = b.section(match besides {
-        Besides::Deep | Besides::Yielding => Section::rectangle("plank", 1.0, 0.1),
-        Besides::Slender => Section::new("plank", 0.1, 8.33e-7),
+    let section = b.section(match addition {
+        Addition::Deep | Addition::Yielding => Section::rectangle("plank", 1.0, 0.1),
+        Addition::Slender => Section::new("plank", 0.1, 8.33e-7),
         _ => Section::new("plank", 0.1, 8.33e-5),
     });
     let points = vec![[0.0, 0.0], [3.0, 0.0]];
@@ -94,7 +94,7 @@ fn struck(elements: usize, besides: Besides, kind: ProjectileKind) -> Model {
     let at =
         |label: &str, f| PointRef { label: label.into(), beam: girder, along: Along::Fraction(f) };
     let ends =
-        if besides == Besides::Unsupported { &[][..] } else { &[("left", 0.0), ("right", 1.0)] };
+        if addition == Addition::Unsupported { &[][..] } else { &[("left", 0.0), ("right", 1.0)] };
     for &(name, f) in ends {
         b.support(Support::new(name, at(name, f), SupportKind::Clamp));
     }
@@ -109,17 +109,17 @@ fn struck(elements: usize, besides: Besides, kind: ProjectileKind) -> Model {
         rear: None,
         local_mass: 0.0,
     });
-    if besides == Besides::Gravity {
+    if addition == Addition::Gravity {
         let acceleration = [0.0, -9.81];
         b.load(Load::new("gravity", LoadKind::Gravity { acceleration }));
     }
     b.build().expect("a sound scene")
 }
 
-/// A clamped beam that sways 1 m above a floor, some points of each element with a pair of their own.
+/// A clamped beam that oscillates 1 m above a floor; several points of each element have a contact pair of their own.
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn above_floor(elements: usize, points_per_element: usize) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("composite", 0.2e10, 3e3));
@@ -145,10 +145,10 @@ pub fn above_floor(elements: usize, points_per_element: usize) -> Model {
     b.build().expect("a sound scene")
 }
 
-/// Discs that slide along a clamped beam of 60 elements, pressed on by their weight; or as far above it as given \[m\].
+/// Discs that slide along a clamped beam of 60 elements, pressed on by their weight, or at the given distance above it \[m\].
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn sliding_discs(count: usize, above: f64) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("composite", 0.2e10, 3e3));
@@ -184,7 +184,7 @@ pub fn sliding_discs(count: usize, above: f64) -> Model {
 /// A frame of storeys and bays of 3 m, `elements` in each member, joints rigid and feet clamped, its lowest left column struck.
 ///
 /// # Panics
-/// Never: the definitions are sound.
+/// Never: the definitions are valid.
 pub fn frame(storeys: usize, bays: usize, elements: usize) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("composite", 0.2e10, 3e3));

@@ -5,11 +5,11 @@ use std::time::Instant;
 use percuss::*;
 use percuss_batch::{Detail, simulate_batch};
 use percuss_bench::{
-    Besides, above_floor, elastic_example, frame, rigid_study, sliding_discs, varied,
+    Addition, above_floor, elastic_example, frame, rigid_study, sliding_discs, varied,
 };
 use percuss_output::{HistoryFormat, HistoryWriter};
 
-/// Repetitions of each measurement; the least is printed, as the one least disturbed.
+/// Repetitions of each measurement; the smallest value is printed, as the least disturbed one.
 const REPEAT: usize = 9;
 
 fn least(mut measure: impl FnMut() -> f64) -> f64 {
@@ -77,7 +77,7 @@ fn main() {
 fn scaling(model: &Model) {
     let elements = model.element_count();
     let steps = (200_000 / elements).clamp(20, 1500);
-    // From shortly before contact on, so that steps do the work of contact.
+    // The runs start shortly before contact, so that most steps include contact.
     let settings = Settings::new((100 + steps) as f64 * 1e-4, 1e-4);
     let mut simulation = Simulation::new(model, &settings).expect("sound settings");
     for _ in 0..100 {
@@ -103,10 +103,10 @@ fn scaling(model: &Model) {
     );
 }
 
-/// What a disc costs on the face of a beam, and what pairs cost that touch nothing.
+/// Cost of a disc in contact with a beam, and cost of contact pairs that are open.
 fn surface_contacts() {
     println!("discs on a beam of 60 elements, step 1e-4 s");
-    // Microseconds and iterations a step.
+    // Microseconds and iterations per step.
     let measure = |model: Model| {
         let settings = Settings::new(0.1, 1e-4);
         let mut iterations = 0.0;
@@ -145,7 +145,7 @@ fn surface_contacts() {
     }
 }
 
-/// Runs with a rigid projectile side by side, and some of them alone.
+/// Runs with a rigid projectile in lanes, and some of them as single runs.
 fn rigid_ensembles() {
     println!("a study of the rigid example, 6 elements, 2000 steps, one core");
     let (models, settings) = (rigid_study(128), Settings::new(0.02, 1e-5));
@@ -167,17 +167,17 @@ fn rigid_ensembles() {
     }
 }
 
-/// Runs of one shape side by side, as studies are.
+/// Runs of one shape in lanes, as in studies.
 fn ensembles() {
     println!("a study of the elastic example, 6 elements, 1500 steps, one core");
     let settings = Settings::new(0.15, 1e-4);
-    for (name, besides) in [
-        ("as it is", Besides::None),
-        ("under gravity", Besides::Gravity),
-        ("damped", Besides::Damped),
-        ("slender elements", Besides::Slender),
+    for (name, addition) in [
+        ("as it is", Addition::None),
+        ("under gravity", Addition::Gravity),
+        ("damped", Addition::Damped),
+        ("slender elements", Addition::Slender),
     ] {
-        let model = varied(6, besides);
+        let model = varied(6, addition);
         let runs = vec![(&model, &settings); 64];
         let seconds = least(|| {
             let start = Instant::now();
@@ -192,7 +192,7 @@ fn ensembles() {
     }
 }
 
-/// Runs in a process of its own and prints its peak resident memory.
+/// Executes a run in a separate process and prints its peak resident memory.
 fn report_memory(elements: &str) {
     let elements: usize = elements.parse().expect("a number of elements");
     for steps in [20, 200] {

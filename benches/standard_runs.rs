@@ -1,12 +1,9 @@
-//! One of some standard runs, everything recorded in memory: `standard-runs NAME STEPS`. `scripts/instructions` counts what those of
-//! [`NAMES`] take; numbers of elements may be others.
-//!
-//! `standard-runs NAME STEPS --bits` prints a number that differs where any bit of the rows does.
-//!
-//! Without arguments it says which runs there are, and which vector registers a run would use here: counts differ between them.
+//! Standard runs, recorded in memory: `standard-runs NAME STEPS`. `scripts/instructions` counts the instructions of the runs in [`NAMES`]; other
+//! numbers of elements are accepted. `standard-runs NAME STEPS --bits` prints a hash of all bits of the rows. Without arguments it prints the names
+//! of the runs and the vector registers that a run uses on this machine: counts differ between registers.
 
 use percuss::*;
-use percuss_bench::{Besides, elastic_example, frame, rigid_example, varied};
+use percuss_bench::{Addition, elastic_example, frame, rigid_example, varied};
 
 const STEP: f64 = 1e-4;
 const NAMES: [&str; 5] = ["elastic-6", "elastic-60", "elastic-600", "rigid-6", "frame"];
@@ -21,8 +18,8 @@ fn model(name: &str) -> Option<Model> {
     Some(match kind {
         "elastic" => elastic_example(elements),
         "rigid" => rigid_example(elements, 0.5),
-        "deep" => varied(elements, Besides::Deep),
-        "yielding" => varied(elements, Besides::Yielding),
+        "deep" => varied(elements, Addition::Deep),
+        "yielding" => varied(elements, Addition::Yielding),
         _ => return None,
     })
 }
@@ -55,11 +52,11 @@ fn main() {
         .expect("sound settings");
     println!("{} steps, {} corrections", summary.steps, summary.newton_iterations);
     if arguments.get(2).is_some_and(|argument| argument == "--bits") {
-        let told = format!("{:?}", summary.section_forces);
+        let forces = format!("{:?}", summary.section_forces);
         let bits = recorder.values.iter().flat_map(|value| value.to_bits().to_le_bytes());
-        // Fowler, Noll and Vo's hash.
+        // FNV-1a hash.
         let mix = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        let hash = bits.chain(told.bytes()).fold(0xcbf2_9ce4_8422_2325, mix);
+        let hash = bits.chain(forces.bytes()).fold(0xcbf2_9ce4_8422_2325, mix);
         println!("{hash:016x}");
     }
 }

@@ -1,13 +1,13 @@
-//! The elastic example in Percuss, for `benches/peers/run`: a case as JSON in, an answer as JSON out (`case.py` says what is in them).
+//! The elastic example in Percuss, for `benches/peers/run`: a case as JSON in, an answer as JSON out (`case.py` describes their content).
 
 use percuss::*;
-use percuss_bench::{Besides, varied};
+use percuss_bench::{Addition, varied};
 use serde_json::{Value, json};
 
-/// Rows of a free beam are as far apart as the samples of the others \[s\].
+/// Output interval of a free beam, equal to the sampling interval of the other programs \[s\].
 const SAMPLE: f64 = 0.05;
 
-/// Time that the thread has run on a processor \[s\].
+/// Processor time of the thread \[s\].
 fn user_time() -> f64 {
     let text = std::fs::read_to_string("/proc/self/schedstat").expect("Linux");
     let nanoseconds = text.split_whitespace().next().and_then(|n| n.parse::<f64>().ok());
@@ -20,8 +20,8 @@ fn main() {
     let number = |key: &str| case[key].as_f64().expect("a number");
     let free = case["free"].as_bool().unwrap_or(false);
     let elements = number("elements") as usize;
-    let besides = if free { Besides::Unsupported } else { Besides::None };
-    let model = varied(elements, besides);
+    let addition = if free { Addition::Unsupported } else { Addition::None };
+    let model = varied(elements, addition);
     let mut settings = Settings::new(number("end"), number("step"));
     if free {
         settings.record_every = ((SAMPLE / settings.step).round() as usize).max(1);

@@ -1,4 +1,4 @@
-//! Tells the crate which sources it was built from.
+//! Passes the hash of the crate's sources to its compilation.
 
 fn main() {
     percuss_sources::set_build();

@@ -30,7 +30,7 @@ def main(arguments: list[str] | None = None) -> int:
     except ScenarioError as error:
         return _fail(str(error), 2)
     except KeyboardInterrupt:
-        return _fail(f"interrupted; what is done is kept in {out}, the same command goes on where it was [W107]", 130, "warning")
+        return _fail(f"interrupted; finished runs are kept in {out}, the same command continues [W107]", 130, "warning")
     except (MissingError, StudyError, OSError, ValueError) as error:
         code = f" [{error.code}]" if isinstance(error, MissingError) and error.code else ""
         return _fail(f"{error}{code}", 2 if isinstance(error, (MissingError, ValueError)) else 1)

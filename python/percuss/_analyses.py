@@ -233,7 +233,7 @@ class Equilibrium:
         Examples
         --------
         >>> percuss.static("plank.toml").plot(scale=10).get_xlabel()
-        'position along e1 [m]'
+        'x [m]'
         """
         from ._plot import equal_axes, pyplot
 
@@ -254,7 +254,7 @@ class Equilibrium:
 def modes(
     scenario: Scenarios, count: int = 10, about: Literal["reference", "static"] | None = None, **overrides: Any
 ) -> Modes:
-    """The lowest natural modes of a scenario; projectiles take no part.
+    """The lowest natural modes of a scenario; projectiles are ignored.
 
     Parameters
     ----------
@@ -294,14 +294,14 @@ def modes(
 
 
 def static(scenario: Scenarios, path: bool = False, **overrides: Any) -> Equilibrium:
-    """Static equilibrium under the loads that act at time zero; projectiles take no part.
+    """Static equilibrium under the loads that act at time zero; projectiles are ignored.
 
     Parameters
     ----------
     scenario : str, path, mapping or Scenario
         A scenario, the path of its file, or nested dictionaries with the file's names.
     path : bool
-        Follow the equilibrium by arc length, past limit points; it then stands in ``summary["path"]``.
+        Follow the equilibrium by arc length, past limit points; the path is ``summary["path"]``.
     **overrides
         Values to change, with ``__`` for the dots of a path.
 

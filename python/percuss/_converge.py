@@ -250,7 +250,7 @@ def converge(
                 values.append(_value(_completed(_finer(base, word, factor)), what))
                 bar.to(2 + n * (levels - 1) + k)
             name = what if isinstance(what, str) else getattr(what, "__name__", "quantity")
-            # One home for orders and limits: `percuss converge` tells the same.
+            # One home for orders and limits: `percuss converge` prints the same.
             if _is_largest(first, what):
                 # Which direction wins may change from level to level, and is chance.
                 values = [math.copysign(value, values[-1]) for value in values]

@@ -47,8 +47,8 @@ class Drawing:
         ax.set_aspect("equal", adjustable="box")
         ax.set_xlim(self.low[0] - margin, self.high[0] + margin)
         ax.set_ylim(self.low[1] - margin, self.high[1] + margin)
-        ax.set_xlabel("position along e1 [m]")
-        ax.set_ylabel("position along e2 [m]")
+        ax.set_xlabel("x [m]")
+        ax.set_ylabel("y [m]")
         if colour != "none":
             self._legend()
 

@@ -1,4 +1,4 @@
-"""What can be wrong."""
+"""Exceptions and warnings."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from typing import NamedTuple, TypeVar
 
 
 class PercussError(Exception):
-    """What all exceptions of the package are.
+    """Base class of all exceptions of the package.
 
     Attributes
     ----------
     code : str or None
-        Its code in the catalogue, ``E101``; ``percuss explain E101`` says what it stands for. None where there is none.
+        Its code in the catalogue, ``E101``; ``percuss explain E101`` explains it. None if there is none.
 
     Examples
     --------
@@ -29,7 +29,7 @@ _Kind = TypeVar("_Kind", bound=PercussError)
 
 
 def coded(kind: type[_Kind], text: str, code: str | None) -> _Kind:
-    """An exception with its code, which stands behind its text."""
+    """An exception with its code, appended to its text."""
     error = kind(text if code is None else f"{text} [{code}]")
     error.code = code
     return error
@@ -43,7 +43,7 @@ class Fault(NamedTuple):
     message : str
         What was found.
     help : str
-        What would be right.
+        The valid values.
     field : str
         Dotted path of the key, ``section.plank.area``; empty where there is none.
     line : int or None
@@ -51,7 +51,7 @@ class Fault(NamedTuple):
     column : int or None
         Column in characters, from 1.
     code : str
-        ``E006``; ``percuss explain E006`` says what it stands for.
+        ``E006``; ``percuss explain E006`` explains it.
 
     Examples
     --------
@@ -181,7 +181,7 @@ class FileError(PercussError, OSError):
 
 
 class InputError(PercussError, ValueError):
-    """What is asked for cannot be had, or a file or directory is not what it should be; also a ``ValueError``.
+    """A request that cannot be met, or an invalid file or directory; also a ``ValueError``.
 
     Examples
     --------
@@ -265,7 +265,7 @@ class PercussWarning(UserWarning):
     Examples
     --------
     >>> import warnings
-    >>> warnings.simplefilter("error", percuss.PercussWarning)  # stop where a balance does not close
+    >>> warnings.simplefilter("error", percuss.PercussWarning)  # stop at a balance error
     >>> percuss.run("plank.toml").status
     'completed'
     """

@@ -31,7 +31,8 @@ class Fields:
         Angular velocity of the sections at the start, in the middle and at the end of every interval [rad/s], the one whose energy
         is conserved with that of `velocity`; no intervals where it was not kept.
     section_forces : ndarray of shape (n_frame, n_interval, 2, 3)
-        (axial force [N], shear force [N], moment [N m]) at both ends of every interval.
+        (axial force [N], shear force [N], moment [N m]) at both ends of every interval; tension is positive,
+        V = dM/ds.
     load_factors : ndarray of shape (n_frame, n_load)
         Factors of the loads [1].
 
@@ -56,7 +57,7 @@ class Fields:
 
     @cached_property
     def scene(self) -> dict[str, Any]:
-        """What stands there, as in ``fields/scene.json``.
+        """Content, as in ``fields/scene.json``.
 
         Returns
         -------

@@ -20,21 +20,21 @@ if TYPE_CHECKING:
 class Function:
     """A study as ``y = f(x)``: values of its parameters in, its results out, all in SI units.
 
-    The design of the study plays no part: whoever calls chooses the points. Runs of one call go side by side where they fit.
+    The sampling design of the study is ignored: the caller chooses the points. Runs of one call are computed in SIMD batches where possible.
 
     Parameters
     ----------
     study : Study
         The study; only numbers may vary in it.
     failed : {"raise", "nan"}
-        What becomes of a point whose run does not complete or has no such result.
+        Treatment of points whose run does not complete or has no such result.
 
     Attributes
     ----------
     study : Study
         The study.
     failed : str
-        What becomes of points without a value.
+        Treatment of points without a value.
     names : tuple of str
         Names of the parameters, in the order of a point.
     results : tuple of str
@@ -92,7 +92,7 @@ class Function:
         Returns
         -------
         ndarray of shape (n_result,) or (n_point, n_result)
-            Results, in SI units [f.units]; one result as well stands in an axis of its own.
+            Results, in SI units [f.units]; a single result has an axis of its own, too.
 
         Raises
         ------
@@ -195,7 +195,7 @@ def function(study: StudySource, failed: Literal["raise", "nan"] = "raise", allo
     study : str, path, mapping or Study
         A study, the path of its file, or nested dictionaries with the file's names.
     failed : {"raise", "nan"}
-        What becomes of a point whose run does not complete or has no such result.
+        Treatment of points whose run does not complete or has no such result.
     allow_outside : bool
         Let the study name files outside its own folder.
 

@@ -1,4 +1,4 @@
-"""What stands in scenarios for functions of Python."""
+"""Placeholders for Python functions in scenarios."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def without_laws(text: str, path: str) -> str:
 
 
 def word(value: Any) -> Any:
-    """What stands in the text for a value."""
+    """The placeholder of a value in the text, or the value."""
     return "given" if isinstance(value, Potential) or callable(value) else value
 
 

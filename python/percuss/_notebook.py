@@ -54,6 +54,6 @@ def _facts(result: Result) -> Iterator[tuple[str, str]]:
     for name, point in run["point"].items():
         peaks = [point["displacement_max"][f"component_{i}"]["value"] or 0.0 for i in (1, 2)]
         # Beside the larger one, round-off is nothing.
-        told = [engineering(peak if abs(peak) > 1e-9 * max(map(abs, peaks)) else 0.0, "m") for peak in peaks]
-        yield f"point {name}", f"largest displacements {told[0]} along e1, {told[1]} along e2"
+        shown = [engineering(peak if abs(peak) > 1e-9 * max(map(abs, peaks)) else 0.0, "m") for peak in peaks]
+        yield f"point {name}", f"largest displacements {shown[0]} in x, {shown[1]} in y"
     yield "history", f"{len(result)} rows, {len(result.columns)} columns"

@@ -30,8 +30,8 @@ def pyplot() -> Any:
 def equal_axes(ax: Any) -> None:
     """Axes of places."""
     ax.set_aspect("equal", adjustable="datalim")
-    ax.set_xlabel("position along e1 [m]")
-    ax.set_ylabel("position along e2 [m]")
+    ax.set_xlabel("x [m]")
+    ax.set_ylabel("y [m]")
 
 
 class Plots:
@@ -41,7 +41,7 @@ class Plots:
     --------
     >>> result = percuss.run("plank.toml")
     >>> result.plot(colour="stress").get_xlabel()
-    'position along e1 [m]'
+    'x [m]'
     """
 
     def __init__(self, result: Result) -> None:
@@ -100,7 +100,7 @@ class Plots:
         return ax
 
     def columns(self, *names: str, ax: Axes | None = None) -> Axes:
-        """Columns over time, told in words.
+        """Columns over time, with labels in words.
 
         Parameters
         ----------
@@ -187,7 +187,7 @@ class Plots:
         return self.columns("momentum.linear_1", "momentum.linear_2", ax=ax)
 
     def force(self, ax: Axes | None = None) -> Axes:
-        """Contact forces over time; where contacts are rigid, impulses, which are no forces and stand alone.
+        """Contact forces over time; for rigid contacts impulses, shown in a separate figure.
 
         Parameters
         ----------
@@ -310,8 +310,8 @@ class Plots:
         Examples
         --------
         >>> import os
-        >>> animation = percuss.run("plank.toml").plot.animation(frames=3, span=(0.01, 0.05), path="blow.gif")
-        >>> os.path.getsize("blow.gif") > 0
+        >>> animation = percuss.run("plank.toml").plot.animation(frames=3, span=(0.01, 0.05), path="impact.gif")
+        >>> os.path.getsize("impact.gif") > 0
         True
         """
         plt = pyplot()

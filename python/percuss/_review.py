@@ -18,7 +18,7 @@ class Advice(NamedTuple):
     text : str
         What it means and, unless it is fine, what to do.
     code : str
-        ``W002``; ``percuss explain W002`` says what it stands for.
+        ``W002``; ``percuss explain W002`` explains it.
     reason : str or None
         Why it is allowed, where it is.
 
@@ -26,7 +26,7 @@ class Advice(NamedTuple):
     --------
     >>> first = percuss.check("plank.toml")[0]
     >>> first.verdict, first.code, first.text
-    ('fine', 'W001', 'the first touch comes at 10 ms of 150 ms')
+    ('fine', 'W001', 'first contact at 10 ms of 150 ms')
     """
 
     verdict: str
@@ -37,12 +37,12 @@ class Advice(NamedTuple):
 
 
 class Review(list[Advice]):
-    """What the advisor says before a run: a list of :class:`Advice` that prints as lines and, in a notebook, as a table.
+    """Results of the model checks before a run: a list of :class:`Advice` that prints as lines and, in a notebook, as a table.
 
     Examples
     --------
     >>> percuss.check("plank.toml")
-    fine: the first touch comes at 10 ms of 150 ms [W001]
+    fine: first contact at 10 ms of 150 ms [W001]
     fine: the contact lasts about 43.1 ms, 216 steps [W002]
     ...
     """
@@ -67,13 +67,13 @@ class Review(list[Advice]):
 
     def __repr__(self) -> str:
         if not self:
-            return "<percuss.Review: sound, nothing to say>"
+            return "<percuss.Review: no errors or warnings>"
         lines = (f"{one.verdict}: {one.text}" + (f" [{one.code}]" if one.code and one.code not in one.text else "") for one in self)
         return "\n".join(lines)
 
     def _repr_html_(self) -> str:
         if not self:
-            return "<p>sound, nothing to say</p>"
+            return "<p>no errors or warnings</p>"
         cells = ((one.verdict, one.contact, one.text, one.code, one.reason or "") for one in self)
         rows = "".join("<tr>" + "".join(f"<td style='text-align:left'>{escape(text)}</td>" for text in row) + "</tr>" for row in cells)
         heads = "".join(f"<th>{name}</th>" for name in ("verdict", "about", "what it says", "code", "allowed because"))

@@ -24,7 +24,7 @@ def run(
 ) -> Result:
     """Simulates a scenario.
 
-    What the audit of the run warns of, such as a balance that does not close, is raised as a :class:`PercussWarning` with its code,
+    What the audit of the run warns of, such as a balance error, is raised as a :class:`PercussWarning` with its code,
     unless the scenario allows it; ``result.summary["warnings"]`` has all of it.
 
     Parameters
@@ -47,7 +47,7 @@ def run(
     Returns
     -------
     Result
-        The run. One that the solver gives up has the ``status`` ``"failed"`` and everything up to the last step.
+        The run. Without convergence its ``status`` is ``"failed"``, with everything up to the last step.
 
     Raises
     ------

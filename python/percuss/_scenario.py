@@ -25,16 +25,16 @@ class Scenario:
     """A scenario, with the names of the file: ``scenario["projectile.mass.velocity"] = [0, "30 m/s"]``.
 
     It is the text of a file; what is set here is written into it, comments stay. Nothing is checked before :meth:`check` or a
-    run, which then tell every fault at once, with the line in :attr:`text`.
+    run, which report all errors together, with the line in :attr:`text`.
 
     Parameters
     ----------
     text : str
         The text of a file; empty for a scenario that is filled path by path.
     name : str
-        What stands for the file in messages; files that the text names lie where it lies.
+        Name of the file in messages; files that the text names are relative to its folder.
     allow_outside : bool
-        Let it name files that lie anywhere.
+        Let it name files in any folder.
 
     Examples
     --------
@@ -62,9 +62,9 @@ class Scenario:
         text : str
             The text.
         name : str
-            What stands for the file in messages; files that the text names lie where it lies.
+            Name of the file in messages; files that the text names are relative to its folder.
         allow_outside : bool
-            Let it name files that lie anywhere.
+            Let it name files in any folder.
 
         Returns
         -------
@@ -89,7 +89,7 @@ class Scenario:
         tables : mapping
             With the names of the file: ``{"time": {"end": "0.15 s", "step": 1e-4}, "beam": {"girder": {...}}, ...}``.
         name : str
-            What stands for the file in messages.
+            Name of the file in messages.
 
         Returns
         -------
@@ -127,7 +127,7 @@ class Scenario:
 
     @property
     def name(self) -> str:
-        """What stands for the file in messages.
+        """Name of the file in messages.
 
         Returns
         -------

@@ -54,7 +54,7 @@ class Curve(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """What acts at a place where two things touch.
+    """Force or impulse at a contact point.
 
     Attributes
     ----------
@@ -166,7 +166,7 @@ class SceneBeam:
         return np.asarray(place), np.asarray(tangent / np.maximum(np.linalg.norm(tangent, axis=-1, keepdims=True), 1e-300))
 
     def curves(self, u: Floats, scale: float = 1.0, pieces: int = 8, t: float = -np.inf) -> list[Curve]:
-        """The beam as parts without corner, nor what has parted.
+        """The beam as parts without corners and without fractured parts.
 
         Parameters
         ----------

@@ -102,7 +102,7 @@ class Sensitivity:
         Returns
         -------
         ndarray of shape (n_result, n_parameter)
-            Three times what half or four fifths of the step change, the larger [result/parameter]; NaN where other steps do not tell.
+            Three times what half or four fifths of the step change, the larger [result/parameter]; NaN where other steps give no estimate.
 
         Examples
         --------
@@ -147,12 +147,12 @@ class Sensitivity:
 
     @property
     def horizon(self) -> tuple[float, str] | None:
-        """Time to which derivatives reach and what stands against more.
+        """Time up to which derivatives are available, and the reason.
 
         Returns
         -------
         (float, str) or None
-            The time [s] and the reason; None where they reach to the end of the run.
+            The time [s] and the reason; None where they are available up to the end of the run.
 
         Examples
         --------

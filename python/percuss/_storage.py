@@ -104,7 +104,7 @@ class Remote:
         text = study.text.encode()
         if self._files.exists(own):
             if self._files.cat_file(own) != text:
-                reason = f"{path} holds another study, or an earlier state of this one; give another out"
+                reason = f"{path} belongs to another study, or to an earlier state of this one; choose another out"
                 raise coded(InputError, reason, "E301")
         else:
             self._files.makedirs(f"{self._root}/shards", exist_ok=True)

@@ -23,7 +23,7 @@ StudySource = Union[_percuss.Study, str, "os.PathLike[str]", Mapping[str, Any]]
 
 
 def study_of(study: StudySource | None, parts: Mapping[str, Any], allow_outside: bool = False) -> _percuss.Study:
-    """The study meant; ``parts`` are its tables, which stand over those of ``study``."""
+    """The study meant; ``parts`` are its tables, which override those of ``study``."""
     if isinstance(study, _percuss.Study) and not parts:
         return study
     if study is None:

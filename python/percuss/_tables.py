@@ -53,8 +53,8 @@ def _fields(fields: Fields) -> tuple[dict[str, Any], dict[str, Any]]:
         "instant": ("instant", fields.time, about("s", "Times of the frames")),
         "beam": ("station", names, {"long_name": "Beam of the station"}),
         "s": ("station", s, about("m", "Arc length from the start of the beam")),
-        "x": ("station", place[:, 0], about("m", "Reference position along e1")),
-        "y": ("station", place[:, 1], about("m", "Reference position along e2")),
+        "x": ("station", place[:, 0], about("m", "Reference position in x")),
+        "y": ("station", place[:, 1], about("m", "Reference position in y")),
         "interval_beam": ("interval", np.array(between), {"long_name": "Beam of the interval"}),
         "interval_s": (
             ("interval", "end"),

@@ -12,7 +12,7 @@ _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def value(x: Any) -> str:
-    """A value as it stands behind an equals sign."""
+    """A TOML value."""
     if isinstance(x, bool):
         return "true" if x else "false"
     if isinstance(x, int):

@@ -1,4 +1,4 @@
-"""What columns are called on axes and in legends: words, with units."""
+"""Labels of columns on axes and in legends: words, with units."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Words(NamedTuple):
     quantity: str
     """What is measured: ``contact force``."""
     of: str
-    """Of what: ``mass``, ``girder.mid, along e2``."""
+    """Of what: ``mass``, ``girder.mid, in y``."""
 
     @property
     def label(self) -> str:
@@ -44,9 +44,9 @@ def words(name: str) -> Words:
     kind, _, rest = name.partition(".")
     thing, _, quantity = rest.rpartition(".")
     along = ""
-    for number in ("1", "2"):
+    for number, axis in (("1", "x"), ("2", "y")):
         if quantity.endswith(f"_{number}"):
-            quantity, along = quantity[:-2], f"along e{number}"
+            quantity, along = quantity[:-2], f"in {axis}"
     if kind == "energy":
         return Words("energy", _ENERGIES.get(quantity, quantity.replace("_", " ")))
     if kind == "momentum" and quantity in ("linear", "angular"):
@@ -63,10 +63,12 @@ def unit_words(unit: str) -> str:
 
 
 def engineering(value: float, unit: str) -> str:
-    """Four digits with a prefix of thousands."""
+    """Four digits with a prefix of thousands; stresses below 1 Pa and velocities have none."""
     size = abs(value)
     if size < 1e-12:
         return f"0 {unit}"
+    if unit == "m/s" or (unit == "Pa" and size < 1):
+        return f"{value:.4g} {unit}"
     prefixes = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n")]
     by, prefix = next(((by, p) for by, p in prefixes if size >= by), prefixes[-1])
     return f"{value / by:.4g} {prefix}{unit}"

@@ -92,7 +92,7 @@ def test_codes_travel_between_processes(elastic):
 
 
 def test_warnings_of_the_audit_are_raised_with_their_codes(elastic):
-    with pytest.warns(percuss.PercussWarning, match=r"energy does not close.*\[W105\]$") as caught:
+    with pytest.warns(percuss.PercussWarning, match=r"energy balance error.*\[W105\]$") as caught:
         result = percuss.run(midpoint(elastic))
     assert [one.message.code for one in caught] == ["W105"] * len(caught)
     assert result.summary["warnings"][0]["code"] == "W105"

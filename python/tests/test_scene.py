@@ -73,7 +73,7 @@ def test_a_finished_run_opens_as_it_was(elastic, tmp_path):
 def test_the_scene_is_drawn_to_scale(elastic):
     result = percuss.run(elastic)
     ax = result.plot()
-    assert ax.get_aspect() == 1.0 and ax.get_xlabel() == "position along e1 [m]"
+    assert ax.get_aspect() == 1.0 and ax.get_xlabel() == "x [m]"
     peak = result.summary["contact"]["mass"]["peak_force"]
     assert ax.get_title().startswith("t = ")
     shown = float(ax.get_title().split()[2]) * {"s": 1.0, "ms": 1e-3}[ax.get_title().split()[3].rstrip(",")]
@@ -123,7 +123,7 @@ def test_labels_are_words_with_units(elastic):
     assert result.plot.force().get_ylabel() == "contact force [N]"
     ax = result.plot.displacement()
     assert ax.get_ylabel() == "displacement [m]" and ax.get_xlabel() == "time [s]"
-    assert [t.get_text() for t in ax.get_legend().get_texts()] == ["girder.mid, along e2"]
+    assert [t.get_text() for t in ax.get_legend().get_texts()] == ["girder.mid, in y"]
     ax = result.plot.energy()
     assert ax.get_ylabel() == "energy [J]" and "kinetic" in [t.get_text() for t in ax.get_legend().get_texts()]
     ax = result.plot.momentum()
@@ -169,7 +169,7 @@ def test_a_data_set_knows_dimensions_and_units(elastic):
 def test_frames_are_on_disk_and_in_the_report(elastic, tmp_path):
     percuss.run(elastic, out=tmp_path / "run", report=True)
     assert (tmp_path / "run" / "fields" / "frames.parquet").is_file()
-    assert "What happened" in (tmp_path / "run" / "report.html").read_text()
+    assert "Summary and animation" in (tmp_path / "run" / "report.html").read_text()
 
 
 def test_beams_that_can_yield_have_no_colour_of_stress():

@@ -1,4 +1,4 @@
-//! What the audit of a finished run warns of.
+//! Warnings of the audit of a finished run.
 
 use percuss::{ContactRecord, ContactSummary, Peak, RunSummary};
 use percuss_codes::{Caution, Topic};
@@ -10,15 +10,15 @@ use super::{Advice, Verdict};
 const CONDITIONS: f64 = 1e-8;
 /// Residuals beyond this are worth a warning whatever the scheme.
 const BALANCE_OPEN: f64 = 1e-8;
-/// Rigid things further inside each other than this are worth a warning \[m\].
+/// Penetrations of rigid contacts beyond this are worth a warning \[m\].
 const INSIDE: f64 = 1e-7;
 
-/// What deserves attention.
+/// All warnings.
 pub fn warnings(run: &RunSummary, advice: &[Advice]) -> Vec<(Caution, String)> {
     let mut all = Vec::new();
     if run.contact_residual_max > CONDITIONS {
         let text = format!(
-            "contacts violate their conditions by {:.1e} of the largest velocity",
+            "contact conditions violated by {:.1e} of the largest velocity",
             run.contact_residual_max
         );
         all.push((Caution::ContactConditions, text));
@@ -33,14 +33,14 @@ pub fn warnings(run: &RunSummary, advice: &[Advice]) -> Vec<(Caution, String)> {
     ];
     for (what, residual) in residuals {
         if residual > BALANCE_OPEN || residual.is_nan() {
-            let text = format!("the balance of {what} does not close: {residual:.1e} of its scale");
+            let text = format!("{what} balance error {residual:.1e} of its scale");
             all.push((Caution::Balance, text));
         }
     }
     all
 }
 
-/// Rigid things that were inside each other: the deepest, and how many others.
+/// Penetration of rigid contacts: the deepest, and the number of others.
 fn inside(run: &RunSummary) -> Option<String> {
     let depth = |contact: &ContactSummary| match &contact.record {
         ContactRecord::Nonsmooth { penetration, .. } => *penetration,
@@ -51,32 +51,32 @@ fn inside(run: &RunSummary) -> Option<String> {
     let (name, [a, b], peak) = (&worst.name, &worst.between, depth(worst));
     let others = match deep().count() - 1 {
         0 => String::new(),
-        others => format!(" (and {others} other contacts less)"),
+        others => format!(" (and {others} other contacts, less deep)"),
     };
     let (depth, time) = (quantity(peak.value, "m"), quantity(peak.time, "s"));
     Some(format!(
-        "contact {name}: {a} and {b} were inside each other, by {depth} at {time}{others}; use a smaller time.step, unless \
-         something else holds them there"
+        "penetration of rigid contact '{name}' ('{a}', '{b}'): {depth} at t = {time}{others}; use a smaller time.step, unless supports \
+         or joints force the overlap"
     ))
 }
 
-/// Blows that the impact law shared among bodies that touch.
+/// Impacts on several touching bodies at once.
 fn shared_blows(run: &RunSummary) -> Option<String> {
     let shared = &run.shared_blows;
     let others = match shared.count {
         0 => return None,
         1 => String::new(),
-        count => format!(" (and {} times more)", count - 1),
+        count => format!(" (and {} more)", count - 1),
     };
     let [a, b] = shared.contacts.map(|k| run.contacts.get(k).map_or("?", |c| c.name.as_str()));
     let time = quantity(shared.first, "s");
     Some(format!(
-        "several touching bodies were struck at once, at {time} by contacts {a} and {b}{others}: the impact law shared the blow \
-         among them; with time.multiple_impacts = \"sequential\" it is passed on from one to the next"
+        "multiple impact at t = {time} in contacts '{a}' and '{b}'{others}: the result depends on the impact law; see \
+         time.multiple_impacts"
     ))
 }
 
-/// Contacts whose rigid impacts are properties of the mesh, unless the advisor has said so.
+/// Contacts whose rigid impacts depend on the mesh, unless there is a finding about it.
 fn meshes(run: &RunSummary, advice: &[Advice]) -> Option<String> {
     let told = |c: &ContactSummary| {
         advice.iter().any(|one| {
@@ -97,8 +97,8 @@ fn meshes(run: &RunSummary, advice: &[Advice]) -> Option<String> {
         others => format!(" (and {others} other contacts)"),
     };
     Some(format!(
-        "contact {}{others}: what is struck answers the first blow with {} on this mesh, with {} on ever finer ones: impulses \
-         and the number of impacts are properties of the mesh; give the contact a compliance of its own",
+        "contact '{}'{others}: effective mass {} on this mesh, {} in the limit of refinement: impulses and number of impacts depend on \
+         the mesh; use a compliant contact",
         first.name,
         quantity(mass.on_mesh, "kg"),
         quantity(mass.limit, "kg")
@@ -126,7 +126,7 @@ mod tests {
         let mut run = simulate(&b.build().unwrap(), &settings, &mut NoRecorder).unwrap();
         assert_eq!(warnings(&run, &[]), []);
         run.contact_residual_max = 1e-7;
-        let text = "contacts violate their conditions by 1.0e-7 of the largest velocity".to_owned();
+        let text = "contact conditions violated by 1.0e-7 of the largest velocity".to_owned();
         assert_eq!(warnings(&run, &[]), [(Caution::ContactConditions, text)]);
         assert_eq!(Caution::ContactConditions.code(), "W101");
     }

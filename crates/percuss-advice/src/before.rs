@@ -27,7 +27,7 @@ const WAVES: f64 = 1.0 / 3.0;
 /// Poisson's ratio for Hertz' contact; beams have none.
 const POISSON: f64 = 0.3;
 
-/// What hand calculation says about a contact.
+/// Estimates about a contact, in closed form or by a trial computation.
 pub fn findings(
     model: &Model,
     settings: &Settings,
@@ -46,7 +46,7 @@ pub fn findings(
     };
     let expected = expected.as_ref();
     let found = match &case.meeting {
-        // What gives way to no blow has no waves either.
+        // A supported point sends out no waves.
         Meeting::Struck(struck) if held => desk.held(struck, mass),
         Meeting::Beams(_) if held => vec![mass.and_then(|mass| desk.effective_mass(mass))],
         Meeting::Struck(struck) => desk.struck(struck, mass, expected),
@@ -58,7 +58,7 @@ pub fn findings(
     found.into_iter().flatten().filter(|advice| !of_steps(advice.topic)).collect()
 }
 
-/// What is said of the size of steps.
+/// Findings about the size of steps.
 const OF_STEPS: [Topic; 5] = [
     Topic::ContactDuration,
     Topic::WaveTransit,
@@ -76,17 +76,17 @@ impl Desk<'_> {
             return because("other loads act as well");
         }
         if self.model.contacts().len() > 1 {
-            return because("other contacts may act meanwhile");
+            return because("other contacts are possible");
         }
         let Some(lasting) = lasting else {
-            return because("nothing that hand calculation knows brings it about");
+            return because("no closed-form estimate applies");
         };
         if lasting.from == From::Comes {
-            return because("it is not known in what motion the beam comes");
+            return because("the motion of the beam before the contact is unknown");
         }
         if let Some(limit) = self.bends_beyond(lasting) {
             return Err(format!(
-                "the struck point goes {} far, where its stiffness changes beyond some {}",
+                "the struck point deflects by {}, and its stiffness changes beyond about {}",
                 quantity(lasting.deflection, "m"),
                 quantity(limit, "m")
             ));
@@ -130,7 +130,7 @@ impl Desk<'_> {
         ]
     }
 
-    /// A place that is held: the projectile is on its own.
+    /// A supported point: only the projectile moves.
     fn held(&self, struck: &Struck<'_>, mass: Option<EffectiveMass>) -> Vec<Option<Advice>> {
         let weight = struck.mass * struck.pull();
         let blow = rigid_blow(self.case.law, struck.mass, struck.speed, weight);
@@ -170,22 +170,21 @@ impl Desk<'_> {
         let element = struck.place.element_length();
         let verdict = graded(wave / element, ELEMENTS);
         let mut text = format!(
-            "the shortest bending waves of weight in this contact are {} long, {} elements",
+            "shortest relevant bending wavelength {}: {} elements",
             quantity(wave, "m"),
             digits(wave / element)
         );
         if verdict != Verdict::Fine {
             let shorter = quantity(round_down(wave / ELEMENTS[0]), "m");
             text += &format!(
-                ": too few to carry them, and the force is off by {} %; use elements of {shorter} or less near the \
-                 struck point",
+                " (too few): estimated force error {} %; use elements of {shorter} or less near the struck point",
                 if verdict == Verdict::Note { "up to 5" } else { "5 to 40" }
             );
         }
         self.finding(Topic::BendingWave, [wave, element], "m", verdict, text)
     }
 
-    /// `lengthwise` says whether the blow has a part along the beam, `contact` how long it lasts, if that is known.
+    /// `lengthwise` is whether the impact has an axial part, `contact` the duration of the contact, if known.
     fn transit(
         &self,
         place: &BeamPlace<'_>,
@@ -199,24 +198,25 @@ impl Desk<'_> {
         let gentle = contact.is_some_and(|contact| contact >= STEPS[0] * step);
         let (verdict, rest) = match (ratio <= 1.0, lengthwise, rigid) {
             (false, true, false) if gentle => {
-                (Verdict::Fine, "the waves of weight in so long a contact are longer".to_owned())
+                (Verdict::Fine, "the relevant waves of such a long contact are longer".to_owned())
             }
-            (true, ..) => (Verdict::Fine, "the step follows such waves".to_owned()),
-            (false, false, false) => {
-                (Verdict::Fine, "they matter little in a soft blow across the beam".to_owned())
-            }
+            (true, ..) => (Verdict::Fine, "the step resolves such waves".to_owned()),
+            (false, false, false) => (
+                Verdict::Fine,
+                "such waves matter little in a compliant transverse impact".to_owned(),
+            ),
             _ => {
                 let better = quantity(round_down(transit), "s");
                 let why = if lengthwise {
-                    "the step smears the waves that carry this blow"
+                    "the step does not resolve the stress waves of this impact"
                 } else {
-                    "what follows the first impact hangs on waves that the step does not follow"
+                    "the response after the first impact depends on waves that the step does not resolve"
                 };
                 (Verdict::Note, format!("{why}; set time.step to {better} or less"))
             }
         };
         let text = format!(
-            "one step is {} times the {} that a longitudinal wave takes through the shortest element: {rest}",
+            "the step is {} times the transit time of a longitudinal wave through the shortest element, {}: {rest}",
             digits(ratio),
             quantity(transit, "s"),
         );
@@ -228,27 +228,27 @@ impl Desk<'_> {
             return None;
         }
         let (verdict, text) = if mass.on_mesh.is_infinite() {
-            (Verdict::Fine, "the struck point is held and gives way to no blow".to_owned())
+            (Verdict::Fine, "the struck point is supported (infinite effective mass)".to_owned())
         } else {
             let here = quantity(mass.on_mesh, "kg");
             let limit = quantity(mass.limit, "kg");
-            let text = format!("the struck point answers a blow with {here} on this mesh");
+            let text =
+                format!("effective mass {here} on this mesh, tends to {limit} with refinement");
             if mass.depends_on_mesh() {
-                let mass = if self.case.guided.is_some() { "a local_mass or " } else { "" };
-                let advice = format!(
-                    "take the impulse as that of this mesh, or give the contact {mass}a compliance of its own"
+                let mass = if self.case.guided.is_some() { "add a local_mass or " } else { "" };
+                let text = format!(
+                    "{text}: the impulse depends on the mesh; {mass}use a compliant contact"
                 );
-                let text = format!("{text}, with {limit} on ever finer ones: {advice}");
                 (Verdict::Warning, text)
             } else {
-                (Verdict::Fine, format!("{text}, with {limit} on ever finer ones"))
+                (Verdict::Fine, text)
             }
         };
         let values = [mass.on_mesh, mass.limit];
         Some(self.finding(Topic::EffectiveMass, values, "kg", verdict, text))
     }
 
-    /// How deep a disc is pressed in at most, if that is deep: as if what is held did not give way, and what is free met it as one piece.
+    /// Largest penetration of a disc, if it is deep: a supported target taken as rigid and fixed, a free one as a rigid body.
     fn pressed(&self, struck: &Struck<'_>) -> Option<Advice> {
         let half_depth = struck.place.half_depth();
         let through = struck.radius? + if half_depth.is_nan() { 0.0 } else { half_depth };
@@ -261,8 +261,8 @@ impl Desk<'_> {
             return None;
         }
         let text = format!(
-            "law, mass and speed let it be pressed in by up to {}, and the middles of both meet at {}: place and direction of the force \
-             mean little that deep; give the law more stiffness",
+            "estimated penetration up to {}, and centre and axis meet at {}: location and direction of the force are unreliable at such \
+             a depth; use a stiffer law",
             quantity(blow.penetration, "m"),
             quantity(through, "m")
         );
@@ -290,7 +290,7 @@ impl Desk<'_> {
         }
         let whose = if struck.radius.is_some() { "its radius" } else { "the beam's half depth" };
         let ball = format!(
-            "Hertz' contact of a rigid ball of {whose}, {}, with this beam (K = {} N/m^1.5)",
+            "a Hertz contact of a rigid ball of {whose}, {}, with this beam (K = {} N/m^1.5)",
             quantity(radius, "m"),
             digits(constant)
         );
@@ -299,17 +299,14 @@ impl Desk<'_> {
             (
                 Verdict::Note,
                 format!(
-                    "the contact is {} times as stiff as {ball}, and its peak force up to {} times \
-                     as large: unless flat faces meet, use that law",
+                    "contact stiffness {} times that of {ball}, peak force up to {} times as large: use the Hertz law \
+                     unless flat faces meet",
                     digits(ratio),
                     digits(ratio.sqrt())
                 ),
             )
         } else {
-            (
-                Verdict::Fine,
-                format!("the contact has {} times the stiffness of {ball}", digits(ratio)),
-            )
+            (Verdict::Fine, format!("contact stiffness {} times that of {ball}", digits(ratio)))
         };
         Some(self.finding(Topic::Stiffness, [value, reference], "N/m", verdict, text))
     }
@@ -321,31 +318,30 @@ impl Desk<'_> {
         let (time, lasts) = (quantity(back, "s"), quantity(contact, "s"));
         let needed = quantity(least, "m");
         let (verdict, text) = if free == 0.0 {
-            let text = "the struck point is an end of the beam, or tied to something: ends and ties take part in the contact throughout";
+            let text = "the struck point is an end of the beam, or connected to another part, which affects the contact from its start";
             (Verdict::Fine, text.to_owned())
         } else if free >= least && !struck.place.is_uniform() {
             let text = format!(
-                "bending waves come back from the nearest end or support after {time}, when the contact of {lasts} is over; where the \
-                 beam curves or changes its section, waves come back before"
+                "bending waves return from the nearest end or support after {time}, later than the contact ({lasts}); curvature and changes \
+                 of the section reflect waves earlier"
             );
             (Verdict::Fine, text)
         } else if free >= least {
             let text = format!(
-                "bending waves come back from the nearest end or support after {time}, when the \
-                 contact of {lasts} is over: as on a beam without end"
+                "bending waves return from the nearest end or support after {time}, later than the contact ({lasts}): no reflection during \
+                 the contact (infinite beam)"
             );
             (Verdict::Fine, text)
         } else if back < WAVES * contact {
             let text = format!(
-                "bending waves come back from the nearest end or support after {time}, many times \
-                 in the contact of {lasts}: the whole span takes part in it"
+                "bending waves return from the nearest end or support after {time}, several times during the contact ({lasts}): the whole \
+                 span responds"
             );
             (Verdict::Fine, text)
         } else {
             let text = format!(
-                "bending waves come back from the nearest end or support after {time}, within the \
-                 contact of {lasts}: how the beam is held shapes the force; to keep that out, leave \
-                 {needed} free on either side"
+                "bending waves return from the nearest end or support after {time}, during the contact ({lasts}): reflected waves affect \
+                 the contact; an unaffected contact needs {needed} to the nearest end or support"
             );
             (Verdict::Note, text)
         };
@@ -359,12 +355,11 @@ impl Desk<'_> {
         let steps = period / self.settings.step;
         let verdict = graded(steps, STEPS);
         let (lasts, count) = (quantity(period, "s"), digits(steps));
-        let mut text = format!(
-            "the two masses swing against each other with a period of {lasts}, {count} steps"
-        );
+        let mut text =
+            format!("relative vibration of the two masses: period {lasts}, {count} steps");
         if verdict != Verdict::Fine {
             let better = quantity(round_down(period / STEPS[0]), "s");
-            text += &format!(": set time.step to {better} to follow them");
+            text += &format!(": set time.step to {better} to resolve it");
         }
         let values = [period, self.settings.step];
         Some(self.finding(Topic::RearMass, values, "s", verdict, text))

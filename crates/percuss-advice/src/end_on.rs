@@ -52,7 +52,7 @@ pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>, expected: Option<f64>) -> Vec
         let (in_elements, in_steps) = (rise / transit, rise / settings.step);
         let verdict = graded(in_elements, RISES).max(graded(in_steps, STEPS));
         let mut text = format!(
-            "the force rises within {}, {} times the {} of a wave through an element, {} steps, and comes to {} at most (EA v/c)",
+            "force rise time {}: {} times the transit time {} of a wave through an element, {} steps; largest force {} (EA v/c)",
             quantity(rise, "s"),
             digits(in_elements),
             quantity(transit, "s"),
@@ -63,8 +63,7 @@ pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>, expected: Option<f64>) -> Vec
             let shorter = quantity(round_down(rise * section.bar_speed()), "m");
             let step = quantity(round_down(rise / STEPS[0]), "s");
             text += &format!(
-                ": a peak above that is one of this mesh and step; use elements of {shorter} and a step of {step} or less, or a \
-                 softer contact"
+                ": a higher peak depends on mesh and step; use elements of {shorter} and a step of {step} or less, or a softer contact"
             );
         }
         desk.finding(Topic::ForceRise, [rise, transit], "s", verdict, text)
@@ -80,19 +79,15 @@ pub fn points_of_end(model: &Model, contact: usize) -> f64 {
 fn stays(desk: &Desk<'_>, duration: f64) -> Advice {
     let steps = duration / desk.settings.step;
     let verdict = graded(steps, [20.0, 8.0]);
-    let mut text = format!(
-        "the bar stays on the wall for about {}, {} steps",
-        quantity(duration, "s"),
-        digits(steps)
-    );
+    let mut text =
+        format!("contact duration about {}, {} steps", quantity(duration, "s"), digits(steps));
     let points = match desk.case.law.is_rigid() {
         false => points_of_end(desk.model, desk.case.index),
         true => 1.0,
     };
     if points > 1.0 {
         text += &format!(
-            " (its flat end presses with {} corners, each under the law of the contact: for a stiffness k of the whole end, give \
-             each {})",
+            " (the flat end has {} contact points: for an end stiffness k use {} per point)",
             digits(points),
             format_args!("k/{}", digits(points))
         );
@@ -126,8 +121,8 @@ fn strut_under(desk: &Desk<'_>, place: &BeamPlace<'_>, force: f64) -> Option<Adv
         return None;
     }
     let text = format!(
-        "the blow presses the straight beam with some {}, {} times the Euler load {} between pins: a mesh without any \
-         imperfection stays straight where a real beam bows out; give it one (a slight curve, an offset of the blow)",
+        "axial force of about {} is {} times the Euler load {} (pinned ends): a straight mesh does not buckle; add an imperfection \
+         (a slight curvature, an eccentricity of the impact)",
         quantity(force, "N"),
         digits(force / euler),
         quantity(euler, "N")

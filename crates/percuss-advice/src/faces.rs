@@ -1,4 +1,4 @@
-//! Beams that meet with faces or flat ends: how stiff their contact is depends on the mesh.
+//! Contact of beams along faces or with flat ends: its stiffness depends on the mesh.
 
 use super::case::Beams;
 use super::desk::Desk;
@@ -10,7 +10,7 @@ use percuss::math::vec2::{cross, dot, sub};
 /// Beams whose directions are parallel or at right angles but for this sine meet with more than a corner.
 const ALIGNED: f64 = 0.1;
 
-/// Every point that lies in the contact presses under the law, and finer meshes have more of them.
+/// Each contact point acts with the full law, and finer meshes have more of them.
 pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
     if desk.case.law.is_rigid() {
         return None;
@@ -32,13 +32,16 @@ pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
     let told =
         if along { pointing.is_empty() || flat } else { across && flat && !pointing.is_empty() };
     let text = format!(
-        "`{}` and `{}` {}: every point that lies in the contact presses under its law, and there are more of them the finer the \
-         mesh, so that force and duration have no limit; divide the peak force by the penetration to see the stiffness it was, \
-         let one of both be a disc{}, or divide the stiffness by the number of points",
+        "'{}' and '{}' {}: the stiffness grows with the number of contact points, so that force and duration have no limit under \
+         refinement (secant stiffness: peak force over penetration); use a disc{}, or divide the stiffness by the number of points",
         one.name(),
         other.name(),
-        if along { "meet along their faces or end on" } else { "meet with a flat end on a face" },
-        if along { "" } else { " or give it round ends" }
+        if along {
+            "touch along their faces or end to end"
+        } else {
+            "touch with a flat end on a face"
+        },
+        if along { "" } else { " or round ends" }
     );
     let (topic, verdict) = (Topic::FaceStiffness, Verdict::Note);
     told.then(|| desk.finding(topic, [f64::NAN; 2], "N/m", verdict, text))

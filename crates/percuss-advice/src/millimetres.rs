@@ -43,9 +43,8 @@ pub fn finding(model: &Model) -> Option<Advice> {
         (0..model.beam_count()).filter_map(|index| Numbers::of(model, index)).collect();
     let first = all.first().filter(|_| all.iter().all(Numbers::fit))?;
     let text = format!(
-        "beam {} is {} long and {} deep with a Young's modulus of {}: these look like numbers in millimetres and newtons, but numbers \
-         without a unit are in m, N, Pa, kg and s. Give units, such as \"{} mm\" and \"{} MPa\", to these and to all others (lengths, \
-         areas, densities, velocities, stiffnesses)",
+        "beam '{}' is {} long and {} deep with a Young's modulus of {}: values appear to be in mm and N; numbers without a unit are SI \
+         (m, N, Pa, kg, s). Add units, such as \"{} mm\", \"{} MPa\", to all values (lengths, areas, densities, velocities, stiffnesses)",
         model.beam(0).name(),
         quantity(first.length, "m"),
         quantity(first.depth, "m"),

@@ -27,11 +27,10 @@ impl Desk<'_> {
             Stays::About(time) => ("lasts about", *time),
             Stays::AtLeast(time) => ("lasts at least", *time),
             Stays::Untouched => {
-                return self
-                    .no_duration("a short trial of the model sees no contact before the run ends");
+                return self.no_duration("no contact before the end in a trial computation");
             }
             Stays::Unknown(why) => {
-                let text = format!("how long the contact lasts is not estimated: {why}");
+                let text = format!("contact duration not estimated: {why}");
                 return self.no_duration(&text);
             }
         };
@@ -39,10 +38,10 @@ impl Desk<'_> {
         let mut text =
             format!("the contact {about} {}, {} steps", quantity(contact, "s"), digits(steps));
         match (&expected.stays, expected.otherwise) {
-            (Stays::AtLeast(_), _) => text += ", after which a short trial of the model ended",
+            (Stays::AtLeast(_), _) => text += ", where the trial computation ended",
             (_, Some(modes)) => {
                 text += &format!(
-                    " by a short trial of the model (a linear structure with its modes at rest: {})",
+                    " by a trial computation (linear structure with its modes: {})",
                     quantity(modes, "s")
                 );
             }
@@ -84,17 +83,18 @@ impl Desk<'_> {
         let better = quantity(better, "s");
         match off.filter(|_| contact / step >= 2.0) {
             Some(off) if off < OFF[0] => format!(
-                ": its peak force is within a per cent, its duration and velocities are hardly resolved; set time.step to \
-                 {better}"
+                " (20 recommended): peak force accurate to 1 %, duration and velocities poorly resolved; set time.step to {better}"
             ),
             Some(off) => format!(
-                ": expect its peak force to be off by some {} %; set time.step to {better}",
+                " (20 recommended): expected error of the peak force {} %; set time.step to {better}",
                 digits((100.0 * off).round().max(1.0))
             ),
             None if contact / step >= 2.0 => {
-                format!(": the run hardly sees its course; set time.step to {better}")
+                format!(" (20 recommended): set time.step to {better}")
             }
-            None => format!(": the run does not see its course; set time.step to {better}"),
+            None => {
+                format!(" (20 recommended), the contact is not resolved: set time.step to {better}")
+            }
         }
     }
 
@@ -129,7 +129,7 @@ impl Desk<'_> {
         // A row a step shows what there is.
         let verdict = if every == 1 { Verdict::Fine } else { graded(rows, ROWS) };
         let mut text = format!(
-            "the history has a row every {}, {} in the contact of {}",
+            "output interval {}, {} rows during the contact of {}",
             quantity(between, "s"),
             digits(rows),
             quantity(contact, "s")
@@ -137,7 +137,7 @@ impl Desk<'_> {
         if verdict != Verdict::Fine {
             let most = (contact / STEPS[0] / self.settings.step).floor().max(1.0);
             text += &format!(
-                ": curves and figures miss its course, though not the peaks of the summary; set record.every to {}",
+                ": curves do not resolve the contact (peaks in the summary do); set record.every to {}",
                 digits(most)
             );
         }

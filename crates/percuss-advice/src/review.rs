@@ -1,4 +1,4 @@
-//! Findings after a run: what its results must not be taken for.
+//! Findings after a run: where its results are incomplete, inaccurate or depend on the mesh.
 
 use super::desk::{STEPS, graded};
 use super::structure::BeamPlace;
@@ -16,7 +16,7 @@ const STRAINS: [f64; 2] = [0.05, 0.15];
 /// Jumps of a prescribed velocity above this share of the largest one are worth a word; splines leave smaller ones at their ends.
 const JUMP: f64 = 0.05;
 
-/// What is worth knowing of a finished run; `before` is what was found before it.
+/// Findings of a finished run; `before` are those before it.
 pub fn findings(
     model: &Model,
     settings: &Settings,
@@ -60,22 +60,23 @@ fn unresolved(contact: &ContactSummary, settings: &Settings, before: &[Advice]) 
     }
     let better = quantity(round_down(duration / STEPS[0]), "s");
     let text = format!(
-        "the contact lasted {}, {} steps, from {}: its peak force and velocities are hardly resolved; set time.step to {better}",
+        "contact of {} at t = {} resolved by {} steps (20 recommended): peak force and velocities are inaccurate; set time.step to \
+         {better}",
         quantity(duration, "s"),
-        digits(steps),
-        quantity(hardest.start, "s")
+        quantity(hardest.start, "s"),
+        digits(steps)
     );
     let values = [duration, settings.step];
     Some(Advice::new(&contact.name, Topic::ContactDuration, values, "s", verdict, text))
 }
 
-/// A compliant contact whose outlines were deep inside each other.
+/// A compliant contact with a deep penetration.
 fn pressed_deep(contact: &ContactSummary) -> Option<Advice> {
     let pressed = contact.pressed_in.filter(PressedIn::is_deep)?;
     let [a, b] = &contact.between;
     let text = format!(
-        "{a} and {b} were pressed into each other by {} at {}, and their middles meet at {}: place and direction of the force mean \
-         little that deep; give the law more stiffness, or both thicker outlines",
+        "penetration of '{a}' and '{b}' {} at t = {}, and their axes or centres meet at {}: location and direction of the force are \
+         unreliable at such a depth; use a stiffer law, or larger depths",
         quantity(pressed.penetration, "m"),
         quantity(pressed.time, "s"),
         quantity(pressed.through, "m")
@@ -84,13 +85,13 @@ fn pressed_deep(contact: &ContactSummary) -> Option<Advice> {
     Some(Advice::new(&contact.name, Topic::Pressed, values, "m", Verdict::Warning, text))
 }
 
-/// A contact that crushes, of which something slid along while it pressed.
+/// A contact that crushes, whose indentation moved along the face under load.
 fn carried_crush(contact: &ContactSummary) -> Option<Advice> {
     let carried = contact.carried_crush?;
     let [a, b] = &contact.between;
     let text = format!(
-        "what {a} and {b} were pushed in by went along while they pressed: {} deep, {} along the face from where it was made; force and \
-         dents are too small there, since the law has no force along the face",
+        "the indentation between '{a}' and '{b}' moved along the face under load: {} deep, {} along the face; force and permanent \
+         indentation there are too small, since the law has no tangential force",
         quantity(carried.depth, "m"),
         quantity(carried.distance, "m")
     );
@@ -107,13 +108,13 @@ fn still_to_come(contact: &ContactSummary, settings: &Settings, untouched: bool)
         Some(last) if last.end.is_nan() => {
             let since = quantity(settings.end - last.start, "s");
             let text = format!(
-                "still closed when the run ends at {end}, {since} after it closed: duration and impulse are not whole, and the \
-                 largest force may still come"
+                "contact still closed at the end ({end}), {since} after it closed: duration and impulse are incomplete and the peak force \
+                 may follow"
             );
             (last.start, Verdict::Note, text)
         }
         None if untouched && impacts(contact) == 0 => {
-            let text = format!("nothing touched up to the end of the run at {end}");
+            let text = format!("no contact up to the end of the run ({end})");
             (f64::NAN, Verdict::Note, text)
         }
         _ => return None,
@@ -154,8 +155,8 @@ fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
         return None;
     }
     let text = format!(
-        "rigid impacts on a beam send out waves as short as its elements: the largest reaction ({}) and section forces are those of \
-         this mesh and step, and finer ones have larger ones; take impulses and displacements, or give the contact a compliance",
+        "peak reaction ({}) and section forces depend on mesh and step (rigid impact), and grow with refinement; use impulses and \
+         displacements, or a compliant contact",
         quantity(largest, "N")
     );
     let values = [largest, f64::NAN];
@@ -172,9 +173,8 @@ fn jumps(model: &Model, run: &RunSummary) -> Option<Advice> {
     let forces = support.force.iter().flat_map(|f| [f.min.value, f.max.value]);
     let largest = forces.filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
     let text = format!(
-        "the velocity of support {} jumps, where a ramp begins and ends say: that strikes the beam like something rigid and sends out \
-         waves as short as its elements. Largest reactions ({} here) and section forces are those of this mesh and step, and finer ones have \
-         larger ones; give the motion a smooth course (a table with smooth = true), or take displacements",
+        "velocity jump of support '{}' (at the ends of a ramp, for example): peak reaction ({}) and section forces depend on mesh \
+         and step, and grow with refinement; use a smooth motion (a table with smooth = true), or displacements",
         support.name,
         quantity(largest, "N")
     );
@@ -201,19 +201,19 @@ fn compressed(model: &Model, run: &RunSummary, index: usize) -> Option<Advice> {
     }
     let verdict = if strain < STRAINS[1] { Verdict::Note } else { Verdict::Warning };
     let text = format!(
-        "beam {} is compressed by {} % at s = {} ({} s): Green's strain and the engineering strain differ by some {} % there, and \
-         so do forces; compare with strain = \"engineering\"",
+        "compressive strain of beam '{}' {} % at s = {}, t = {}: Green's strain and the engineering strain, and the forces with them, \
+         differ by about {} %; compare with strain = \"engineering\"",
         beam.name(),
         digits(100.0 * strain),
         quantity(least.s, "m"),
-        digits(least.time),
+        quantity(least.time, "s"),
         digits(50.0 * strain / (1.0 - 0.5 * strain).max(0.5))
     );
     let contact = format!("beam {}", beam.name());
     Some(Advice::new(contact, Topic::Strain, [strain, STRAINS[0]], "1", verdict, text))
 }
 
-/// An elastic beam that is stressed beyond what its material usually bears.
+/// An elastic beam whose stress exceeds the usual strength of its material.
 pub fn beyond_strength(beam: &SectionForceSummary) -> Option<Advice> {
     let first = beam.beyond?;
     let most = beam.stress.largest();
@@ -221,17 +221,17 @@ pub fn beyond_strength(beam: &SectionForceSummary) -> Option<Advice> {
     // An equilibrium has no time.
     let passed = match first.time > 0.0 {
         true => format!(
-            "with {} after {} at s = {}, and comes to {}",
+            "{} at s = {}, t = {}, and {} at most",
             stress(first.value),
-            quantity(first.time, "s"),
             quantity(first.s, "m"),
+            quantity(first.time, "s"),
             stress(most.value)
         ),
-        false => format!("with {} at s = {}", stress(first.value), quantity(first.s, "m")),
+        false => format!("{} at s = {}", stress(first.value), quantity(first.s, "m")),
     };
     let text = format!(
-        "beam {} passes what its material usually bears {passed}: it stays elastic here all the same; give the material `yield`, or allow \
-         this with the strength that yours has",
+        "beam '{}' exceeds the usual strength of its material: {passed}. The material is modelled as elastic: set `yield`, or accept \
+         this in [allow] with the strength of your material",
         beam.name
     );
     let values = [most.value, first.value];

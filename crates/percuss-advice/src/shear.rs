@@ -1,4 +1,4 @@
-//! What shear deformation, which beams here leave out, would do.
+//! The effect of shear deformation, which the beams neglect.
 
 use super::case::Struck;
 use super::desk::{Desk, graded};
@@ -24,7 +24,7 @@ pub fn finding(desk: &Desk<'_>, struck: &Struck<'_>, lasting: Option<&Lasting>) 
         Some(lasting) if lasting.from == From::WithoutEnd => {
             let [_, change] = struck.corrections(desk.case.law, struck.speed)?;
             let rebound = change.rebound.map_or(String::new(), |share| {
-                format!(" and the velocity of rebound by {} %", digits(100.0 * share))
+                format!(" and the rebound velocity by {} %", digits(100.0 * share))
             });
             let share = change.rebound.unwrap_or(0.0).abs().max(change.force.abs());
             (share, format!("change the force by {} %{rebound}", digits(100.0 * change.force)))
@@ -35,7 +35,7 @@ pub fn finding(desk: &Desk<'_>, struck: &Struck<'_>, lasting: Option<&Lasting>) 
         }
         None => {
             let share = struck.place.span()?.shear_share(shear);
-            (share, format!("let the span give way {} % more", digits(100.0 * share)))
+            (share, format!("increase the static deflection by {} %", digits(100.0 * share)))
         }
     };
     let share = share.abs();
@@ -46,16 +46,13 @@ pub fn finding(desk: &Desk<'_>, struck: &Struck<'_>, lasting: Option<&Lasting>) 
     let yields = struck.place.span().map_or(0.0, |span| span.shear_share(shear));
     let and = match lasting {
         Some(_) if yields >= SHARES[0] => {
-            format!(
-                ", and let the span give way {} % more to a force at rest",
-                digits(100.0 * yields)
-            )
+            format!(" and increase the static deflection by {} %", digits(100.0 * yields))
         }
         _ => String::new(),
     };
     let text = format!(
-        "shear deformation, left out, would {what}{and} (of a full rectangle; of a tube some twice, of an I-section two to three \
-         times as much)"
+        "shear deformation (neglected) would {what}{and} (for a solid rectangle; about twice as much for a tube, two to three times for \
+         an I-section)"
     );
     let of_force = graded(-share, SHARES.map(|x| -x));
     let of_way = match yields {

@@ -1,4 +1,4 @@
-//! What looks like a slip of a unit: values that the mechanics takes as they stand, but nothing is made of.
+//! Suspicious magnitudes: values that the mechanics accepts, but that a wrong unit is likely to have caused.
 //!
 //! Limits lie far beyond what is built or measured, so that a finding is worth reading; they are no errors.
 
@@ -30,9 +30,9 @@ const STEPS: f64 = 1e9;
 /// Accelerations of gravity on planets end here \[m/s^2\].
 const GRAVITY: f64 = 500.0;
 
-/// What looks like a slip.
+/// All suspicious magnitudes.
 pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
-    // What is wrong as a whole is told once.
+    // One finding, if all values are in the wrong units.
     if let Some(whole) = millimetres::finding(model) {
         return vec![whole];
     }
@@ -45,7 +45,7 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
     let (pull, _) = gravity(model);
     if norm(pull) > GRAVITY {
         let text = format!(
-            "{} m/s^2 of gravity, {} times that of the earth: given in mm/s^2?",
+            "gravity of {} m/s^2, {} times that of the earth: check the units (mm/s^2?)",
             digits(norm(pull)),
             digits(norm(pull) / 9.81)
         );
@@ -54,7 +54,7 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
     let steps = settings.end / settings.step;
     if steps > STEPS && settings.accuracy.is_none() {
         let text = format!(
-            "{} steps of {} up to {} take days: one of both in another unit?",
+            "{} steps of {} up to {} take days: check the units",
             digits(steps),
             quantity(settings.step, "s"),
             quantity(settings.end, "s")
@@ -117,7 +117,7 @@ fn beam(place: &BeamPlace<'_>, stub: bool, settings: &Settings, all: &mut Vec<Ad
     let given = settings.accuracy.is_none();
     if given && settings.step > PERIODS * period && period > 0.0 {
         let text = format!(
-            "one step of {} holds {} periods of its lowest mode ({}): time, stiffness or length in another unit?",
+            "the step of {} is {} periods of the lowest mode ({}): check the units of time, stiffness and length",
             quantity(settings.step, "s"),
             digits(settings.step / period),
             quantity(period, "s")
@@ -130,9 +130,9 @@ fn slender(name: &str, length: f64, depth: f64, given: bool) -> Option<Advice> {
     if length >= depth || !depth.is_finite() {
         return None;
     }
-    let deep = if given { "its section is" } else { "by its inertia its section is some" };
+    let deep = if given { "its section is" } else { "by its inertia its section is about" };
     let text = format!(
-        "{} long? {deep} {} deep, and a beam is longer than that",
+        "length {}, and {deep} {} deep: a beam is longer than deep; check the units",
         quantity(length, "m"),
         quantity(depth, "m")
     );
@@ -143,13 +143,13 @@ fn slender(name: &str, length: f64, depth: f64, given: bool) -> Option<Advice> {
 fn section(name: &str, gyration: f64, half_depth: f64) -> Option<Advice> {
     let text = if gyration > (1.0 + 1e-6) * half_depth {
         format!(
-            "inertia and area make a radius of gyration of {}, which a section {} deep cannot have",
+            "radius of gyration {} (from inertia and area) is impossible for the depth {}: check the units",
             quantity(gyration, "m"),
             quantity(2.0 * half_depth, "m")
         )
     } else if gyration < 1e-3 * half_depth {
         format!(
-            "inertia and area make a radius of gyration of {}, next to nothing beside the depth of {}",
+            "radius of gyration {} (from inertia and area) is too small for the depth {}: check the units",
             quantity(gyration, "m"),
             quantity(2.0 * half_depth, "m")
         )
@@ -174,7 +174,7 @@ fn density(name: &str, density: f64) -> Option<Advice> {
     let meant = meant.map_or(String::new(), |(unit, factor)| {
         format!("; in {unit} it would be {} kg/m^3", digits(density * factor))
     });
-    let text = format!("{} kg/m^3, where solids have 1 to 30 000{meant}", digits(density));
+    let text = format!("density {} kg/m^3, solids have 1 to 30 000{meant}", digits(density));
     Some(slip(name, [density, reference], "kg/m^3", verdict, text))
 }
 
@@ -188,8 +188,7 @@ fn young(name: &str, young: f64) -> Option<Advice> {
         format!("; in {unit} it would be {} Pa", digits(young * factor))
     });
     let reference = YOUNG[usize::from(young > YOUNG[1])];
-    let text =
-        format!("Young's modulus {} Pa, where solids have 1e3 to 1e13{meant}", digits(young));
+    let text = format!("Young's modulus {} Pa, solids have 1e3 to 1e13{meant}", digits(young));
     Some(slip(name, [young, reference], "Pa", Verdict::Warning, text))
 }
 
@@ -225,7 +224,7 @@ fn apart(name: &str, mass: f64, (place, own): (&BeamPlace<'_>, f64)) -> Option<A
         return None;
     }
     let text = format!(
-        "a mass of {} on beam {} of {}: one of both in another unit?",
+        "a mass of {} on beam '{}' of {}: check the units",
         quantity(mass, "kg"),
         place.beam.name(),
         quantity(own, "kg")
@@ -239,8 +238,7 @@ fn fast(name: &str, speed: f64, place: &BeamPlace<'_>) -> Option<Advice> {
         return None;
     }
     let text = format!(
-        "{} is faster than waves run through beam {} ({}): nothing stays elastic there; a velocity, \
-         stiffness or density in another unit?",
+        "{} exceeds the wave speed of beam '{}' ({}): check velocity, stiffness and density",
         quantity(speed, "m/s"),
         place.beam.name(),
         quantity(wave, "m/s")
@@ -294,7 +292,7 @@ fn spring(name: &str, stiffness: f64, place: &BeamPlace<'_>) -> Option<Advice> {
     let (ratio, than) =
         if soft { (own / stiffness, "softer") } else { (stiffness / own, "stiffer") };
     let text = format!(
-        "a spring of {} is {} times {than} than beam {} in bending (EI/L^3 = {}): one of both in another unit?",
+        "a spring of {} is {} times {than} than beam '{}' in bending (EI/L^3 = {}): check the units",
         quantity(stiffness, "N/m"),
         digits(ratio),
         place.beam.name(),

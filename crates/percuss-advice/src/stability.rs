@@ -8,10 +8,10 @@ use percuss::{Equilibrium, Model, Settings, Start, equilibrium};
 /// Elements beyond which the equilibrium is left to the run.
 const ELEMENTS: usize = 3000;
 
-/// Share of the structure's size beyond which the equilibrium is another configuration than the drawn one.
+/// Share of the structure's size beyond which the equilibrium is far from the reference configuration.
 const FAR: f64 = 0.1;
 
-/// What is to be known of the equilibrium that a run starts from: whether it is unstable, and how far from the drawing it lies.
+/// Findings about the static start of a run: whether it is unstable, and how far it is from the reference configuration.
 pub fn of_the_start(model: &Model, settings: &Settings) -> Vec<Advice> {
     let loaded = settings.start == Start::Static && model.loads().len() > 0;
     if !loaded || model.element_count() > ELEMENTS {
@@ -27,14 +27,13 @@ fn unstable(found: &Equilibrium) -> Option<Advice> {
     if found.stable {
         return None;
     }
-    let text = "the static equilibrium that the run starts from is unstable, the loads are beyond those under which the structure \
-                buckles: the least disturbance takes it away from there; see `percuss static` for the load factor"
+    let text = "the static start is an unstable equilibrium (loads above buckling); see `percuss static` for the load factor"
         .to_owned();
     let (topic, verdict) = (Topic::Stability, Verdict::Warning);
     Some(Advice::new("start", topic, [f64::NAN; 2], "1", verdict, text))
 }
 
-/// An equilibrium far from what is drawn: most likely something swings freely, and nobody meant to start there.
+/// An equilibrium far from the reference configuration: most likely a part is free to rotate, and this start is not intended.
 fn far(model: &Model, found: &Equilibrium) -> Option<Advice> {
     let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
     let (mut farthest, mut place) = (0.0, String::new());
@@ -48,7 +47,7 @@ fn far(model: &Model, found: &Equilibrium) -> Option<Advice> {
             let moved = norm([0, 1].map(|i| found.state.displacement[node][i]));
             if moved > farthest {
                 let name = beam.name();
-                (farthest, place) = (moved, format!("`{name}` at s = {}", quantity(*s, "m")));
+                (farthest, place) = (moved, format!("beam '{name}', s = {}", quantity(*s, "m")));
             }
         }
     }
@@ -57,9 +56,8 @@ fn far(model: &Model, found: &Equilibrium) -> Option<Advice> {
         return None;
     }
     let text = format!(
-        "the static equilibrium that the run starts from lies far from the drawn configuration: {place} is {} from where it is \
-         drawn, in a structure of {}; if that is not meant, set time.start to \"reference\", hold what swings, or draw it where it \
-         hangs",
+        "the static start differs from the reference configuration by {} at {place} (structure size {}); set time.start = \
+         \"reference\" if not intended",
         quantity(farthest, "m"),
         quantity(size, "m")
     );

@@ -78,8 +78,8 @@ fn excess(a: &Station, b: &Station) -> f64 {
 
 fn advice(beam: &str, [share, from, to]: [f64; 3]) -> Advice {
     let text = format!(
-        "from s = {} m to {} m the second moment of area is a straight line between two stations; if it is the size of the section \
-         that varies evenly, it is up to {} % too large between them: give stations in between",
+        "second moment of area interpolated linearly between the stations s = {} m and {} m; up to {} % too large if the depth varies \
+         linearly: add stations",
         digits(from),
         digits(to),
         digits(100.0 * share)

@@ -140,7 +140,7 @@ fn a_long_contact_follows_two_masses_and_two_springs_while_deflections_are_small
         b.projectile(spring(girder, 500.0, 7.5e5, speed));
         let all = compared(&b, &Settings::new(0.15, 2e-4));
         for quantity in ["largest contact force", "contact duration", "largest deflection"] {
-            let c = row(&all, "two masses and two springs", quantity);
+            let c = row(&all, "two-degree-of-freedom model", quantity);
             let within = c.difference_percent.abs() < off;
             assert!(within || !small, "{c:#?}");
             assert_eq!(c.holds_if.contains("not met"), !small, "{c:#?}");
@@ -279,7 +279,7 @@ fn a_step_too_long_for_the_contact_is_found_out() {
         let advice = advise(&model, &Settings::new(0.01, step));
         assert_eq!(verdict(&advice, Topic::ContactDuration), Some(expected), "{step} s");
         let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);
-        let advises = text.is_some_and(|t| t.contains("set time.step to 100 us"));
+        let advises = text.is_some_and(|t| t.contains("set time.step to 100 \u{b5}s"));
         assert_eq!(advises, expected != Verdict::Fine, "{text:?}");
     }
 }

@@ -1,5 +1,5 @@
-//! When a contact is touched first: by free flight where nothing else moves the two before, by a short trial of the model else, and by
-//! the run once there is one.
+//! Time of the first contact: for free motion where nothing else moves the two before, else by a trial computation, and by the run once
+//! there is one.
 
 use super::case::Struck;
 use super::desk::Desk;
@@ -22,7 +22,7 @@ enum Known {
     Guess(&'static str),
 }
 
-/// When a projectile or a disc touches first.
+/// The first contact of a projectile or a disc.
 pub fn finding(
     desk: &Desk<'_>,
     struck: &Struck<'_>,
@@ -37,10 +37,8 @@ pub fn finding(
         (None, _) => (flight, Known::Flight),
         (Some(_), Some(seen)) => (seen, Known::Trial),
         (Some(_), None) if untouched => {
-            let text = format!(
-                "a short trial of the model sees no touch before the run ends at {}",
-                quantity(end, "s")
-            );
+            let last = quantity(end, "s");
+            let text = format!("no contact before the end ({last}) in a trial computation");
             return Some(desk.finding(Topic::Touch, [f64::NAN, end], "s", Verdict::Warning, text));
         }
         (Some(why), None) => (flight, Known::Guess(why)),
@@ -67,52 +65,53 @@ fn acts(desk: &Desk<'_>, struck: &Struck<'_>) -> Option<&'static str> {
         return Some("other loads act as well");
     }
     if model.supports().any(|support| support.moves) {
-        return Some("a support is moved");
+        return Some("a support has a prescribed motion");
     }
     if model.contacts().len() > 1 {
-        return Some("other contacts may act before");
+        return Some("other contacts are possible before");
     }
     let starts = around.start(model);
     if starts.is_none_or(|v| around.held && norm(v) > 0.0) {
-        return Some("the beam starts in a motion of its own");
+        return Some("the beam has an initial motion");
     }
     if !around.is_relaxed(model) {
         return Some("a spring is strained at the start");
     }
     if norm(pull) > 0.0 && around.held && desk.settings.start != Start::Static {
-        return Some("the beam starts to swing under its own weight");
+        return Some("the beam vibrates under its own weight from the start");
     }
     None
 }
 
-/// What is said of a touch that is to come.
+/// The finding about a first contact that is still to come.
 fn told(time: f64, end: f64, contact: f64, known: Known) -> (Verdict, String) {
     let (first, last) = (quantity(time, "s"), quantity(end, "s"));
     if let Known::Guess(why) = known {
+        let side = if time >= end { "after" } else { "before" };
         let text = format!(
-            "by free flight alone the first touch would come at {first}, where the run ends at {last}; {why}, so that it may come earlier or later"
+            "first contact at {first} for free motion, {side} the end ({last}); {why}, so that it may be earlier or later"
         );
         return (if time >= end { Verdict::Note } else { Verdict::Fine }, text);
     }
-    let seen = if known == Known::Trial { " in a short trial of the model" } else { "" };
+    let seen = if known == Known::Trial { " in a trial computation" } else { "" };
     if time >= end {
         let enough = quantity(time + 3.0 * contact, "s");
         let text = format!(
-            "the run ends at {last}, before the first touch at {first}{seen}: set time.end beyond {enough}"
+            "the run ends ({last}) before the first contact ({first}{seen}); set time.end > {enough}"
         );
         (Verdict::Warning, text)
     } else if time + contact > end {
         let over = quantity(time + contact, "s");
         let text = format!(
-            "the first touch comes at {first}{seen} and its contact lasts beyond the end of the run at {last}: set time.end beyond {over}"
+            "first contact at {first}{seen}, still closed at the end of the run ({last}); set time.end > {over}"
         );
         (Verdict::Note, text)
     } else {
-        (Verdict::Fine, format!("the first touch comes at {first} of {last}{seen}"))
+        (Verdict::Fine, format!("first contact at {first} of {last}{seen}"))
     }
 }
 
-/// Puts what a run shows in the place of what was expected.
+/// Replaces what was expected by what a run shows.
 pub fn settle(advice: &mut [Advice], settings: &Settings, run: &RunSummary) {
     for one in advice.iter_mut().filter(|one| one.topic == Topic::Touch) {
         let Some(contact) = run.contacts.iter().find(|c| c.name == one.contact) else { continue };
@@ -123,7 +122,7 @@ pub fn settle(advice: &mut [Advice], settings: &Settings, run: &RunSummary) {
         (one.verdict, one.text) = match first(contact) {
             Some(time) => {
                 let text = format!(
-                    "touched first at {} of {}",
+                    "first contact at {} of {}",
                     quantity(time, "s"),
                     quantity(settings.end, "s")
                 );
@@ -142,12 +141,12 @@ pub fn settle(advice: &mut [Advice], settings: &Settings, run: &RunSummary) {
                     }
                 };
                 let text = format!(
-                    "not touched before the run ended at {}{later}",
+                    "no contact up to the end of the run ({}){later}",
                     quantity(settings.end, "s")
                 );
                 (verdict, text)
             }
-            None => (Verdict::Fine, format!("not touched up to {}", quantity(run.time, "s"))),
+            None => (Verdict::Fine, format!("no contact up to {}", quantity(run.time, "s"))),
         };
     }
 }

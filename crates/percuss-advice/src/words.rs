@@ -1,6 +1,6 @@
 //! Numbers in sentences.
 
-/// Three significant digits and a unit with a prefix: `51.2 ms`, `750 kN/m`, `91.2 kg`.
+/// Three significant digits and a unit with a prefix, stresses below 1 Pa and velocities without one: `51.2 ms`, `750 kN/m`, `91.2 kg`.
 pub fn quantity(value: f64, unit: &str) -> String {
     let prefixed = matches!(unit, "s" | "m" | "N" | "N/m" | "J" | "m/s" | "N m" | "N s" | "Pa");
     if value == 0.0 || !value.is_finite() || !prefixed {
@@ -8,8 +8,9 @@ pub fn quantity(value: f64, unit: &str) -> String {
     }
     // A value that rounds up to the next prefix takes it.
     let exponent = (value.abs() * (1.0 + 1e-9)).log10().floor().div_euclid(3.0) as i32;
-    let prefixes = ["p", "n", "u", "m", "", "k", "M", "G", "T"];
-    let wanted = if unit == "m/s" { 0 } else { exponent.clamp(-4, 4) };
+    let prefixes = ["p", "n", "\u{b5}", "m", "", "k", "M", "G", "T"];
+    let least = if unit == "Pa" { 0 } else { -4 };
+    let wanted = if unit == "m/s" { 0 } else { exponent.clamp(least, 4) };
     let prefix = usize::try_from(wanted + 4).ok().and_then(|k| prefixes.get(k)).unwrap_or(&"");
     format!("{} {prefix}{unit}", digits(value * 1000_f64.powi(-wanted)))
 }
@@ -52,7 +53,8 @@ mod tests {
             (91.158, "kg", "91.2 kg"),
             (0.0, "m", "0 m"),
             (-0.0, "kg", "0 kg"),
-            (1e-4, "s", "100 us"),
+            (1e-4, "s", "100 \u{b5}s"),
+            (0.0587, "Pa", "0.0587 Pa"),
             (1e3, "N", "1 kN"),
             (0.002, "m/s", "0.002 m/s"),
             (3.2, "", "3.2"),

@@ -1,7 +1,6 @@
-//! The band of an ensemble: block-tridiagonal, 4 x 4, pivots in the order of the diagonal.
-//!
-//! Lanes cannot search for pivots each on its own. In a step of a transient the blocks are dominated by masses, so there is no need;
-//! where a pivot fails all the same, the run's residual tells and it is left to the solver that searches.
+//! Block-tridiagonal matrix of an ensemble, 4 x 4 blocks, factored without pivoting. Lanes cannot choose pivots independently. In a step of a
+//! transient the masses dominate the blocks, so pivoting is not needed; if a pivot fails nevertheless, the residual of the run shows it and the run
+//! is repeated by the solver of single runs, which pivots.
 
 use percuss::internals::linalg::block::{Block, apply, less_applied, mul, sub_mul};
 use percuss::internals::linalg::gauss_jordan;
@@ -19,7 +18,7 @@ pub struct Band<S> {
 }
 
 impl<S: Number> Band<S> {
-    /// A zero matrix of `n` block rows, in as many lanes as a number has.
+    /// A zero matrix of `n` block rows, with the lanes of `S`.
     pub fn zeros(n: usize, like: S) -> Self {
         let zero = vec![[[like.constant(0.0); 4]; 4]; n];
         Self { diag: zero.clone(), upper: zero.clone(), lower: zero }
@@ -64,7 +63,7 @@ impl<S: Number> Band<S> {
     pub fn solve(&self, x: &mut [[S; 4]]) {
         let Some(first) = x.first() else { return };
         let mut carried = *first;
-        // What one row hands to the next stays in registers.
+        // Values that pass from one row to the next stay in registers.
         x[0] = apply(&self.diag[0], &carried);
         for i in 1..x.len() {
             carried = less_applied(x[i], &self.lower[i - 1], &carried);
@@ -78,7 +77,7 @@ impl<S: Number> Band<S> {
         }
     }
 
-    /// Takes over the given lanes of another matrix.
+    /// Copies the given lanes of another matrix.
     #[inline(always)]
     pub fn take(&mut self, from: &Self, which: S::Mask) {
         for (mine, other) in [

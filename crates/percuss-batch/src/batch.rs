@@ -1,4 +1,4 @@
-//! Many runs, nothing recorded but their summaries.
+//! Many runs of which only the summaries are recorded.
 
 use super::detail::Detail;
 use super::run::simulate_ensemble;
@@ -8,12 +8,11 @@ use percuss::Settings;
 use percuss::simulate;
 use percuss::{Fault, Model};
 
-/// Simulates every model under its settings and keeps the summaries, in their order.
-///
-/// A run's summary is the same to the last bit whatever runs stand beside it.
+/// Simulates every model with its settings and returns the summaries in the same order.
+/// The summary of a run does not depend on the other runs, to the last bit.
 ///
 /// # Errors
-/// Per run every fault of its settings, as [`simulate`].
+/// For each run all faults of its settings, as [`simulate`].
 pub fn simulate_batch(
     runs: &[(&Model, &Settings)],
     detail: Detail,

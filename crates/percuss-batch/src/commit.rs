@@ -1,4 +1,4 @@
-//! The only writer of the state of an ensemble: the step at hand becomes the start of the next one.
+//! The only writer of the state of an ensemble: the current step becomes the start of the next one.
 
 use super::engine::Engine;
 use super::ledger::LaneLedger;
@@ -8,20 +8,20 @@ use percuss::internals::element::beam::ElementValues;
 use percuss::internals::element::energy_momentum::End;
 use percuss::internals::scalar::{Number, Task};
 
-/// Takes in the solved step of the lanes that `go`: ledger, state and record; of the others only the record stays, what else has to is
-/// put back by [`Stand`](super::stand::Stand).
+/// Accepts the solved step in the lanes of the mask `go`: ledger, state and record. The record of the other lanes does not change; their state and
+/// ledger are restored by [`SavedLanes`](super::saved_lanes::SavedLanes).
 pub struct Accept<'a, 'm, S: Number> {
     pub engine: &'a mut Engine<S>,
     pub ledger: &'a mut LaneLedger<S>,
     pub log: &'a mut Log<S>,
-    /// Section forces, if they are asked for.
+    /// Section forces, if they are requested.
     pub sections: Option<&'a mut Sections<'m, S>>,
-    /// All lanes if `None`.
+    /// Lanes whose step is accepted; all if `None`.
     pub go: Option<S::Mask>,
 }
 
 impl<S: Number> Accept<'_, '_, S> {
-    /// Takes it in.
+    /// Accepts the step.
     #[inline(always)]
     pub fn accept(self) {
         self.engine.h.apart(self);
@@ -52,7 +52,7 @@ impl<S: Number> Task for Accept<'_, '_, S> {
 }
 
 impl<S: Number> Engine<S> {
-    /// Accepts the step at hand.
+    /// Accepts the current step.
     #[inline(always)]
     fn commit(&mut self) {
         let rate = self.h.recip();
@@ -77,7 +77,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Gauss points as the displacements have them at the end of the step, and their angular rates there.
+    /// Gauss points and their angular rates at the end of the step, from the displacements.
     #[inline(always)]
     fn arrive(&mut self, rate: S) {
         let mut element = 0;

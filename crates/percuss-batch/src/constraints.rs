@@ -1,8 +1,8 @@
 //! Joints of beams, and supports between nodes, in an ensemble: their multipliers follow from the Schur complement of the band.
 //!
-//! The same constraints as those of single runs ([`step::constraint`](percuss::internals::step::constraint)): forces along the gradient in the middle
-//! of a step, which do no work, and a value that vanishes at its end. Lanes cannot search for pivots; the complement is that of a
-//! tangent that masses dominate, and needs none.
+//! The same constraints as those of single runs ([`step::constraint`](percuss::internals::step::constraint)): forces along the gradient in the
+//! middle of a step, which do no work, and a value that vanishes at its end. Lanes cannot choose pivots independently; masses dominate the tangent,
+//! so that its complement needs no pivoting.
 
 use percuss::internals::model::frozen::{Constraint, ConstraintKind};
 use percuss::internals::scalar::Number;
@@ -10,11 +10,11 @@ use percuss::internals::step::constraint::NodalForm;
 use percuss::internals::step::convergence::ROUND_OFF;
 use percuss::internals::step::forcing::Forcing;
 
-/// Corrections by which derivatives follow the values where angles are kept: the tangent lacks what the forces of such a joint change
-/// by when they turn, of the order of the strain of an element, so that each of them leaves a small share of what it finds.
+/// Corrections of the derivatives with rigid joints: the tangent omits the change of a joint force by rotation, which is of the order of the strain
+/// of an element, so that each correction leaves a small share of the residual.
 pub const FOLLOWING: usize = 12;
 
-/// What about a constraint an ensemble does not know, if anything.
+/// Property of a constraint that ensembles do not support, if any.
 pub fn unknown(c: &Constraint) -> Option<&'static str> {
     match &c.kind {
         _ if c.until < f64::INFINITY => Some("supports for a time"),
@@ -25,36 +25,36 @@ pub fn unknown(c: &Constraint) -> Option<&'static str> {
     }
 }
 
-/// The constraints of the runs in mid-flight.
+/// The constraints of all runs in the current step.
 #[derive(Clone, Debug)]
 pub struct Constraints<S: Number> {
     /// One by one, shape (constraints).
     pub each: Vec<ConstraintState<S>>,
-    /// No motion: supports that move are unknown.
+    /// No motion: prescribed motions are not supported in ensembles.
     pub still: Forcing,
     /// Inverse of the Schur complement, row by row, shape (constraints * constraints) \[N/m, N, N m\].
     pub inverse: Vec<S>,
-    /// Lanes in whose part impulses act: multipliers of such a part are no guess for what follows, and no round-off is taken back in it.
+    /// Lanes in whose part impulses act: multipliers of such a part are not used as predictions, and round-off is not compensated in it.
     pub impulsive: S::Mask,
 }
 
-/// A constraint on its way, and in the step at hand.
+/// State of a constraint, and its values in the current step.
 #[derive(Clone, Debug)]
 pub struct ConstraintState<S> {
     /// Multiplier of the step accepted last, which the next one starts from \[N, N m\].
     pub accepted: S,
-    /// Multiplier in the step at hand, and its correction \[N, N m\].
+    /// Multiplier in the current step, and its correction \[N, N m\].
     pub multiplier: S,
     pub correction: S,
-    /// Round-off of the steps before that this one takes back \[m, -\].
+    /// Round-off of the previous steps that this one compensates \[m, -\].
     pub taken_back: S,
-    /// By how much the increment as it stands misses the constraint \[m, -\].
+    /// Violation of the constraint by the current increment \[m, -\].
     pub miss: S,
-    /// Gradient in the middle of the step, as it was evaluated last, shape (4, 4) \[-, m, 1/m\].
+    /// Gradient in the middle of the step at the last evaluation, shape (4, 4) \[-, m, 1/m\].
     pub gradient: NodalForm<S>,
     /// Gradient at the end of the step, in the free directions, of the factors in use, shape (4, 4) \[-, m, 1/m\].
     pub row: NodalForm<S>,
-    /// What the factors in use answer to its gradient, shape (beam nodes, 4) \[m/N, 1/N\].
+    /// Solution of the factors in use for its gradient, shape (beam nodes, 4) \[m/N, 1/N\].
     pub column: Vec<[S; 4]>,
 }
 
@@ -87,7 +87,7 @@ impl<S: Number> Constraints<S> {
         self.each.iter_mut().map(|c| &mut c.correction)
     }
 
-    /// Takes the corrections in the lanes of `which`.
+    /// Applies the corrections in the lanes of `which`.
     #[inline(always)]
     pub fn correct(&mut self, which: S::Mask) {
         for c in &mut self.each {
@@ -95,7 +95,7 @@ impl<S: Number> Constraints<S> {
         }
     }
 
-    /// Accepts the multipliers of the step at hand.
+    /// Accepts the multipliers of the current step.
     #[inline(always)]
     pub fn commit(&mut self) {
         for c in &mut self.each {
@@ -103,7 +103,7 @@ impl<S: Number> Constraints<S> {
         }
     }
 
-    /// Lanes whose increments, as large as `step`, meet all constraints but for round-off of displacements as large as `reach`.
+    /// Lanes whose increments, of size `step`, satisfy all constraints within the round-off of displacements of size `reach`.
     #[inline(always)]
     pub fn met(&self, step: S, reach: S, taken_back: S) -> S::Mask {
         let one = step.constant(1.0);

@@ -1,25 +1,25 @@
-//! How much the summaries of many runs tell.
+//! Contents of the summaries of a batch.
 
 use percuss::{RunSummary, SectionRange};
 
-/// How much the summaries of a batch tell.
+/// Contents of the summaries of a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Detail {
-    /// Everything.
+    /// All results.
     #[default]
     Full,
-    /// All but section forces, static equivalents of impacts and reactions of supports, which are left out. Beams and frames, elastic, damped or
-    /// yielding, that guided projectiles strike, at most one of them rigid, and dead loads act on then run side by side in vector
-    /// registers, many times as fast ([`runs_alone`](crate::runs_alone) tells what keeps a run from it).
+    /// All results except section forces, equivalent static forces and reactions of supports. Beams and frames, elastic, damped or yielding, with
+    /// guided projectiles (at most one of them rigid) and dead loads are then computed in SIMD lanes, many times as fast
+    /// ([`runs_alone`](crate::runs_alone) gives the reason why a run is not).
     Motion,
-    /// The same with axial force, shear force and moment of every beam, extremes and envelopes; its stresses and strains are left out.
+    /// The same with axial force, shear force and moment of every beam, extremes and envelopes; stresses and strains are omitted.
     Resultants,
-    /// The same with stresses of its extreme fibres; strains are left out. Beams made of fibres run alone.
+    /// The same with stresses of the extreme fibres; strains are omitted. Beams with fibre sections are computed in single runs.
     Stresses,
 }
 
 impl Detail {
-    /// Leaves out of a summary what it does not tell.
+    /// Removes from a summary the results that it does not contain.
     pub(crate) fn leave_out(self, summary: &mut RunSummary) {
         if self == Self::Full {
             return;

@@ -1,5 +1,4 @@
-//! Steps the runs of a shape side by side to their ends: each lane goes on by parts of steps of its own, and takes the next run when its own
-//! has ended.
+//! Steps the runs of a shape in lanes: each lane advances by its own parts of steps, and is filled with the next run when its run has ended.
 
 use super::commit::Accept;
 use super::detail::Detail;
@@ -10,27 +9,27 @@ use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::{GuideLaw, Numbers};
+use super::saved_lanes::SavedLanes;
 use super::sections::Sections;
-use super::stand::Stand;
-use super::summary::{Fixed, Reading, Telling};
+use super::summary::{Fixed, Reading, SummaryInput};
 use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::locate::Seen;
 use percuss::internals::scalar::{Mask, Number};
 use percuss::internals::step::contacts::IMPULSIVE;
 use percuss::{RunSummary, Termination};
 
-/// What is read of the rigid contact, lane by lane.
+/// Gap, rate and impulse of the rigid contact in all lanes.
 struct Views<S> {
     /// Gap and its rate at the start of the part, shape (2) \[m, m/s\].
     start: [S; 2],
     /// The same at its end, shape (2) \[m, m/s\].
     end: [S; 2],
-    /// Impulse \[N s\], and the work it does \[J\].
+    /// Impulse \[N s\], and its work \[J\].
     impulse: S,
     work: S,
 }
 
-/// Runs of one shape in mid-flight.
+/// Runs of one shape in lanes.
 pub struct LaneDriver<'a, S: Number> {
     /// The runs, shape (runs).
     runs: &'a [LaneRun<'a>],
@@ -38,14 +37,14 @@ pub struct LaneDriver<'a, S: Number> {
     ledger: LaneLedger<S>,
     log: Log<S>,
     search: LaneNewton<S>,
-    stand: Stand<S>,
-    /// Section forces, if they are asked for.
+    saved: SavedLanes<S>,
+    /// Section forces, if they are requested.
     sections: Option<Sections<'a, S>>,
     /// Number of the rigid projectile, if there is one \[index of a projectile\].
     guide: Option<usize>,
     /// The run in each lane, shape (lanes).
     lanes: Vec<Option<Lane>>,
-    /// The first run that no lane has taken yet.
+    /// Number of the next run, which is in no lane yet.
     next: usize,
 }
 
@@ -56,19 +55,19 @@ pub fn rigid_guides<S>(numbers: &Numbers<S>) -> impl Iterator<Item = usize> {
 }
 
 impl<'a, S: Number> LaneDriver<'a, S> {
-    /// Of runs of one shape, at most one of whose projectiles is rigid.
+    /// A driver for runs of one shape with at most one rigid projectile.
     #[inline(always)]
     pub fn of(runs: &'a [LaneRun<'a>], detail: Detail, like: S) -> Self {
         let mut engine = Engine::new(runs[0].numbers.map(&mut |x| like.constant(x)));
         let guide = rigid_guides(&engine.numbers).next();
         engine.press = guide.map(|guide| Press::new(&engine.numbers, guide));
         let mut search = LaneNewton::idle(engine.h);
-        search.told = guide.is_some();
+        search.by_parts = guide.is_some();
         Self {
             runs,
             sections: Sections::of(&engine, runs[0].model, detail),
             ledger: LaneLedger::open(&engine),
-            stand: Stand(Vec::new()),
+            saved: SavedLanes(Vec::new()),
             log: Log::new(&engine),
             lanes: (0..S::LANES).map(|_| None).collect(),
             next: 0,
@@ -78,7 +77,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         }
     }
 
-    /// Runs all to their ends, handing over their summaries.
+    /// Steps all runs to their ends and passes their summaries to `keep`.
     #[inline(always)]
     pub fn run(mut self, keep: &mut dyn FnMut(usize, Option<RunSummary>)) {
         (0..S::LANES).for_each(|lane| self.fill(lane));
@@ -108,34 +107,34 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         }
         let mut lane = Lane::new(self.next, run, self.guide);
         let nothing = lane.nothing(&self.ledger, number);
-        let stand = self.stands(number);
-        lane.pace.close_at_rest(stand.into_iter(), nothing);
-        lane.pace.begin(stand.into_iter(), nothing);
+        let gap = self.gap_and_rate(number);
+        lane.progress.close_at_rest(gap.into_iter(), nothing);
+        lane.progress.begin(gap.into_iter(), nothing);
         self.lanes[number] = Some(lane);
         self.next += 1;
     }
 
     /// Gap of the rigid contact of a lane and its rate, if there is one, shape (2) \[m, m/s\].
     #[inline(always)]
-    fn stands(&self, number: usize) -> Option<[f64; 2]> {
+    fn gap_and_rate(&self, number: usize) -> Option<[f64; 2]> {
         let state = &self.engine.guides[self.guide?];
         Some([state.gap.lane(number), state.rate.lane(number)])
     }
 
-    /// Gives every lane the part at hand: its size, the bound of its contact, the factors of its loads.
+    /// Sets the current part of every lane: its size, the bound of its contact, the factors of its loads.
     #[inline(always)]
     fn set_parts(&mut self) {
         let (lanes, h) = (&self.lanes, self.engine.h);
         let of = |lane: usize, read: &dyn Fn(&Lane) -> f64, none: f64| {
             lanes[lane].as_ref().map_or(none, read)
         };
-        self.engine.h = h.constants(|i| of(i, &|lane| lane.pace.h(), h.lane(i)));
-        self.log.time = h.constants(|i| of(i, &|lane| lane.pace.time, 0.0));
+        self.engine.h = h.constants(|i| of(i, &|lane| lane.progress.h(), h.lane(i)));
+        self.log.time = h.constants(|i| of(i, &|lane| lane.progress.time, 0.0));
         if let (Some(press), Some(guide)) = (&mut self.engine.press, self.guide) {
             let rate = self.engine.guides[guide].rate;
             self.search.ahead = h.constants(|i| of(i, &|lane| lane.ahead(), 0.0));
             self.search.trusted = h.constants(|i| of(i, &|lane| lane.trusted(), 0.0));
-            let strikes = |lane: &Lane| lane.pace.is_impact();
+            let strikes = |lane: &Lane| lane.progress.is_impact();
             self.engine.constraints.impulsive = h.mask(|i| lanes[i].as_ref().is_some_and(strikes));
             let bound = |i: usize| lanes[i].as_ref().and_then(|lane| lane.bound(rate.lane(i)));
             press.bound = h.constants(|i| bound(i).unwrap_or(0.0));
@@ -147,13 +146,13 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         for (k, factor) in self.engine.load_factors.iter_mut().enumerate() {
             *factor = h.constants(|i| {
                 let load = |lane: &Lane| &self.runs[lane.run].model.loads[k];
-                of(i, &|lane| load(lane).factor(lane.pace.time, lane.pace.h()), 0.0)
+                of(i, &|lane| load(lane).factor(lane.progress.time, lane.progress.h()), 0.0)
             });
         }
         self.engine.apply_loads();
     }
 
-    /// What is seen of the rigid contact, if there is one.
+    /// Gap, rate and impulse of the rigid contact, if there is one.
     #[inline(always)]
     fn views(&self) -> Option<Views<S>> {
         let guide = self.guide?;
@@ -178,25 +177,25 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         self.engine.h.mask(|lane| go[lane])
     }
 
-    /// Moves the lanes that `go` to the end of their parts. What becomes of lanes whose run is over, or has failed, is nothing to anybody.
+    /// Moves the lanes of the mask `go` to the end of their parts. The state of lanes whose run has ended or failed is not used again.
     #[inline(always)]
     fn go_on(&mut self, go: S::Mask) {
         let lanes = &self.lanes;
         let idle = self.search.failed | self.engine.h.mask(|lane| lanes[lane].is_none());
         let go = if (!(go | idle)).any() { Some(go) } else { None };
         if go.is_some() {
-            self.stand.keep(&mut self.engine, &mut self.ledger);
+            self.saved.save(&mut self.engine, &mut self.ledger);
         }
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
         let sections = self.sections.as_mut();
         Accept { engine, ledger, log, sections, go }.accept();
         if let Some(go) = go {
-            self.stand.put_back(&mut self.engine, &mut self.ledger, go);
+            self.saved.restore(&mut self.engine, &mut self.ledger, go);
         }
     }
 
-    /// Takes in the ends of the parts of lanes that `go`: runs that have ended leave their lanes, and those in which something odd
-    /// has happened are left to the solver that knows it.
+    /// Concludes the parts of the lanes of the mask `go`: runs that have ended leave their lanes, and runs with an event that lanes do not support
+    /// are repeated as single runs.
     #[inline(always)]
     fn close_parts(
         &mut self,
@@ -208,13 +207,13 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             let Some(mut lane) = self.lanes[number].take() else { continue };
             let index = self.runs[lane.run].index;
             let gone = go.lane(number);
-            // A fibre that fails is left to single runs.
+            // Failing fibres are computed in single runs.
             let fails = gone && self.engine.fibres.failing.lane(number);
             let failed = self.search.failed.lane(number) || fails;
             if failed || gone && !self.advance(&mut lane, number, seen) {
                 keep(index, None);
                 self.fill(number);
-            } else if gone && lane.pace.is_over() {
+            } else if gone && lane.progress.is_over() {
                 keep(index, Some(self.summary(&lane, number)));
                 self.fill(number);
             } else {
@@ -223,12 +222,12 @@ impl<'a, S: Number> LaneDriver<'a, S> {
         }
     }
 
-    /// Takes the part of a lane in and begins the next one; not if single runs go on otherwise than lanes.
+    /// Accepts the part of a lane and begins the next one; `false` where a single run would continue differently.
     #[inline(always)]
     fn advance(&self, lane: &mut Lane, number: usize, seen: Option<&Views<S>>) -> bool {
-        let stand = self.stands(number);
+        let gap = self.gap_and_rate(number);
         let (mut now, mut impulse) = (None, None);
-        if let (Some(seen), Some(end)) = (seen, stand) {
+        if let (Some(seen), Some(end)) = (seen, gap) {
             if !self.note(lane, number, seen) {
                 return false;
             }
@@ -236,60 +235,60 @@ impl<'a, S: Number> LaneDriver<'a, S> {
             impulse = Some(seen.impulse.lane(number));
         }
         let nothing = lane.nothing(&self.ledger, number);
-        lane.pace.accept(now.as_slice(), impulse.as_slice(), nothing);
-        if let Some([gap, _]) = stand {
-            lane.rigid.see(gap, lane.pace.time);
+        lane.progress.accept(now.as_slice(), impulse.as_slice(), nothing);
+        if let Some([gap, _]) = gap {
+            lane.rigid.see(gap, lane.progress.time);
         }
-        if lane.pace.has_accumulated() {
+        if lane.progress.has_accumulated() {
             return false;
         }
-        lane.pace.begin(stand.into_iter(), nothing);
+        lane.progress.begin(gap.into_iter(), nothing);
         true
     }
 
-    /// Notes what the rigid contact of a lane did in its part; not if another law stands in for the contact's own.
+    /// Records the rigid contact of a lane in its part; `false` where Moreau's law replaces the law of the contact.
     #[inline(always)]
     fn note(&self, lane: &mut Lane, number: usize, seen: &Views<S>) -> bool {
         let (own, impulse) = (seen.lane(number), seen.impulse.lane(number));
         let work = seen.work.lane(number);
-        if lane.pace.is_impact() && gives_energy(work, [(impulse, own.start[1])]) {
+        if lane.progress.is_impact() && gives_energy(work, [(impulse, own.start[1])]) {
             return false;
         }
-        let contact = lane.pace.contacts[0];
+        let contact = lane.progress.contacts[0];
         if let Some(press) = &self.engine.press
             && contact.phase.is_some()
             && (impulse > 0.0 || contact.rests())
         {
             let part = self.engine.part(press.guide, seen.start[1]).lane(number);
             let impulsive = part.h < IMPULSIVE * self.engine.numbers.step.lane(number);
-            lane.rigid.take(&part, lane.pace.time, contact.rests(), impulsive);
+            lane.rigid.take(&part, lane.progress.time, contact.rests(), impulsive);
             lane.weigh(&part, press.opening.lane(number), press.bound.lane(number));
         }
         true
     }
 
     fn summary(&mut self, lane: &Lane, number: usize) -> RunSummary {
-        let end = self.engine.h.constant(lane.pace.time);
+        let end = self.engine.h.constant(lane.progress.time);
         self.log.time.set_lane(number, end, number);
         let own = &self.runs[lane.run];
-        let telling = Telling {
+        let input = SummaryInput {
             model: own.model,
             engine: &self.engine,
             ledger: &self.ledger,
             log: &self.log,
             search: &self.search,
             lane: number,
-            steps: lane.pace.steps,
+            steps: lane.progress.steps,
             accumulated_steps: 0,
-            solver_steps: lane.pace.solver_steps,
-            rows: lane.pace.rows,
+            solver_steps: lane.progress.solver_steps,
+            rows: lane.progress.rows,
             rigid: &|k, reading| lane.rigid.record(reading.fixed[k].s, &|x| x, false),
             residual: lane.rigid.residual,
         };
         let fixed = Fixed::all(own.model);
         let read = |x: S| x.lane(number);
         let reading = Reading { read: &read, fixed: &fixed, derivative: false };
-        let mut summary = telling.summary(Termination::Completed, &reading);
+        let mut summary = input.summary(Termination::Completed, &reading);
         if let Some(sections) = &self.sections {
             summary.section_forces = sections.end(number);
         }
@@ -298,7 +297,7 @@ impl<'a, S: Number> LaneDriver<'a, S> {
 }
 
 impl<S: Number> Views<S> {
-    /// Those of a lane.
+    /// The values of one lane.
     #[inline(always)]
     fn lane(&self, lane: usize) -> Seen {
         let both = |x: [S; 2]| [x[0].lane(lane), x[1].lane(lane)];

@@ -1,4 +1,4 @@
-//! The runs of an ensemble in mid-flight: state, and residual and tangent of a step.
+//! State of the runs of an ensemble, and residual and tangent of a step.
 
 mod beams;
 mod fibres;
@@ -22,11 +22,11 @@ use percuss::math::vec2::dot;
 
 pub use guide::GuideState;
 
-/// Runs side by side (or one, with its derivatives), in a step of their own each.
+/// Runs in lanes (or one run with its derivatives), each with its own step.
 #[derive(Clone, Debug)]
 pub struct Engine<S: Number> {
     pub numbers: Numbers<S>,
-    /// Size of the step at hand \[s\].
+    /// Size of the current step \[s\].
     pub h: S,
     /// Displacements of the beams' nodes, shape (beam nodes, 4) \[m, -\].
     pub displacement: Vec<[S; 4]>,
@@ -36,7 +36,7 @@ pub struct Engine<S: Number> {
     pub start: Vec<[End<S>; GAUSS]>,
     /// Angular rates of their tangents, shape (elements, Gauss points) \[rad/s\].
     pub spin: Vec<[S; GAUSS]>,
-    /// What fibres remember.
+    /// State variables of the fibres.
     pub fibres: FibreStates<S>,
     /// Joints, and supports between nodes.
     pub constraints: Constraints<S>,
@@ -44,26 +44,26 @@ pub struct Engine<S: Number> {
     pub springs: Vec<GroundSpringState<S>>,
     /// Guided projectiles, shape (guided projectiles).
     pub guides: Vec<GuideState<S>>,
-    /// Reactions of the supports in the directions held, shape (nodes held, 4) \[N, N m\].
+    /// Reactions of the supports in the fixed directions, shape (nodes held, 4) \[N, N m\].
     pub reactions: Vec<[S; 4]>,
-    /// Lanes whose step is solved, reactions and all, while others go on.
+    /// Lanes whose step is solved, including reactions, while others still iterate.
     pub settled: S::Mask,
-    /// Rows of their nodes in the tangent that is in use, before anything was held: blocks of the node before, their own, and the next
-    /// one's, shape (nodes held, 3, 4, 4) \[N/m, N, N m\].
+    /// Rows of their nodes in the tangent in use, before degrees of freedom were fixed: blocks of the previous node, of the node, and of the next
+    /// one, shape (nodes held, 3, 4, 4) \[N/m, N, N m\].
     pub reaction_rows: Vec<[Block<S>; 3]>,
-    /// Mean factors of the loads over the step at hand, shape (loads) \[-\].
+    /// Mean factors of the loads over the current step, shape (loads) \[-\].
     pub load_factors: Vec<S>,
-    /// What loads apply to the nodes, shape (beam nodes, 4) \[N, N m\].
+    /// Nodal forces of the loads, shape (beam nodes, 4) \[N, N m\].
     pub applied: Vec<[S; 4]>,
     /// Increment over the step, shape (beam nodes, 4) \[m, -\].
     pub increment: Vec<[S; 4]>,
-    /// What accelerations added to it, as foreseen by the step before, shape (beam nodes, 4) \[m, -\].
+    /// Part of it due to accelerations, extrapolated from the previous step, shape (beam nodes, 4) \[m, -\].
     pub trend: Vec<[S; 4]>,
     /// Residual in the free directions, shape (beam nodes, 4) \[N, N m\].
     pub residual: Vec<[S; 4]>,
     /// Correction of the increment, shape (beam nodes, 4) \[m, -\].
     pub correction: Vec<[S; 4]>,
-    /// The tangent, once assembled and then factored, and the factors in use.
+    /// The tangent, assembled and then factored, and the factors in use.
     pub tangent: Band<S>,
     pub factors: Band<S>,
     /// The rigid contact that may press, if there is one.
@@ -71,7 +71,7 @@ pub struct Engine<S: Number> {
 }
 
 impl<S: Number> Engine<S> {
-    /// All at rest in the reference configuration, projectiles on their way.
+    /// State at rest in the reference configuration, with moving projectiles.
     pub fn new(numbers: Numbers<S>) -> Self {
         let zero = numbers.step.constant(0.0);
         let nodes = numbers.nodes.len();
@@ -115,7 +115,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Every number of the state, in a fixed order: what accepting a step changes.
+    /// Calls `f` with every number of the state in a fixed order: all numbers that accepting a step changes.
     #[inline(always)]
     pub fn each_of_state(&mut self, mut f: impl FnMut(&mut S)) {
         for nodal in [&mut self.displacement, &mut self.velocity] {
@@ -143,7 +143,7 @@ impl<S: Number> Engine<S> {
         self.fibres.each(&mut f);
     }
 
-    /// Puts a run that another engine has at its start into a lane.
+    /// Copies a run at its start from another engine into a lane.
     pub fn set_lane(&mut self, lane: usize, from: &mut Self) {
         let mut state = Vec::new();
         from.each_of_state(|x| state.push(*x));
@@ -162,8 +162,8 @@ impl<S: Number> Engine<S> {
         self.numbers = self.numbers.with(&numbers);
     }
 
-    /// Residual and reactions at the increment as it stands (of lanes that are settled reactions stay), and the assembled tangent if `TANGENT`, which still knows held
-    /// components.
+    /// Residual and reactions at the current increment (settled lanes keep their reactions), and, if `TANGENT`, the assembled tangent including
+    /// fixed components.
     #[inline(always)]
     pub fn evaluate<const TANGENT: bool>(&mut self) {
         self.h.apart(Evaluate::<S, TANGENT>(self));
@@ -212,8 +212,8 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Force of a guided projectile at the increment as it stands, and its own balance (the paper's eqs. 3 and 13); with its impulse it is
-    /// what it pushes the beam with (F of eq. 4, Lambda of eq. 12).
+    /// Force of a guided projectile on the beam at the current increment, including its impulse (F of eq. 4, Lambda of eq. 12 of the paper), and
+    /// the balance of the projectile (eqs. 3 and 13).
     #[inline(always)]
     pub fn push(&mut self, k: usize, rate: S) -> S {
         let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
@@ -226,7 +226,7 @@ impl<S: Number> Engine<S> {
         push
     }
 
-    /// Holds what is held in the tangent, and factors it.
+    /// Applies the fixed degrees of freedom to the tangent, and factors it.
     #[inline(always)]
     pub fn factor(&mut self) {
         self.h.apart(FactorBand(self));

@@ -1,4 +1,4 @@
-//! Fibres of the runs of an ensemble: what they remember.
+//! State variables of the fibres of an ensemble.
 
 use super::numbers::Numbers;
 use percuss::internals::element::fibre::FibreState;
@@ -6,23 +6,23 @@ use percuss::internals::element::yielding::GaussStrains;
 use percuss::internals::scalar::Number;
 use percuss::math::hermite::GAUSS;
 
-/// Where the fibres stand.
+/// State of the fibres.
 #[derive(Clone, Debug)]
 pub struct FibreStates<S: Number> {
-    /// What they remember, shape (fibres).
+    /// State variables, shape (fibres).
     pub states: Vec<FibreState<S>>,
     /// Strains at the Gauss points at the start of the step, shape (elements, Gauss points, 2); empty without fibres \[-, 1/m\].
     pub strains: Vec<GaussStrains<S>>,
-    /// Whether any has flowed in the step accepted last.
+    /// Whether any fibre has yielded in the last accepted step.
     pub flowed: S::Mask,
-    /// Energy that plastic flow and the viscosity of materials took in the step accepted last, shape (2) \[J\].
+    /// Energy dissipated by plastic flow and by the viscosity of materials in the last accepted step, shape (2) \[J\].
     pub taken: [S; 2],
-    /// Lanes in which a fibre has come to its failure strain in that step.
+    /// Lanes in which a fibre has reached its failure strain in that step.
     pub failing: S::Mask,
 }
 
 impl<S: Number> FibreStates<S> {
-    /// Of runs whose beams are in their reference configuration, at which there is no strain.
+    /// Fibres of beams in their reference configuration, without strain.
     pub fn at_rest(numbers: &Numbers<S>) -> Self {
         let zero = numbers.step.constant(0.0);
         let with = || numbers.spans.iter().filter_map(|span| Some((span, span.fibres.as_ref()?)));
@@ -39,13 +39,13 @@ impl<S: Number> FibreStates<S> {
         }
     }
 
-    /// Whether there are none.
+    /// Whether there are no fibres.
     #[inline(always)]
     pub fn is_empty(&self) -> bool {
         self.states.is_empty()
     }
 
-    /// Every number of what they remember and how they are strained, in a fixed order.
+    /// Calls `f` with every state variable and strain in a fixed order.
     #[inline(always)]
     pub fn each(&mut self, mut f: impl FnMut(&mut S)) {
         for state in &mut self.states {

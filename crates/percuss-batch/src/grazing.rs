@@ -1,36 +1,35 @@
-//! Contacts, and the yielding of beams, that are about to appear or to vanish in a run.
+//! Contacts and first yield of beams that a small change of the parameters adds to a run or removes from it.
 
-use super::flight::{Derived, Flight};
+use super::derivative_run::{DerivativeRun, Derived};
 use super::yield_log::{Noted, YieldLog};
 use percuss::internals::scalar::Real;
 
-/// What begins with a kink in the results.
+/// Event at whose onset the results have a kink.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Onset {
-    /// A contact, by its name.
+    /// A contact, with its name.
     Contact(String),
-    /// That a beam yields, by its name.
+    /// First yield of a beam, with its name.
     Yield(String),
 }
 
-/// A contact, or the yielding of a beam, that is about to appear or to vanish.
-///
-/// Where it does, results have a kink: derivatives hold on the side of the run alone.
+/// A contact, or the yielding of a beam, that a small change of the parameters adds or removes.
+/// There the results have a kink: derivatives are valid only on the side of the run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Grazing {
-    /// What it is.
+    /// Kind and name of the event.
     pub onset: Onset,
-    /// When \[s\].
+    /// Time \[s\].
     pub time: f64,
-    /// Whether the run misses it; else it has it.
+    /// Whether the event is absent in the run.
     pub missed: bool,
-    /// For every parameter, the change that would just bring or end it, to first order, shape (parameters) \[unit of the parameter\];
-    /// infinite where it has no say.
+    /// For every parameter, the change at which the event appears or vanishes, to first order, shape (parameters) \[unit of the parameter\];
+    /// infinite without influence.
     pub changes: Vec<f64>,
 }
 
-impl Flight<'_> {
-    /// Contacts, misses and beams that can yield with the changes of the parameters that would end or begin them.
+impl DerivativeRun<'_> {
+    /// Contacts, misses and beams that can yield with the changes of the parameters at which they vanish or appear.
     pub fn grazing(&self, parameters: usize) -> Vec<Grazing> {
         let mut all = Vec::new();
         let mut add = |onset: Onset, time: Derived, missed: bool, left: Derived, power: f64| {
@@ -46,7 +45,7 @@ impl Flight<'_> {
         }
         for (k, log) in self.rigid_logs.iter().enumerate() {
             for struck in &log.impacts {
-                // The velocity of approach falls with the root of what a parameter is away from grazing.
+                // The approach velocity is proportional to the square root of the parameter's distance from grazing.
                 add(contact(k), struck.time, false, struck.approach, 2.0);
             }
         }

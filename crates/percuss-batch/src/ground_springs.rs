@@ -7,21 +7,21 @@ use percuss::math::vec2::dot;
 /// A spring and damper from a point of a beam to the ground.
 #[derive(Clone, Debug)]
 pub struct GroundSpringNumbers<S> {
-    /// The point it acts on.
+    /// Point of action.
     pub point: MaterialPoint<S>,
-    /// Line it acts along, unit vector, shape (2) \[-\].
+    /// Unit vector of the line of action, shape (2) \[-\].
     pub direction: [S; 2],
-    /// Its force over the displacement along the line.
+    /// Force as a function of the displacement along the line.
     pub law: ConnectorLaw<S>,
     /// Force per rate \[N s/m\].
     pub damping: S,
 }
 
-/// A spring in the step at hand.
+/// A spring in the current step.
 #[derive(Clone, Copy, Debug)]
 pub struct GroundSpringState<S> {
-    /// Force of spring and damper \[N\], its slope by the displacement at the end of the step \[N/m\], and the change of the displacement
-    /// over the step that they go with \[m\].
+    /// Force of spring and damper \[N\], its slope by the displacement at the end of the step \[N/m\], and the change of the displacement over the
+    /// step to which they belong \[m\].
     pub force: S,
     pub slope: S,
     pub change: S,
@@ -30,7 +30,7 @@ pub struct GroundSpringState<S> {
 }
 
 impl GroundSpringNumbers<f64> {
-    /// Those of a connector of a model, or what about it an ensemble does not know.
+    /// Springs of a connector of a model, or the property of it that ensembles do not support.
     pub fn of(c: &Connector) -> Result<Self, &'static str> {
         if c.until < f64::INFINITY {
             return Err("supports for a time");
@@ -66,7 +66,7 @@ impl<S: Number> GroundSpringNumbers<S> {
 }
 
 impl<S: Number> GroundSpringState<S> {
-    /// Without force.
+    /// A spring without force.
     pub fn at_rest(zero: S) -> Self {
         Self { force: zero, slope: zero, change: zero, factored: zero }
     }

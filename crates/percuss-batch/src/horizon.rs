@@ -1,31 +1,31 @@
-//! How far the derivatives of a run reach, and what of its results is known by then.
+//! Horizon of the derivatives of a run, and the results that are final at that time.
 
 use percuss::*;
 
-/// Impacts of the run and of its derivatives are the same ones if their times differ by less than this share of the step, and their
-/// impulses by less than this share: instants are located to less, which later impacts magnify.
+/// Impacts of the run and of its derivatives correspond if their times differ by less than this share of the step, and their impulses by less than
+/// this share: instants are located more accurately, and later impacts magnify their errors.
 const SAME: f64 = 1e-3;
 
-/// Impacts that give less than this share of the largest impulse before are slight: where impacts accumulate there are many, one more or
-/// less by round-off, and all that follows hangs on is that they die out. What follows agrees as well, beside its scale.
+/// Impacts with less than this share of the largest previous impulse are slight: accumulating impacts are many, round-off adds or removes one, and
+/// the following motion depends only on their decay. It agrees as well, relative to its scale.
 const SLIGHT: f64 = 1e-3;
 
-/// Runs end alike that differ by less than this share of their energies, and of the fastest approach.
+/// Runs end in the same state if energies and velocities differ by less than this share of the energy and of the fastest approach.
 const ALIKE: f64 = 1e-4;
 
-/// An impact bounces that separates at more than this share of its velocity of approach.
+/// The projectile rebounds in an impact whose separation velocity exceeds this share of its approach velocity.
 const BOUNCES: f64 = 1e-3;
 
-/// How far the derivatives of a run reach.
+/// Time up to which the derivatives of a run are valid.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Horizon {
-    /// Until when \[s\].
+    /// End of the valid derivatives \[s\].
     pub time: f64,
-    /// What stands against more.
+    /// Reason why later derivatives are not valid.
     pub why: String,
 }
 
-/// How far the impacts and times of rest of a run with derivatives are those of the run itself.
+/// Time up to which impacts and resting contacts of a run with derivatives agree with those of the run itself.
 pub fn agreeing(
     own: &RunSummary,
     run: &RunSummary,
@@ -70,7 +70,7 @@ fn rigid(contact: &ContactSummary) -> Option<(&[Impact], &[ContactInterval])> {
     }
 }
 
-/// Whether two runs end alike: with the same energy, and projectiles as fast.
+/// Whether two runs end in the same state: equal energies and equal velocities of projectiles.
 fn ends_alike(own: &RunSummary, run: &RunSummary) -> bool {
     let energy = (own.energy.final_ - run.energy.final_).abs() <= ALIKE * run.energy.scale;
     let fastest = run.contacts.iter().filter_map(rigid).flat_map(|(impacts, _)| impacts);
@@ -82,11 +82,11 @@ fn ends_alike(own: &RunSummary, run: &RunSummary) -> bool {
     energy && velocities(own).into_iter().zip(velocities(run)).all(alike)
 }
 
-/// Which impacts of two runs are the same ones.
+/// Corresponding impacts of two runs.
 struct Matched {
-    /// Their numbers in either run, shape (such impacts, 2) \[index of an impact\].
+    /// Their numbers in both runs, shape (such impacts, 2) \[index of an impact\].
     pairs: Vec<[usize; 2]>,
-    /// Time of the first slight one that only one of them has, and of the first that is not slight \[s\].
+    /// Time of the first slight impact that only one of the runs has, and of the first such impact that is not slight \[s\].
     slight: Option<f64>,
     parted: Option<f64>,
 }
@@ -123,8 +123,8 @@ impl Matched {
     }
 }
 
-/// Time of the first impact that bounces after a contact has rested and let go. It lets go at the end of a step; impacts that bounce magnify what
-/// of a step is missing, until results are a matter of where the steps lie.
+/// Time of the first impact with a rebound after the end of a resting contact. A resting contact ends at the end of a step; rebounds magnify the
+/// error of this instant, until the results depend on the grid of steps.
 fn strikes_again(impacts: &[Impact], rests: &[ContactInterval]) -> Option<f64> {
     let released = rests.iter().map(|rest| rest.end).find(|end| end.is_finite())?;
     let bounces =
@@ -133,7 +133,7 @@ fn strikes_again(impacts: &[Impact], rests: &[ContactInterval]) -> Option<f64> {
     after.filter(bounces).map(|impact| impact.time).reduce(f64::min)
 }
 
-/// Time of the first beginning or end of a rest that only one of two lists has.
+/// Time of the first start or end of a resting contact that only one of two lists has.
 fn parting_rests(own: &[ContactInterval], all: &[ContactInterval], step: f64) -> Option<f64> {
     let known = |list: &[ContactInterval], k: usize| {
         list.get(k).map_or([f64::INFINITY; 2], |one| {
@@ -157,7 +157,7 @@ fn is_same(a: &Impact, b: &Impact, step: f64) -> bool {
     (a.time - b.time).abs() <= SAME * step && impulse
 }
 
-/// Gives the impacts of a run the derivatives of theirs: none to those that the run with derivatives, `own`, has otherwise.
+/// Assigns derivatives to the impacts of a run; impacts without a counterpart in the run with derivatives, `own`, have none.
 pub fn align(derivative: &mut RunSummary, run: &RunSummary, own: &RunSummary, step: f64) {
     for ((derivative, run), own) in
         derivative.contacts.iter_mut().zip(&run.contacts).zip(&own.contacts)
@@ -197,7 +197,7 @@ fn underived() -> Impact {
     }
 }
 
-/// Leaves of the derivatives of a run what is known at a time before its end; `own` is the run with derivatives up to there.
+/// Removes the derivatives of all results that are not final at the time `until`; `own` is the run with derivatives up to there.
 pub fn withdraw(
     derivative: &mut RunSummary,
     run: &RunSummary,
@@ -242,14 +242,14 @@ pub fn withdraw(
     }
 }
 
-/// Leaves nothing of what became of a beam that yields.
+/// Removes the derivatives of a beam that yields.
 pub fn withdraw_plastic(beam: &mut PlasticSummary) {
     beam.strain_max.value = f64::NAN;
     beam.accumulated_max.value = f64::NAN;
     (beam.dissipated, beam.hardening) = (f64::NAN, f64::NAN);
 }
 
-/// What is largest in the whole run has a derivative if it is what was largest so far.
+/// The peak of the whole run has a derivative if it occurs before the horizon.
 fn withdraw_peak(peak: &mut Peak, (run, own): (&Peak, &Peak), until: f64, step: f64) {
     let same = (run.time - own.time).abs() <= SAME * step;
     if !(same && run.time < until) {
@@ -271,7 +271,7 @@ fn withdraw_contact(
             ContactRecord::Smooth { intervals: own, peak_force: so_far },
         ) => {
             withdraw_peak(peak_force, (highest, so_far), until, step);
-            // The step after an interval tells how it parted.
+            // The separation velocity of an interval follows from the next step.
             let done = own.iter().take_while(|interval| interval.end + 2.0 * step < until).count();
             intervals.truncate(done);
         }

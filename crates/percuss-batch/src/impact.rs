@@ -1,9 +1,9 @@
-//! Impulses of a rigid projectile, and the impact interval they act in.
+//! Impulses of a rigid projectile, and the impact interval in which they act.
 
 use super::numbers::Numbers;
 use percuss::internals::scalar::Number;
 
-/// A rigid contact, which presses in the parts of some of the runs side by side.
+/// A rigid contact, which presses in the parts of some of the lanes.
 #[derive(Clone, Debug)]
 pub struct Press<S: Number> {
     /// Number of the projectile \[index of a projectile\].
@@ -12,20 +12,20 @@ pub struct Press<S: Number> {
     pub which: S::Mask,
     /// Least rate of the gap at the end of the part \[m/s\].
     pub bound: S,
-    /// How far a unit force opens the gap \[m/N\].
+    /// Opening of the gap by a unit force \[m/N\].
     pub opening: S,
-    /// How far it moves the nodes, shape (beam nodes, 4) \[m/N, 1/N\].
+    /// Displacements of the nodes by it, shape (beam nodes, 4) \[m/N, 1/N\].
     pub nodal: Vec<[S; 4]>,
-    /// How far it moves the projectiles, shape (guided projectiles) \[m/N\].
+    /// Displacements of the projectiles by it, shape (guided projectiles) \[m/N\].
     pub ways: Vec<S>,
-    /// What it changes of the multipliers, shape (constraints) \[-, m\].
+    /// Changes of the multipliers by it, shape (constraints) \[-, m\].
     pub multipliers: Vec<S>,
-    /// Whether these are those of the factors in use.
+    /// Whether these belong to the factors in use.
     pub known: bool,
 }
 
 impl<S: Number> Press<S> {
-    /// Of a projectile that presses nowhere.
+    /// A contact that presses in no lane.
     pub fn new(numbers: &Numbers<S>, guide: usize) -> Self {
         let zero = numbers.step.constant(0.0);
         Self {

@@ -6,7 +6,7 @@ use percuss::internals::contact::law::{ForceCurve, PowerLaw};
 use percuss::internals::scalar::Number;
 
 impl<S: Number> GuideNumbers<S> {
-    /// The force of its contact; none of a rigid one.
+    /// Force law of the contact; `None` for a rigid one.
     #[inline(always)]
     fn curve(&self) -> Option<PowerLaw<S>> {
         match self.law {

@@ -1,4 +1,4 @@
-//! Energies and momenta of the runs of an ensemble, and what entered and left them.
+//! Energy and momentum balances of the runs of an ensemble.
 
 use super::engine::Engine;
 use super::numbers::SpanNumbers;
@@ -11,7 +11,7 @@ use percuss::internals::scalar::{Number, array};
 use percuss::internals::step::damping::{MassDamping, viscous};
 use percuss::math::vec2::{cross, scale};
 
-/// What entered and left since the start, what the state has of it, and how well that balances.
+/// Energies and momenta supplied and dissipated since the start, those of the state, and the balance errors.
 #[derive(Clone, Copy, Debug)]
 pub struct LaneLedger<S> {
     pub sums: Ledger<S>,
@@ -28,7 +28,7 @@ impl<S: Number> LaneLedger<S> {
         Self { sums, now, audit: Audit::none(engine.h) }
     }
 
-    /// Takes over a lane of another ledger.
+    /// Copies a lane of another ledger.
     pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
         for (mine, other) in self.numbers().zip({ *from }.numbers()) {
             mine.set_lane(lane, *other, from_lane);
@@ -41,7 +41,7 @@ impl<S: Number> LaneLedger<S> {
         self.sums.numbers().chain(self.now.numbers()).chain(self.audit.numbers())
     }
 
-    /// Enters a solved step: reactions, guides, losses, loads. The sums up to its start are given back for [`LaneLedger::close`].
+    /// Enters a solved step: reactions, guides, losses, loads. Returns the sums up to its start for [`LaneLedger::close`].
     #[inline(always)]
     pub fn enter(&mut self, engine: &Engine<S>) -> Flows<S> {
         let h = engine.h;
@@ -69,7 +69,7 @@ impl<S: Number> LaneLedger<S> {
         so_far
     }
 
-    /// Takes in the new state.
+    /// Enters the new state and updates the balance errors.
     #[inline(always)]
     pub fn close(&mut self, engine: &Engine<S>, so_far: Flows<S>) {
         let [plastic, viscous] = engine.fibres.taken;
@@ -97,7 +97,7 @@ impl<S: Number> Engine<S> {
         array(|i| self.numbers.nodes[n][i] + self.displacement[n][i])
     }
 
-    /// Enters what damping of the beams' materials takes.
+    /// Enters the dissipation by material damping of the beams.
     #[inline(always)]
     fn enter_damping(&self, ledger: &mut Ledger<S>) {
         let mut element = 0;
@@ -117,7 +117,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// What viscous damping takes of an element, but for the factor `tau/h`.
+    /// Dissipation by viscous damping of an element, without the factor `tau/h`.
     #[inline(always)]
     fn viscous_loss(&self, span: &SpanNumbers<S>, k: usize, element: usize) -> S {
         let (a, table, measure) = (span.first + k, span.table(k), span.measure);
@@ -140,7 +140,7 @@ impl<S: Number> Engine<S> {
         viscous(table, &[change(0), change(1), change(2)], sampled)
     }
 
-    /// What damping in proportion to mass does to an element.
+    /// Dissipation and impulse of mass-proportional damping of an element.
     #[inline(always)]
     fn mass_damping(&self, span: &SpanNumbers<S>, k: usize, element: usize, sum: &mut StepWork<S>) {
         let (a, table, d) = (span.first + k, span.table(k), &self.increment);

@@ -1,24 +1,20 @@
-//! Many runs of Percuss, and runs with their derivatives: [`simulate_batch`] and [`sensitivities`].
-//!
-//! Ensembles: runs of one shape stepped side by side, one a lane, or one run with its derivatives.
-//!
-//! The same mechanics as [`Simulation`](percuss::Simulation), with the same element kernels and the same tests of convergence,
-//! for what most studies are made of: beams and frames, elastic, damped or yielding, struck by guided projectiles
-//! and under dead loads ([`shape`] says what fits).
-//! Written once over [`Number`](percuss::internals::scalar::Number): lanes make it fast, dual numbers make it differentiate. Lanes never
-//! see each other, so a run gives the same bits alone and in company.
+//! Many runs of Percuss, and runs with their derivatives: [`simulate_batch`] and [`sensitivities`]. Ensembles: runs of one shape in SIMD lanes, one
+//! run per lane, or one run with its derivatives. The mechanics, element kernels and convergence tests are those of
+//! [`Simulation`](percuss::Simulation), for the models of most studies: beams and frames, elastic, damped or yielding, struck by guided projectiles
+//! and under dead loads ([`shape`] checks this). The code is generic over [`Number`](percuss::internals::scalar::Number): lanes for speed, dual
+//! numbers for derivatives. Lanes are independent, so a run gives the same bits alone and beside others.
 
-#![allow(rustdoc::private_intra_doc_links)] // it speaks of what it is made of
+#![allow(rustdoc::private_intra_doc_links)] // the crate's description links its private modules
 
 mod band;
 mod batch;
 mod commit;
 mod constraints;
+mod derivative_run;
 mod detail;
 mod drive;
 mod engine;
 mod fibres;
-mod flight;
 mod grazing;
 mod ground_springs;
 mod horizon;
@@ -30,14 +26,14 @@ mod loads;
 mod log;
 mod newton;
 mod numbers;
-mod pace;
 mod reactions;
 mod rigid_log;
 mod run;
+mod run_progress;
+mod saved_lanes;
 mod sections;
 mod sensitivity;
 mod shape;
-mod stand;
 mod summary;
 mod yield_log;
 

@@ -1,4 +1,4 @@
-//! Dead loads: what they apply to nodes and projectiles, for a factor of one and in a step, and what that does.
+//! Dead loads: nodal forces and forces on projectiles, for a factor of one and in a step, and their work and impulse.
 
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use percuss::internals::model::frozen::LoadAction;
 use percuss::internals::scalar::{Number, array};
 use percuss::math::vec2::{dot, scale, sub};
 
-/// A load for a factor of one, or what about it is not dead.
+/// A load for a factor of one, or the property for which it is not a dead load.
 pub fn dead_load(model: &Model, action: &LoadAction) -> Result<LoadNumbers<f64>, &'static str> {
     let mut on_nodes = BTreeMap::<usize, [f64; 4]>::new();
     let mut add = |node: usize, force: [f64; 4]| {
@@ -42,7 +42,7 @@ pub fn dead_load(model: &Model, action: &LoadAction) -> Result<LoadNumbers<f64>,
 }
 
 impl<S: Number> Engine<S> {
-    /// What the loads apply with their factors.
+    /// Forces of the loads with their factors.
     #[inline(always)]
     pub fn apply_loads(&mut self) {
         let zero = self.h.constant(0.0);
@@ -66,7 +66,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Takes them from the residual.
+    /// Subtracts them from the residual.
     #[inline(always)]
     pub fn resist_loads(&mut self) {
         for (residual, applied) in self.residual.iter_mut().zip(&self.applied) {
@@ -78,7 +78,7 @@ impl<S: Number> Engine<S> {
 }
 
 impl<S: Number> Engine<S> {
-    /// Enters what the loads did over the step.
+    /// Enters work and impulse of the loads over the step.
     #[inline(always)]
     pub fn enter_loads(&self, ledger: &mut Ledger<S>) {
         if self.numbers.loads.is_empty() {
@@ -93,7 +93,7 @@ impl<S: Number> Engine<S> {
             let way = state.way + state.increment * 0.5;
             let x: [S; 2] = array(|i| guide.position[i] + guide.direction[i] * way);
             sum.add_force(state.applied, x, scale(state.increment, guide.direction), h);
-            // What is not along its line of flight the guide takes.
+            // The guide carries the component across the line of flight.
             let along = dot(guide.direction, state.applied);
             ledger.react(h, x, sub(scale(along, guide.direction), state.applied), zero);
         }

@@ -1,4 +1,4 @@
-//! What the summaries of an ensemble tell of points and contacts: peaks and intervals, resolved within the step.
+//! Peaks of points and intervals of contacts for the summaries of an ensemble, resolved within the step.
 
 mod guide;
 mod kept;
@@ -20,26 +20,26 @@ pub use guide::{Closed, Top};
 /// The record of an ensemble.
 #[derive(Clone, Debug)]
 pub struct Log<S: Number> {
-    /// Time at the start of the step at hand \[s\].
+    /// Time at the start of the current step \[s\].
     pub time: S,
     /// Extremes of the recorded points, by component, shape (recorded points, 2).
     pub points: Vec<[Crest<S>; 2]>,
-    /// One entry a guided projectile, shape (guided projectiles).
+    /// Records of the guided projectiles, shape (guided projectiles).
     pub guides: Vec<GuideLog<S>>,
-    /// Where spans have yielded, shape (spans with fibres).
+    /// Records of yielding, shape (spans with fibres).
     pub yields: Vec<YieldLog<S>>,
     /// Displacements and velocities of the recorded points at the start of the step, shape (recorded points, 2, 2) \[m, m/s\].
     point_start: Vec<[[S; 2]; 2]>,
     /// Gaps and their rates at the start of the step, shape (guided projectiles, 2) \[m, m/s\].
     gap_start: Vec<[S; 2]>,
-    /// Lanes whose step is taken in.
+    /// Lanes whose step is accepted.
     taken: S::Mask,
-    /// What stays of the others.
+    /// Records of the other lanes, which are restored.
     kept: Kept<S>,
 }
 
 impl<S: Number> Log<S> {
-    /// Nothing has happened yet.
+    /// Empty records.
     pub fn new(engine: &Engine<S>) -> Self {
         let zero = engine.h.constant(0.0);
         let top = Top { value: zero, time: zero };
@@ -89,21 +89,21 @@ impl<S: Number> Log<S> {
         }
     }
 
-    /// Keeps what the end of a step changes, and takes it in for the lanes that `go` alone.
+    /// Saves the records that the end of a step changes; only lanes of the mask `go` are updated.
     #[inline(always)]
     pub fn keep(&mut self, go: S::Mask) {
         self.taken = go;
         self.kept.keep((&mut self.points, &mut self.guides, &mut self.yields));
     }
 
-    /// Puts all lanes but those that `go` back to what was kept.
+    /// Restores the saved records of all lanes except those of the mask `go`.
     #[inline(always)]
     pub fn put_back(&mut self, go: S::Mask) {
         self.taken = go | !go;
         self.kept.put_back((&mut self.points, &mut self.guides, &mut self.yields), go);
     }
 
-    /// Notes the start of a step.
+    /// Records the start of a step.
     #[inline(always)]
     pub fn begin(&mut self, engine: &Engine<S>) {
         for (k, start) in self.point_start.iter_mut().enumerate() {
@@ -114,7 +114,7 @@ impl<S: Number> Log<S> {
         }
     }
 
-    /// Takes in the end of the step.
+    /// Records the end of the step.
     #[inline(always)]
     pub fn end(&mut self, engine: &Engine<S>) {
         let impulsive = engine.h.less(engine.numbers.step * IMPULSIVE);
@@ -150,7 +150,7 @@ impl<S: Number> Log<S> {
         let [gap_0, rate_0] = self.gap_start[k];
         let least = gap_0.if_less(state.gap, gap_0, state.gap);
         let log = &mut self.guides[k];
-        let flight = FreeGap { gap: gap_0, rate: rate_0, acceleration: log.free };
+        let free = FreeGap { gap: gap_0, rate: rate_0, acceleration: log.free };
         log.open_throughout(self.taken, !least.less(zero), (state.rate - rate_0) / h);
         if !least.any_less(zero) {
             return;
@@ -160,11 +160,11 @@ impl<S: Number> Log<S> {
             let (before, after) = (gap_0.lane(lane), state.gap.lane(lane));
             if self.taken.lane(lane) && !log.is_open[lane] && (before < 0.0 || after < 0.0) {
                 log.is_open[lane] = true;
-                let [opens, approach] = path::touch_down(&path, &flight, lane);
+                let [opens, approach] = path::touch_down(&path, &free, lane);
                 let mut new = Closed::none(zero);
                 new.start = time + opens;
                 new.approach = approach;
-                new.changes[0] = flight.acceleration * h;
+                new.changes[0] = free.acceleration * h;
                 new.place = engine.struck_before(k, h - opens);
                 log.open.set_lane(lane, &new, lane);
             }
@@ -195,7 +195,7 @@ impl<S: Number> Log<S> {
         }
     }
 
-    /// Projectiles that in the step just solved came nearest without touching: number, time, gap. The first lane alone.
+    /// Projectiles with a minimum of the gap without contact in the step just solved, in the first lane: number, time, gap.
     pub fn passes<'a>(&'a self, engine: &'a Engine<S>) -> impl Iterator<Item = (usize, S, S)> + 'a {
         let each = self.gap_start.iter().zip(&engine.guides).enumerate();
         each.filter_map(|(k, (&[gap, rate], state))| {
@@ -207,13 +207,13 @@ impl<S: Number> Log<S> {
                 Interpolant { h: engine.h, start: [gap, rate], end: [state.gap, state.rate] };
             let own = path.lane(0);
             let least = own.stationary().min_by(|a, b| own.value(*a).total_cmp(&own.value(*b)));
-            // The gap is stationary there: that the instant moves with the parameters does not change it to first order.
+            // The gap is stationary there: a shift of the instant with the parameters does not change it to first order.
             let t = engine.h.constant(least?);
             Some((k, self.time + t, path.value(t)))
         })
     }
 
-    /// Closed intervals of a lane's contact; the last one may still be closed.
+    /// Contact intervals of a lane; the last one may not have ended.
     pub fn intervals(&self, engine: &Engine<S>, k: usize, lane: usize) -> Vec<Closed<S>> {
         let log = &self.guides[k];
         let mut all = log.closed[lane].clone();
@@ -234,7 +234,7 @@ impl<S: Number> Engine<S> {
         [guide.struck[0] + u[0], guide.struck[1] + u[1]]
     }
 
-    /// The same so long before the end of the step that has just been made.
+    /// The same at a time `before` the end of the last step.
     pub fn struck_before(&self, k: usize, since: S) -> [S; 2] {
         let [now, moved] = [self.struck(k), self.numbers.guides[k].value(&self.increment)];
         let share = since / self.h;

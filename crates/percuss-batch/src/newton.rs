@@ -1,4 +1,4 @@
-//! Newton's iteration of the runs of an ensemble: each converges on its own, by the tests of a single run.
+//! Newton's iteration of the runs of an ensemble: lanes converge independently, by the tests of a single run.
 
 mod increments;
 mod search;
@@ -13,12 +13,12 @@ use percuss::internals::step::newton::MOST_ITERATIONS;
 
 pub use search::LaneNewton;
 
-/// Impulse left unbalanced at a contact, relative to the momentum scale, that is more than round-off: it has opened or closed with
-/// a correction that was foreseen to be the last.
+/// Unbalanced impulse of a contact, relative to the momentum scale, that exceeds round-off: the contact has opened or closed in a correction that
+/// was predicted to be the last.
 const UNFORESEEN: f64 = 1e-13;
 
 impl<S: Number> Engine<S> {
-    /// Finds the increments of the step at hand; lanes in which there is none are marked.
+    /// Solves for the increments of the current step; lanes without a solution are marked as failed.
     #[inline(always)]
     pub fn solve(&mut self, ledger: &LaneLedger<S>, search: &mut LaneNewton<S>) {
         self.h.apart(SolveStep { engine: self, ledger, search });
@@ -31,8 +31,8 @@ impl<S: Number> Engine<S> {
         self.predict(before, search.ahead, search.trusted);
         let reach = largest(&self.displacement, self.numbers.size);
         let momentum = {
-            let play = (self.numbers.total_mass * ledger.sums.energy_scale * 2.0).sqrt();
-            play.max(ledger.sums.linear_scale)
+            let of_energy = (self.numbers.total_mass * ledger.sums.energy_scale * 2.0).sqrt();
+            of_energy.max(ledger.sums.linear_scale)
         };
         let (mut assemble, mut seen) = (search.renew.any(), false);
         let mut corrections = 0;
@@ -76,15 +76,15 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Ends the iterations of lanes that the correction just taken foreseeably leaves nothing to do in. No forces are
-    /// evaluated for them any more but those of contacts, which may have opened or closed, and constraints are looked at; reactions follow
-    /// the correction to first order, as the others do that it balances, and stay so while other lanes go on: a run knows nothing of those beside it.
+    /// Ends the iteration of lanes for which the last correction is predicted to leave a negligible residual. Only contact forces, since contacts
+    /// may have opened or closed, and constraints are evaluated for them; reactions follow the correction to first order, like the forces that it
+    /// balances, and do not change while other lanes iterate: a run is independent of the other lanes.
     #[inline(always)]
     fn end_ahead(&mut self, search: &mut LaneNewton<S>, took: S::Mask, momentum: S, reach: S) {
         if S::DERIVES || !(took & search.foreseen).any() {
             return;
         }
-        // Factors of the correction enter, so before the contacts are looked at.
+        // This uses the factors of the correction and comes before the evaluation of contacts.
         self.correct_reactions(took & search.foreseen);
         let (rate, small) = (self.h.recip(), momentum * UNFORESEEN);
         let mut ends = took & search.foreseen & self.meet_constraints(reach, true);
@@ -97,7 +97,7 @@ impl<S: Number> Engine<S> {
         self.settled = self.settled | ends;
     }
 
-    /// Factors the tangent as assembled last, for the lanes that want it renewed; in the others the factors stay.
+    /// Factors the last assembled tangent for the lanes that need new factors; the factors of the other lanes do not change.
     #[inline(always)]
     fn renew(&mut self, search: &mut LaneNewton<S>) {
         self.keep_reaction_rows(search.renew);
@@ -120,7 +120,7 @@ impl<S: Number> Engine<S> {
         search.renewed(self.h);
     }
 
-    /// Derivatives follow the values with the tangent at the solution: one linear step, or some where angles are kept.
+    /// Derivatives follow the values with the tangent at the solution: one linear step, or several with rigid joints.
     fn follow(&mut self) {
         self.evaluate::<true>();
         self.factor();

@@ -1,4 +1,4 @@
-//! The numbers of a run, apart from its shape: what differs between the lanes of an ensemble.
+//! The numbers of a run without its shape, which differ between the lanes of an ensemble.
 
 use super::ground_springs::GroundSpringNumbers;
 use percuss::StrainMeasure;
@@ -15,7 +15,7 @@ pub struct Numbers<S> {
     pub spans: Vec<SpanNumbers<S>>,
     /// Reference position and tangent of the beams' nodes, shape (beam nodes, 4) \[m, -\].
     pub nodes: Vec<[S; 4]>,
-    /// Components held at nodes, shape (nodes held).
+    /// Fixed components of nodes, shape (nodes held).
     pub prescribed: Vec<PrescribedDofs<S>>,
     /// Joints, and supports between nodes, shape (constraints).
     pub constraints: Vec<Constraint<S>>,
@@ -27,9 +27,9 @@ pub struct Numbers<S> {
     pub loads: Vec<LoadNumbers<S>>,
     /// Recorded points, shape (recorded points).
     pub points: Vec<MaterialPoint<S>>,
-    /// What is nothing beside the structure.
+    /// Round-off at the scale of the structure.
     pub round_off: RoundOff<S>,
-    /// Mass of all there is \[kg\].
+    /// Total mass \[kg\].
     pub total_mass: S,
     /// Size of the structure \[m\].
     pub size: S,
@@ -49,15 +49,15 @@ pub struct SpanNumbers<S> {
     /// Retardation time of Kelvin and Voigt's damping \[s\], coefficient of mass-proportional damping \[1/s\].
     pub retardation: S,
     pub mass_damping: S,
-    /// Whether there is any of either.
+    /// Whether there is damping.
     pub damped: bool,
     /// One table for all elements, or one for each, shape (1 or elements).
     pub tables: Vec<ElementTable<S>>,
-    /// Its fibres, if it has any.
+    /// Fibres of its section, if any.
     pub fibres: Option<SpanFibres<S>>,
 }
 
-/// How a guided projectile touches.
+/// Contact law of a guided projectile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum GuideLaw {
     /// `k p`.
@@ -68,7 +68,7 @@ pub enum GuideLaw {
     Rigid,
 }
 
-/// A guided projectile and the point it strikes.
+/// A guided projectile and the struck point.
 #[derive(Clone, Debug)]
 pub struct GuideNumbers<S> {
     /// Node `a` of the struck element.
@@ -98,7 +98,7 @@ pub struct GuideNumbers<S> {
 /// A dead load, for a factor of one.
 #[derive(Clone, Debug)]
 pub struct LoadNumbers<S> {
-    /// Nodes it acts on, in increasing order, shape (nodes of the load) \[index of a node\].
+    /// Loaded nodes, in increasing order, shape (nodes of the load) \[index of a node\].
     pub nodes: Vec<usize>,
     /// Forces on their values and slopes, shape (nodes of the load, 4) \[N, N m\].
     pub forces: Vec<[S; 4]>,

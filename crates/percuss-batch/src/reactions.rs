@@ -1,11 +1,11 @@
-//! Reactions where an iteration ends without another evaluation: they follow its last correction by the tangent it was found with.
+//! Reactions after an iteration that ends without another evaluation: linear in the last correction, with the tangent of that correction.
 
 use super::engine::Engine;
 use percuss::internals::linalg::block::{Block, add_applied};
 use percuss::internals::scalar::Number;
 
 impl<S: Number> Engine<S> {
-    /// Keeps the rows of held nodes of the tangent assembled last, in the given lanes.
+    /// Saves the rows of supported nodes of the last assembled tangent, in the given lanes.
     #[inline(always)]
     pub fn keep_reaction_rows(&mut self, which: S::Mask) {
         let (band, last) = (&self.tangent, self.residual.len() - 1);
@@ -21,7 +21,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Reactions after the correction taken last by the given lanes, to first order.
+    /// Reactions after the last correction of the given lanes, to first order.
     #[inline(always)]
     pub fn correct_reactions(&mut self, took: S::Mask) {
         let (zero, last) = (self.h.constant(0.0), self.residual.len() - 1);

@@ -1,11 +1,11 @@
-//! What happens at a rigid contact: impacts and intervals of rest, as a single run notes them.
+//! Record of a rigid contact: impacts and intervals of resting contact, as in a single run.
 
 use super::engine::Engine;
 use percuss::internals::run::contact_log::{opened, rate_of_rest};
 use percuss::internals::scalar::{Number, array};
 use percuss::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Impact, Peak};
 
-/// What the contact did in a part of a step.
+/// Impulse, rates and work of the contact in a part of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct ContactPart<T> {
     /// Size of the part \[s\].
@@ -22,7 +22,7 @@ pub struct ContactPart<T> {
 }
 
 impl<S: Number> ContactPart<S> {
-    /// That of a lane.
+    /// The values of one lane.
     pub fn lane(&self, lane: usize) -> ContactPart<f64> {
         let of = |x: S| x.lane(lane);
         ContactPart {
@@ -37,7 +37,7 @@ impl<S: Number> ContactPart<S> {
 }
 
 impl<S: Number> Engine<S> {
-    /// What the contact of a rigid projectile did in the part accepted last, which its gap began with this rate.
+    /// Impulse, rates and work of a rigid projectile's contact in the last accepted part, at whose start the gap had the given rate.
     pub fn part(&self, k: usize, before: S) -> ContactPart<S> {
         let (guide, state, h) = (&self.numbers.guides[k], &self.guides[k], self.h);
         let force = state.impulse / h;
@@ -62,51 +62,51 @@ pub struct Struck<T> {
     separation: T,
     /// Work on beam and projectile, shape (2) \[J\].
     given: [T; 2],
-    /// Where it struck, shape (2) \[m\].
+    /// Position of the impact, shape (2) \[m\].
     place: [T; 2],
 }
 
-/// A time in which the contact stayed closed.
+/// An interval of resting contact.
 #[derive(Clone, Copy, Debug)]
 struct Rest<T> {
     start: T,
     approach: T,
-    /// Start of the part in which it pressed no more, and the rate of the gap there, shape (2) \[s, m/s\]; NaN while it presses.
+    /// Start of the first part without contact force, and the rate of the gap there, shape (2) \[s, m/s\]; NaN while the contact presses.
     end: [f64; 2],
     impulse: T,
     /// Work on beam and projectile, shape (2) \[J\].
     given: [T; 2],
-    /// What both lost \[J\].
+    /// Dissipated energy \[J\].
     lost: T,
-    /// Parts of steps, longer than an impact, in which it pressed.
+    /// Number of parts of steps, longer than an impact interval, with a contact force.
     steps: usize,
-    /// Where it came to rest, shape (2) \[m\].
+    /// Position at the start of resting contact, shape (2) \[m\].
     place: [T; 2],
-    /// Where it was last, shape (2) \[m\].
+    /// Last position of the contact, shape (2) \[m\].
     place_end: [T; 2],
 }
 
 /// The record of one contact.
 #[derive(Clone, Debug)]
 pub struct RigidLog<T> {
-    /// Impacts that are kept, shape (impacts).
+    /// Stored impacts, shape (impacts).
     pub impacts: Vec<Struck<T>>,
     impact_count: usize,
-    /// Impulse of all \[N s\], and of it that of rest.
+    /// Total impulse, and its part in resting contact \[N s\].
     impulse_total: T,
     impulse_resting: T,
-    /// Intervals of rest, shape (intervals).
+    /// Intervals of resting contact, shape (intervals).
     rests: Vec<Rest<T>>,
-    /// Number of the interval that is open.
+    /// Number of the current interval.
     open: Option<usize>,
-    /// Depth inside the beam, by errors of the instant.
+    /// Penetration of the beam, due to the error of located instants.
     penetration: Peak,
     /// Largest violation of the conditions of impulses, relative to the largest rate.
     pub residual: f64,
 }
 
 impl<T: Number> RigidLog<T> {
-    /// Nothing has happened yet.
+    /// An empty record.
     pub fn new(zero: T) -> Self {
         Self {
             impacts: Vec::new(),
@@ -120,14 +120,14 @@ impl<T: Number> RigidLog<T> {
         }
     }
 
-    /// Takes in the gap at an instant.
+    /// Records the gap at an instant.
     pub fn see(&mut self, gap: f64, time: f64) {
         if -gap > self.penetration.value {
             self.penetration = Peak { value: -gap, time };
         }
     }
 
-    /// Takes in a part from `start` on, which may be as short as an impact, in which the contact may have pressed: it struck, or `rests`.
+    /// Records a part that begins at `start` with an impact or with resting contact (`rests`); it may be as short as an impact interval.
     pub fn take(&mut self, part: &ContactPart<T>, start: T, rests: bool, impulsive: bool) {
         self.impulse_total += part.impulse;
         if rests {
@@ -178,8 +178,8 @@ impl<T: Number> RigidLog<T> {
         }
     }
 
-    /// The record of a contact at the given arc length, its numbers or their derivatives as read; steps do not resolve when a contact lets go, and what is
-    /// inside something is so by an error of the instant: neither has derivatives.
+    /// The record of a contact at the given arc length, with its numbers or their derivatives. The end of resting contact is not resolved within
+    /// steps, and penetration is an error of located instants: neither has derivatives.
     pub fn record(&self, s: f64, read: &dyn Fn(T) -> f64, derivative: bool) -> ContactRecord {
         let at = |place: [T; 2]| ContactPlace { s, position: place.map(read) };
         let impact = |struck: &Struck<T>| Impact {

@@ -1,4 +1,4 @@
-//! Which of many runs go side by side: those of one shape.
+//! Grouping of many runs by shape; runs of one shape are computed in lanes.
 
 use super::detail::Detail;
 use super::drive::{LaneDriver, rigid_guides};
@@ -9,10 +9,8 @@ use percuss::internals::scalar::{Lanes, in_lanes};
 use percuss::internals::settings::Settings;
 use percuss::{Model, RunSummary};
 
-/// Simulates those of the runs that ensembles know, and of which no more is asked than they tell; `None` for the others.
-///
-/// A run's summary is the same to the last bit whatever runs stand beside it. Runs in which an iteration fails are left to the
-/// solver that cuts steps: `None`.
+/// Simulates the runs that ensembles support, with the results that they provide; `None` for the others. The summary of a run does not depend on
+/// the other runs, to the last bit. Runs in which an iteration fails are `None`; the solver of single runs repeats them with step cuts.
 pub fn simulate_ensemble(runs: &[(&Model, &Settings)], detail: Detail) -> Vec<Option<RunSummary>> {
     let mut done: Vec<Option<RunSummary>> = runs.iter().map(|_| None).collect();
     let known = |(i, (model, settings)): (usize, &(&Model, &Settings))| {
@@ -40,7 +38,7 @@ pub fn simulate_ensemble(runs: &[(&Model, &Settings)], detail: Detail) -> Vec<Op
     done
 }
 
-/// The numbers of a run that goes in a lane, or why it runs alone.
+/// The numbers of a run for a lane, or the reason why it is computed as a single run.
 fn lane_numbers(
     model: &Model,
     settings: &Settings,
@@ -60,7 +58,7 @@ fn lane_numbers(
     }
 }
 
-/// What of a run keeps [`simulate_batch`](super::simulate_batch) from stepping it beside others, in words; none if nothing does.
+/// Reason why [`simulate_batch`](super::simulate_batch) computes a run as a single run, not in a lane; `None` if it uses a lane.
 pub fn runs_alone(model: &Model, settings: &Settings, detail: Detail) -> Option<&'static str> {
     lane_numbers(model, settings, detail).err()
 }

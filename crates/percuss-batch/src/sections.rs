@@ -1,4 +1,4 @@
-//! Section forces of the runs of an ensemble, from the balance of their elements in the step at hand.
+//! Section forces of the runs of an ensemble, from the balance of their elements in the current step.
 
 use super::detail::Detail;
 use super::engine::Engine;
@@ -10,7 +10,7 @@ use percuss::internals::section_forces::{ElementActing, ElementPlace, ForceInsid
 use percuss::internals::step::contacts::IMPULSIVE;
 use percuss::math::vec2::scale;
 
-/// Section forces of runs side by side.
+/// Section forces of all lanes.
 #[derive(Clone, Debug)]
 pub struct Sections<'m, S: Number> {
     found: RunForces<'m, S>,
@@ -20,19 +20,19 @@ pub struct Sections<'m, S: Number> {
     gravity: Vec<[S; 2]>,
     /// Share of every element in each distributed load, on values and slopes, shape (loads, elements, 2, 4) \[N, N m\]; empty of other loads.
     shares: Vec<Vec<[[S; 4]; 2]>>,
-    /// What may act inside which element, shape (such forces) \[index of an element\].
-    inside: Vec<(usize, ActsInside)>,
+    /// Forces inside elements, with their element, shape (such forces) \[index of an element\].
+    inside: Vec<(usize, ForceSource)>,
 }
 
-/// What acts inside an element, by its number.
+/// Source of a force inside an element, with its number.
 #[derive(Clone, Copy, Debug)]
-enum ActsInside {
+enum ForceSource {
     Guide(usize),
     Load(usize),
 }
 
 impl<'m, S: Number> Sections<'m, S> {
-    /// Of runs of the shape of a model, if they are asked for; no lane has one yet.
+    /// Section forces for runs with the shape of a model, if `detail` requests them; no lane has a run yet.
     pub fn of(engine: &Engine<S>, model: &'m Model, detail: Detail) -> Option<Self> {
         let stresses = match detail {
             Detail::Full | Detail::Motion => return None,
@@ -45,9 +45,9 @@ impl<'m, S: Number> Sections<'m, S> {
             elements.find(|(_, _, a, _)| *a == node).map(|(.., element)| element)
         };
         let guides = engine.numbers.guides.iter().enumerate();
-        let guides = guides.filter_map(|(k, g)| Some((first(g.node)?, ActsInside::Guide(k))));
+        let guides = guides.filter_map(|(k, g)| Some((first(g.node)?, ForceSource::Guide(k))));
         let loads = model.loads.iter().enumerate().filter_map(|(k, load)| match &load.kind {
-            LoadAction::Point { point, .. } => Some((first(point.node)?, ActsInside::Load(k))),
+            LoadAction::Point { point, .. } => Some((first(point.node)?, ForceSource::Load(k))),
             _ => None,
         });
         let shares = |load: &LoadAction| match load {
@@ -96,7 +96,8 @@ impl<'m, S: Number> Sections<'m, S> {
         self.found.end(lane)
     }
 
-    /// Takes in the step at hand, which begins at `start`, of the lanes that `go`; those as short as an impact have impulses, no forces.
+    /// Records the current step, which begins at `start`, in the lanes of the mask `go`; steps as short as an impact interval have impulses and no
+    /// forces.
     #[inline(always)]
     pub fn take(&mut self, engine: &Engine<S>, start: S, go: Option<S::Mask>) {
         let impulsive = engine.h.less(engine.numbers.step * IMPULSIVE);
@@ -131,7 +132,7 @@ impl<'m, S: Number> Sections<'m, S> {
         }
     }
 
-    /// Takes in an element of those lanes that `go` in which something acts inside it; returns the others.
+    /// Records an element in those lanes of the mask `go` in which a force acts inside it; returns the other lanes.
     fn take_forced(
         &mut self,
         engine: &Engine<S>,
@@ -157,20 +158,20 @@ impl<'m, S: Number> Sections<'m, S> {
     }
 }
 
-/// Where something acts in a lane's run in the step at hand, and with what force \[N\], if it does.
+/// Place and value of a force inside an element in a lane's run in the current step \[N\], if it acts.
 fn acts<'m, S: Number>(
     engine: &Engine<S>,
     model: &'m Model,
-    source: ActsInside,
+    source: ForceSource,
     lane: usize,
 ) -> Option<(&'m MaterialPoint, [f64; 2])> {
     let (point, force) = match source {
-        ActsInside::Guide(k) => {
+        ForceSource::Guide(k) => {
             let (state, projectile) = (&engine.guides[k], &model.projectiles[k]);
             let push = state.force + state.impulse / engine.h;
             (&projectile.point, scale(push.lane(lane), projectile.direction))
         }
-        ActsInside::Load(k) => match &model.loads[k].kind {
+        ForceSource::Load(k) => match &model.loads[k].kind {
             LoadAction::Point { point, force, .. } => {
                 (point, scale(engine.load_factors[k].lane(lane), *force))
             }
@@ -180,7 +181,7 @@ fn acts<'m, S: Number>(
     (force != [0.0; 2]).then_some((point, force))
 }
 
-/// Takes what a distributed load applies to an element from what its neighbours and its inertia do.
+/// Subtracts the distributed loads of an element from the forces of its neighbours and its inertia.
 #[inline(always)]
 fn take_load<S: Number>(acting: &mut ElementActing<S>, share: &[[S; 4]; 2], factor: S) {
     for (node, share) in share.iter().enumerate() {
@@ -209,7 +210,7 @@ impl<S: Number> Task for TakeStep<'_, '_, S> {
 }
 
 impl<S: Number> Engine<S> {
-    /// What acts on an element in the step at hand, given what gravity accelerates it by \[m/s^2\].
+    /// Forces on an element in the current step, for the given acceleration of gravity \[m/s^2\].
     #[inline(always)]
     fn acting(
         &self,

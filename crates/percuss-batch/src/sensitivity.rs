@@ -6,12 +6,12 @@
 
 use percuss_codes::AnalysisCode;
 
-use super::flight::{Derived, Flight, TOGETHER};
+use super::derivative_run::{DerivativeRun, Derived, TOGETHER};
 use super::grazing::Grazing;
 use super::horizon::{Horizon, agreeing, align, withdraw, withdraw_plastic};
 use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
-use super::summary::{Fixed, Reading, Telling};
+use super::summary::{Fixed, Reading, SummaryInput};
 use percuss::Model;
 use percuss::NoRecorder;
 use percuss::Settings;
@@ -19,13 +19,13 @@ use percuss::internals::scalar::Dual;
 use percuss::simulate;
 use percuss::{RunSummary, Termination};
 
-/// A parameter, by the models that it makes.
+/// A parameter, given by models with its changed values.
 #[derive(Clone, Debug)]
 pub struct Variation {
-    /// The model with the parameter less twice, less once, plus once, plus twice its change, shape (4). What a model is made of is a smooth
-    /// function of its parameters: its derivative is the fourth-order difference.
+    /// The model with the parameter changed by -2, -1, 1 and 2 times `change`, shape (4). The numbers of a model are smooth functions of its
+    /// parameters: fourth-order differences give their derivatives.
     pub models: [Model; 4],
-    /// Time at which the run ends with each of them, shape (4) \[s\]. No other setting may change with a parameter: what the step does to a
+    /// Time at which the run ends with each of them, shape (4) \[s\]. No other setting may change with a parameter: the effect of the step on a
     /// result is its error.
     pub ends: [f64; 4],
     /// Change of the parameter.
@@ -35,9 +35,9 @@ pub struct Variation {
 /// Why a run has no derivatives.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Undifferentiated {
-    /// Something of model, settings or parameters, or something that happens in the run, has no derivatives here.
+    /// A property of model, settings or parameters, or an event in the run, is not differentiable.
     Refused(String),
-    /// The run itself fails: as what, and why.
+    /// The run itself fails: code and reason.
     Failed(AnalysisCode, String),
 }
 
@@ -72,13 +72,12 @@ impl From<String> for Undifferentiated {
 pub struct Sensitivities {
     /// The run.
     pub summary: RunSummary,
-    /// For every parameter, a summary whose numbers are the derivatives of those of `summary`, shape (parameters); NaN where there is none:
-    /// of section forces and reactions, of measures of error, of the time of a peak that steps do not resolve, of what is later than
-    /// `horizon`. Counts have none either and are those of the run.
+    /// For every parameter, a summary whose numbers are the derivatives of those of `summary`, shape (parameters). They are NaN for section forces
+    /// and reactions, measures of error, times of peaks that steps do not resolve, and results later than `horizon`. Counts are those of the run.
     pub derivatives: Vec<RunSummary>,
-    /// How far derivatives reach, if not to the end of the run.
+    /// Time up to which derivatives are valid, if it is before the end of the run.
     pub horizon: Option<Horizon>,
-    /// Contacts of the run and contacts it misses, each with the changes of the parameters that would end or begin it,
+    /// Contacts of the run and near misses, each with the changes of the parameters at which it vanishes or appears,
     /// shape (such contacts).
     pub grazing: Vec<Grazing>,
 }
@@ -86,8 +85,8 @@ pub struct Sensitivities {
 /// Runs a model and differentiates its results.
 ///
 /// # Errors
-/// In words, what stands against it: a part of the model or the settings that ensembles do not know, a parameter that changes
-/// more than numbers, a run that fails.
+/// The reason in words: a part of the model or of the settings that ensembles do not support, a parameter that changes more than numbers, a run
+/// that fails.
 pub fn sensitivities(
     model: &Model,
     settings: &Settings,
@@ -109,7 +108,7 @@ pub fn sensitivities(
     let mut found =
         Sensitivities { summary, derivatives: Vec::new(), horizon: None, grazing: Vec::new() };
     let none: &[ParameterSlopes] = &[];
-    // Without parameters it still tells what grazes.
+    // Without parameters the grazing contacts are still found.
     let chunks: Vec<_> =
         if parameters.is_empty() { vec![none] } else { parameters.chunks(TOGETHER).collect() };
     for chunk in chunks {
@@ -118,7 +117,7 @@ pub fn sensitivities(
     Ok(found)
 }
 
-/// The numbers of a model, or why they have no derivatives.
+/// The numbers of a model, or the reason why they have no derivatives.
 fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferentiated> {
     if model.loads.iter().any(|load| !load.is_steady()) {
         let why = "derivatives are not known for loads that change in time".to_owned();
@@ -127,13 +126,13 @@ fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferent
     numbers(model, settings).map_err(|what| format!("derivatives are not known for {what}").into())
 }
 
-/// What a parameter changes, by unit of it.
+/// Derivatives of the input with respect to a parameter.
 struct ParameterSlopes {
     /// Numbers of the model, in the order of [`Numbers::flat`], shape (numbers) \[unit of the number by that of the parameter\].
     numbers: Vec<f64>,
     /// End of the run.
     end: f64,
-    /// What the model tells by itself, shape (guided projectiles).
+    /// Results that depend only on the model, shape (guided projectiles).
     fixed: Vec<Fixed>,
 }
 
@@ -156,7 +155,7 @@ fn slopes(
         }
         let size = flat[0].len();
         let change = variation.change;
-        // What is unset stays so.
+        // Unset numbers remain unset.
         let plain = |x: f64| if x.is_nan() { 0.0 } else { x };
         let numbers =
             (0..size).map(|k| plain(difference([0, 1, 2, 3].map(|m| flat[m][k]), change)));
@@ -176,17 +175,17 @@ fn difference([far_below, below, above, far_above]: [f64; 4], change: f64) -> f6
     (8.0 * (above - below) - (far_above - far_below)) / (12.0 * change)
 }
 
-/// What is differentiated.
+/// The differentiated run.
 struct Case<'a> {
     model: &'a Model,
     settings: &'a Settings,
     base: Numbers<f64>,
-    /// What the model tells by itself, shape (guided projectiles).
+    /// Results that depend only on the model, shape (guided projectiles).
     fixed: Vec<Fixed>,
 }
 
 impl Case<'_> {
-    /// Adds the derivatives by up to [`TOGETHER`] parameters.
+    /// Adds the derivatives with respect to up to [`TOGETHER`] parameters.
     fn differentiate(&self, parameters: &[ParameterSlopes], found: &mut Sensitivities) {
         let derived = |value: f64, of: &dyn Fn(&ParameterSlopes) -> f64| {
             let mut slope = [0.0; TOGETHER + 1];
@@ -196,44 +195,44 @@ impl Case<'_> {
         let numbers = self.base.flat().into_iter().enumerate();
         let numbers: Vec<Derived> = numbers.map(|(i, x)| derived(x, &|p| p.numbers[i])).collect();
         let end = derived(self.settings.end, &|p| p.end);
-        let mut flight = Flight::new(self.model, self.settings, self.base.with(&numbers), end);
-        let reached = flight.run().err();
-        let telling = Telling {
+        let mut run = DerivativeRun::new(self.model, self.settings, self.base.with(&numbers), end);
+        let reached = run.run().err();
+        let input = SummaryInput {
             model: self.model,
-            engine: &flight.engine,
-            ledger: &flight.ledger,
-            log: &flight.log,
-            search: &flight.search,
+            engine: &run.engine,
+            ledger: &run.ledger,
+            log: &run.log,
+            search: &run.search,
             lane: 0,
             steps: self.settings.step_count(),
-            accumulated_steps: flight.pace.accumulated_steps,
-            solver_steps: flight.pace.solver_steps,
+            accumulated_steps: run.progress.accumulated_steps,
+            solver_steps: run.progress.solver_steps,
             rows: found.summary.rows,
             rigid: &|k, reading| {
                 let s = reading.fixed[k].s;
-                flight.rigid_logs[k].record(s, reading.read, reading.derivative)
+                run.rigid_logs[k].record(s, reading.read, reading.derivative)
             },
             residual: 0.0,
         };
         let read = |x: Derived| x.value;
         let reading = Reading { read: &read, fixed: &self.fixed, derivative: false };
-        let own = telling.summary(Termination::Completed, &reading);
+        let own = input.summary(Termination::Completed, &reading);
         let horizon = agreeing(&own, &found.summary, self.settings.step, reached);
         for (j, parameter) in parameters.iter().enumerate() {
             let read = |x: Derived| x.slope[j];
             let reading = Reading { read: &read, fixed: &parameter.fixed, derivative: true };
-            let mut derivative = telling.summary(Termination::Completed, &reading);
+            let mut derivative = input.summary(Termination::Completed, &reading);
             align(&mut derivative, &found.summary, &own, self.settings.step);
             if let Some(horizon) = &horizon {
                 withdraw(&mut derivative, &found.summary, &own, horizon.time, self.settings.step);
             }
-            derivative.plastic = flight.plastic(self.model, &read, &found.summary.plastic);
+            derivative.plastic = run.plastic(self.model, &read, &found.summary.plastic);
             if horizon.is_some() {
                 derivative.plastic.iter_mut().for_each(withdraw_plastic);
             }
             found.derivatives.push(derivative);
         }
-        let grazing = flight.grazing(parameters.len());
+        let grazing = run.grazing(parameters.len());
         if found.grazing.is_empty() {
             found.grazing = grazing;
         } else {

@@ -1,4 +1,4 @@
-//! Which runs an ensemble can step, and which of them side by side.
+//! Runs that an ensemble supports, and their shape: runs of one shape share lanes.
 
 use super::constraints::unknown;
 
@@ -12,7 +12,7 @@ use percuss::internals::settings::{ImpactResolution, MultipleImpacts, Scheme, Se
 use percuss::math::vec2::dot;
 use percuss::{ContactForce, ImpactLaw, Model, Potential, StrainMeasure, TouchLaw};
 
-/// What runs side by side have in common: all that is no number.
+/// Common properties of runs in lanes: all properties that are not numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BatchShape {
     /// First node, number of elements and beam of every span, its measure, whether it is damped, shape (spans, 3)
@@ -20,7 +20,7 @@ pub struct BatchShape {
     spans: Vec<([usize; 3], StrainMeasure, bool)>,
     /// Whether each table samples membrane strains at nodes or at Gauss points, if it does, shape (spans, tables).
     sampled: Vec<Vec<Option<bool>>>,
-    /// Layout of the fibres of every span that has some, shape (spans).
+    /// Layout of the fibres of every span with a fibre section, shape (spans).
     fibres: Vec<Option<FibreShape>>,
     /// Node, number of directions held, components, shape (nodes held, 4) \[index of a node, number of directions\].
     prescribed: Vec<(usize, usize, Option<[bool; 4]>)>,
@@ -66,8 +66,8 @@ impl BatchShape {
     }
 }
 
-/// The numbers of a run, or what about it an ensemble does not know: beams damped by their material or not, fixed
-/// supports, elastic ones and stops, joints that keep positions and angles, guided projectiles and dead loads are all it does.
+/// The numbers of a run, or the property that ensembles do not support. Supported are beams with and without material damping, fixed and elastic
+/// supports, stops, hinged and rigid joints, guided projectiles and dead loads.
 pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'static str> {
     for (found, what) in [
         (settings.scheme != Scheme::EnergyMomentum, "a scheme other than energy-momentum"),

@@ -15,36 +15,36 @@ use percuss::internals::scalar::Number;
 use percuss::internals::step::effective_mass::EffectiveMass;
 use percuss::*;
 
-/// All there is to tell of one lane.
-pub struct Telling<'a, S: Number> {
+/// State and records of a lane from which its summary is computed.
+pub struct SummaryInput<'a, S: Number> {
     pub model: &'a Model,
     pub engine: &'a Engine<S>,
     pub ledger: &'a LaneLedger<S>,
     pub log: &'a Log<S>,
     pub search: &'a LaneNewton<S>,
     pub lane: usize,
-    /// Steps of the given size, those of them in which impacts accumulated, steps of the solver, rows that a recorder would be given.
+    /// Steps of the given size, those of them in which impacts accumulated, steps of the solver, rows that a recorder would receive.
     pub steps: usize,
     pub accumulated_steps: usize,
     pub solver_steps: usize,
     pub rows: usize,
-    /// What a rigid contact did, by its number and how it is read.
+    /// Record of a rigid contact, given its number and the reading.
     pub rigid: &'a dyn Fn(usize, &Reading<S>) -> ContactRecord,
-    /// Largest violation of the conditions of its impulses.
+    /// Largest violation of the impulses' conditions.
     pub residual: f64,
 }
 
-/// How the numbers of a summary are read.
+/// Conversion of the numbers of a lane to those of a summary.
 pub struct Reading<'a, S> {
-    /// What is read of a number: its value in a lane, or one of its derivatives.
+    /// Value of a number in a lane, or one of its derivatives.
     pub read: &'a dyn Fn(S) -> f64,
-    /// What is read of the numbers that the model tells by itself, shape (guided projectiles).
+    /// Numbers that depend only on the model, or their derivatives, shape (guided projectiles).
     pub fixed: &'a [Fixed],
-    /// Whether derivatives are read. What measures errors of the computation has none: it is NaN.
+    /// Whether derivatives are read. Measures of numerical errors have none: they are NaN.
     pub derivative: bool,
 }
 
-/// What a model tells of a guided projectile by itself.
+/// Results for a guided projectile that depend only on the model.
 #[derive(Clone, Copy, Debug)]
 pub struct Fixed {
     pub mass: EffectiveMass,
@@ -70,7 +70,7 @@ impl Fixed {
     }
 }
 
-impl<S: Number> Telling<'_, S> {
+impl<S: Number> SummaryInput<'_, S> {
     /// The summary; section forces and reactions are unset.
     pub fn summary(&self, termination: Termination, reading: &Reading<S>) -> RunSummary {
         let (model, read) = (self.model, reading.read);
@@ -125,6 +125,7 @@ impl<S: Number> Telling<'_, S> {
                     permanent_penetration: None,
                     carried_crush: None,
                     pressed_in: None,
+                    sliding: None,
                     equivalent_force: None,
                     no_equivalent_force: None,
                     record: self.record(k, reading),
@@ -152,7 +153,7 @@ impl<S: Number> Telling<'_, S> {
         }
     }
 
-    /// What became of beams that can yield; of derivatives they are read elsewhere.
+    /// Results of beams that can yield; their derivatives are computed elsewhere.
     fn plastic(&self, derivative: bool) -> Vec<PlasticSummary> {
         if derivative || self.log.yields.is_empty() {
             return Vec::new();
@@ -226,7 +227,7 @@ impl<S: Number> Telling<'_, S> {
             tangential_impulse: f64::NAN,
             peak_force,
             approach_velocity: read(closed.approach),
-            // What has left cannot do so with a velocity of approach.
+            // A contact that has separated cannot have a velocity of approach.
             separation_velocity: if closed.separation.lane(self.lane) < 0.0 {
                 f64::NAN
             } else {

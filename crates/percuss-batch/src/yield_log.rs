@@ -1,4 +1,4 @@
-//! Where and when the spans of the runs of an ensemble have yielded, lane by lane.
+//! Place and time of yielding of the spans of an ensemble, for each lane.
 
 use super::engine::Engine;
 use percuss::Model;
@@ -8,26 +8,26 @@ use percuss::internals::scalar::{Mask, Number, Task};
 use percuss::math::hermite::GAUSS;
 use percuss::{FirstYield, SectionPeak};
 
-/// A largest value, the Gauss point at which it occurred, and when.
+/// A largest value, its Gauss point and its time.
 #[derive(Clone, Copy, Debug)]
 pub struct Noted<S> {
     pub value: S,
     /// Number of the Gauss point along the span.
     pub point: S,
-    /// \[s\].
+    /// Time \[s\].
     pub time: S,
 }
 
-/// What is noted of a span.
+/// Record of a span.
 #[derive(Clone, Copy, Debug)]
 pub struct YieldLog<S> {
     /// Plastic strain of largest magnitude, signed \[-\].
     pub strain: Noted<S>,
     /// Largest accumulated plastic strain \[-\].
     pub accumulated: Noted<S>,
-    /// Number of the Gauss point at which it first yielded, and when, shape (2); nothing if no plastic strain has accumulated \[-, s\].
+    /// Number of the Gauss point of first yield, and its time, shape (2) \[-, s\]; unset without accumulated plastic strain.
     pub first: [S; 2],
-    /// Largest stress before that over the limit at which a fibre yields; noted for derivatives alone \[-\].
+    /// Largest ratio of stress to yield stress before that; recorded only for derivatives \[-\].
     pub near: Noted<S>,
 }
 
@@ -37,7 +37,7 @@ impl<S: Number> Noted<S> {
         Self { value: zero, point: zero, time: zero }
     }
 
-    /// Takes in a value of given magnitude.
+    /// Updates the record with a value of given magnitude.
     #[inline(always)]
     fn take(&mut self, value: S, [point, time]: [S; 2]) {
         let larger = self.value.abs().less(value.abs());
@@ -48,7 +48,7 @@ impl<S: Number> Noted<S> {
 }
 
 impl<S: Number> YieldLog<S> {
-    /// Nothing has yielded.
+    /// A record without yielding.
     pub fn none(like: S) -> Self {
         let none = Noted::none(like);
         Self { strain: none, accumulated: none, first: [none.value; 2], near: none }
@@ -66,7 +66,7 @@ impl<S: Number> YieldLog<S> {
         self.each().for_each(|x| x.set_lane(lane, zero, lane));
     }
 
-    /// Puts all lanes but those that `go` back to what was kept.
+    /// Restores the saved records of all lanes except those of the mask `go`.
     #[inline(always)]
     pub fn put_back(&mut self, kept: &Self, go: S::Mask) {
         for (now, kept) in self.each().zip({ *kept }.each()) {
@@ -75,7 +75,7 @@ impl<S: Number> YieldLog<S> {
     }
 }
 
-/// Takes the fibres at a time into the logs, one a span that has any.
+/// Updates the records, one for each span with fibres, with the fibres at a time.
 #[inline(always)]
 pub fn note<S: Number>(engine: &Engine<S>, time: S, logs: &mut [YieldLog<S>]) {
     if S::DERIVES || engine.fibres.flowed.any() {
@@ -87,7 +87,7 @@ pub fn note<S: Number>(engine: &Engine<S>, time: S, logs: &mut [YieldLog<S>]) {
 struct Note<'a, S: Number> {
     engine: &'a Engine<S>,
     time: S,
-    /// What has been noted so far, shape (spans with fibres).
+    /// Records so far, shape (spans with fibres).
     logs: &'a mut [YieldLog<S>],
 }
 
@@ -114,7 +114,7 @@ fn note_all<S: Number>(engine: &Engine<S>, time: S, logs: &mut [YieldLog<S>]) {
 }
 
 impl<S: Number> YieldLog<S> {
-    /// Takes in the fibres of an element, given its number in the span and among all.
+    /// Updates the record with the fibres of an element, given its number in the span and among all.
     #[inline(always)]
     fn note_element(
         &mut self,

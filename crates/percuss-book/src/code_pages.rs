@@ -141,7 +141,7 @@ pub fn index() -> Page {
     let text = format!(
         "# Errors and warnings\n\n\
          Every error and every warning ends with a code in brackets. The code stays the same from version to version; `percuss explain W002` \
-         prints what stands here. It stands in `summary.json` and in the tables of studies too, and exceptions of the Python package have it as \
+         prints its explanation. The code is also in `summary.json` and in the tables of studies, and exceptions of the Python package have it as \
          `.code`.\n\n\
          `--deny W002`, of `run` and `check`, makes a warning a failure. What you know of and accept in a scenario is allowed there, with the \
          reason: it is then neither warned about nor denied, and stays visible on the page and in `summary.json`. Findings of the advisor and \

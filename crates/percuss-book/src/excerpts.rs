@@ -116,7 +116,9 @@ impl Walk<'_> {
             }
         }
         for kinds in &body.kinds {
-            let word = at.get(kinds.tag).map_or(kinds.default, Item::as_str);
+            let implied = kinds.implied.filter(|(key, _)| at.contains_key(key));
+            let unsaid = implied.map_or(kinds.default, |(_, word)| Some(word));
+            let word = at.get(kinds.tag).map_or(unsaid, Item::as_str);
             let Some((word, variant)) = kinds.variants.iter().find(|v| Some(v.0) == word) else {
                 continue;
             };

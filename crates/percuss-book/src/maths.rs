@@ -33,7 +33,7 @@ pub fn set(page: &str, chapter: &str) -> (String, Vec<String>) {
                     match span {
                         Span::Text(words) => text.push_str(&refer(words, &numbers, &mut faults)),
                         Span::Code("`$`") => {
-                            faults.push("an equation stands between $` and `$".into());
+                            faults.push("an equation is written between $` and `$".into());
                         }
                         Span::Code(code) => text.push_str(code),
                         Span::Maths(tex) => {

@@ -144,7 +144,7 @@ impl Writer<'_> {
 
     fn kinds(&self, draft: &mut Draft<'_>, kinds: &KindsReference, under: &str, level: usize) {
         let hashes = "#".repeat(level.min(6));
-        let KindsReference { tag, about, default, variants } = kinds;
+        let KindsReference { tag, about, default, implied, variants } = kinds;
         let heading = format!("{hashes} {}\n\n{}\n\n", code(tag), sentence(about));
         draft.text.push_str(&heading);
         let said = match default {
@@ -152,6 +152,10 @@ impl Writer<'_> {
             None => format!("`{tag}` must be given.\n\n"),
         };
         draft.text.push_str(&said);
+        if let Some((key, word)) = implied {
+            let said = format!("With `{key}` and no `{tag}` it is `\"{word}\"`.\n\n");
+            draft.text.push_str(&said);
+        }
         for (word, variant) in variants {
             let deeper = "#".repeat((level + 1).min(6));
             let heading =

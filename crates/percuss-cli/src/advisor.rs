@@ -72,9 +72,7 @@ fn say(code: Code, verdict: Verdict, (text, reason): (&str, Option<&str>)) {
 pub fn tell_in_vain(content: &Content, found: &[Code], of: impl Fn(Code) -> bool) {
     for one in content.allow.iter().filter(|one| of(one.code) && !found.contains(&one.code)) {
         let Code { code, name, .. } = one.code;
-        let text = format!(
-            "[allow] {code}: nothing of this kind was found ({name}); the line can be left out"
-        );
+        let text = format!("[allow] {code}: no such warning ({name}); remove this line");
         terminal::note(one.code, &text);
     }
 }

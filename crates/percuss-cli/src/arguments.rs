@@ -17,14 +17,14 @@ use crate::coupling_arguments::{Completions, EVAL, Eval, Man, SERVE, Serve};
 use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot, SPECTRUM, Spectrum};
 use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};
 
-/// Simulates impact on geometrically exact beams, with balances that close.
+/// Simulate impact on geometrically exact beams, with an energy and momentum balance after every step.
 #[derive(Debug, Parser)]
 #[command(name = "percuss", version, after_help = BEGIN, max_term_width = 100)]
 pub struct Arguments {
-    /// What to do.
+    /// Command
     #[command(subcommand)]
     pub command: Command,
-    /// Let a scenario or a study name files outside its own folder
+    /// Allow scenarios and studies to name files outside their own folder
     #[arg(long, global = true)]
     pub allow_outside: bool,
 }
@@ -35,35 +35,35 @@ pub enum Command {
     /// Simulate a scenario: history, summary, shapes over time, report
     #[command(after_help = format!("{RUN}\n\n{EXIT_STATUS}"))]
     Run(Run),
-    /// Let a complete run go on to a later end, without computing again what it has
+    /// Continue a completed run to a later end time
     #[command(after_help = format!("{EXTEND}\n\n{EXIT_STATUS}"))]
     Extend(Extend),
-    /// Say everything that is wrong with a scenario or a study, or that nothing is
+    /// Validate a scenario or study and list all errors and warnings
     Check(Check),
-    /// Static equilibrium under the loads that act at time zero, with contacts; what is on its way takes no part
+    /// Static equilibrium under the loads at time zero, with contacts; moving projectiles are ignored
     #[command(after_help = format!("{STATIC}\n\n{EXIT_STATUS}"))]
     Static(Static),
-    /// Natural frequencies and mode shapes; projectiles take no part
+    /// Natural frequencies and mode shapes (projectiles are ignored)
     #[command(after_help = format!("{MODES}\n\n{EXIT_STATUS}"))]
     Modes(Modes),
     /// Print a commented scenario or study to start from; without a template, list them
     New(New),
-    /// Run a study: many runs of one scenario, some of whose values change from run to run
+    /// Run a study: many runs of one scenario with varied parameters
     #[command(after_help = format!("{SWEEP}\n\n{EXIT_STATUS}"))]
     Sweep(Sweep),
     /// Derivatives of a run's results with respect to numbers of its scenario, impacts included
     #[command(after_help = format!("{SENSITIVITY}\n\n{EXIT_STATUS}"))]
     Sensitivity(Sensitivity),
-    /// How far results depend on step and mesh: observed orders, limits with uncertainty, the cheapest settings for an accuracy
+    /// Convergence study in step and mesh: observed orders, extrapolated limits with uncertainty, cheapest settings for an accuracy
     #[command(after_help = format!("{CONVERGE}\n\n{EXIT_STATUS}"))]
     Converge(Converge),
-    /// Say what the code of a warning (W002) or an error (E006) means and what to do; without one, list them
+    /// Explain a warning (W002) or error (E006); without a code, list all
     Explain(Explain),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
-    /// Rebuild report.html of a finished run, and its figures if asked
+    /// Rebuild report.html of a finished run, or compare several runs on one page
     Report(Report),
-    /// Write how a finished run moved for ParaView: beams with depth, forces and stresses, bodies, obstacles, contact forces
+    /// Export a finished run to ParaView: beams with depth, section forces and stresses, bodies, obstacles, contact forces
     #[command(after_help = EXPORT)]
     Export(Export),
     /// Make a film of a finished run, or a picture of an instant, without a browser
@@ -78,7 +78,7 @@ pub enum Command {
     /// Run the verification cases and print what was measured and expected
     #[command(after_help = VERIFY)]
     Verify(Verify),
-    /// Serve a study as a model that programs for uncertainty and optimisation evaluate over HTTP (UM-Bridge)
+    /// Serve a study as a model for uncertainty quantification and optimisation programs over HTTP (UM-Bridge)
     #[command(after_help = SERVE)]
     Serve(Serve),
     /// Evaluate a study at one point, from a file of parameters to a file of results (Dakota, JSON)
@@ -97,10 +97,10 @@ pub struct Check {
     /// Scenario or study file, or - for standard input (a scenario)
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
-    /// Change a value of the scenario, such as time.step=1e-5; may be given again
+    /// Change a value of the scenario, such as time.step=1e-5; repeatable
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Fail if there is a warning of this code, such as W002; may be given again
+    /// Fail if there is a warning of this code, such as W002; repeatable
     #[arg(long, value_name = "CODE", value_parser = code)]
     pub deny: Vec<Code>,
 }
@@ -111,26 +111,26 @@ pub struct Sweep {
     /// Study file
     #[arg(value_hint = ValueHint::FilePath)]
     pub study: PathBuf,
-    /// Directory of the study; what is done of the same study is kept [default: runs/ and the name of STUDY]
+    /// Output directory; finished runs of the same study in it are kept [default: runs/ and the name of STUDY]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
-    /// Threads [default: one a core]
+    /// Threads [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub jobs: Option<u32>,
-    /// Do only every N-th part of the work, beginning with part I (from 1 to N); the last one puts all together
+    /// Compute only every N-th shard, beginning with shard I (1 to N); the last one to finish combines the results
     #[arg(long, value_name = "I/N", value_parser = share)]
     pub shard: Option<Share>,
     /// Run it on the Dask cluster of this scheduler, such as tcp://head:8786; needs Python with percuss and Dask, and takes any
     /// fsspec location for --out
     #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["jobs", "shard", "json"])]
     pub scheduler: Option<String>,
-    /// Keep run N whole, with its history and report, in kept/run-N; may be given again, also when the study is done
+    /// Keep all files of run N, with history and report, in kept/run-N; repeatable, also after the study is finished
     #[arg(long, value_name = "N", conflicts_with_all = ["shard", "scheduler"])]
     pub keep_run: Vec<u64>,
-    /// Print counts and the results' ranges as JSON to standard output, and no table
+    /// Print counts and ranges of the results as JSON to standard output instead of a table
     #[arg(long)]
     pub json: bool,
-    /// Say nothing unless something is wrong
+    /// Print nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -165,7 +165,7 @@ pub struct Explain {
 /// Arguments of `schema`.
 #[derive(Args, Debug)]
 pub struct Schema {
-    /// Of study files instead of scenario files
+    /// Schema of study files instead of scenario files
     #[arg(long)]
     pub study: bool,
 }
@@ -176,16 +176,16 @@ pub struct Static {
     /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
-    /// Change a value of the scenario, such as load.tip.force="[0, -10]"; may be given again
+    /// Change a value of the scenario, such as load.tip.force="[0, -10]"; repeatable
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Print the result as JSON and nothing else
+    /// Print only the result, as JSON
     #[arg(long)]
     pub json: bool,
     /// Follow the equilibrium path by arc length; writes its page, path.csv and a picture
     #[arg(long)]
     pub path: bool,
-    /// Directory of the results; earlier ones of the kind in it are replaced [default: runs/ and the name of FILE with -static,
+    /// Output directory; earlier results of the same kind in it are replaced [default: runs/ and the name of FILE with -static
     /// or -path]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
@@ -197,16 +197,16 @@ pub struct Sensitivity {
     /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
-    /// Number of the scenario, such as projectile.mass.velocity[1]; may be given again
+    /// Number of the scenario, such as projectile.mass.velocity[1]; repeatable
     #[arg(long, short, value_name = "PATH", required = true)]
     pub parameter: Vec<String>,
-    /// Number of the summary, such as contact.mass.peak_force.value; may be given again [default: peaks, impulses, velocities at the end]
+    /// Number of the summary, such as contact.mass.peak_force.value; repeatable [default: peaks, impulses, velocities at the end]
     #[arg(long, short, value_name = "PATH")]
     pub result: Vec<String>,
-    /// Change a value of the scenario, such as beam.girder.elements=20; may be given again
+    /// Change a value of the scenario, such as beam.girder.elements=20; repeatable
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Print values and derivatives as JSON to standard output, and no table
+    /// Print values and derivatives as JSON to standard output instead of a table
     #[arg(long)]
     pub json: bool,
 }
@@ -217,23 +217,23 @@ pub struct Converge {
     /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
-    /// Number of the summary, such as contact.mass.peak_force.value; may be given again [default: peaks, velocities at the end,
+    /// Number of the summary, such as contact.mass.peak_force.value; repeatable [default: peaks, velocities at the end,
     /// impulses, largest section forces]
     #[arg(long, short, value_name = "PATH")]
     pub result: Vec<String>,
-    /// Accuracy for which the cheapest settings are wanted, such as "1 %" or 0.01
+    /// Accuracy for which the cheapest settings are sought, such as "1 %" or 0.01
     #[arg(long, value_name = "SHARE", value_parser = accuracy)]
     pub accuracy: Option<f64>,
-    /// Levels, each with half the step, or twice the elements, of the one before
+    /// Refinement levels; each halves the step or doubles the elements
     #[arg(long, value_name = "N", default_value = "4", value_parser = clap::value_parser!(u8).range(3..=8))]
     pub levels: u8,
-    /// Change a value of the scenario, such as beam.girder.elements=20; may be given again
+    /// Change a value of the scenario, such as beam.girder.elements=20; repeatable
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Print everything as JSON to standard output, and no table
+    /// Print all results as JSON to standard output instead of a table
     #[arg(long)]
     pub json: bool,
-    /// Say nothing unless something is wrong
+    /// Print nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -244,8 +244,8 @@ fn accuracy(text: &str) -> Result<f64, String> {
         None => (text, 1.0),
     };
     let share = number.trim().parse::<f64>().ok().map(|number| number * unit);
-    let sound = share.filter(|share| *share > 0.0 && *share < 1.0);
-    sound.ok_or_else(|| "expected a share between 0 and 1, such as \"1 %\" or 0.01".into())
+    let valid = share.filter(|share| *share > 0.0 && *share < 1.0);
+    valid.ok_or_else(|| "expected a share between 0 and 1, such as \"1 %\" or 0.01".into())
 }
 
 /// Arguments of `modes`.
@@ -257,26 +257,26 @@ pub struct Modes {
     /// Number of modes, from the lowest on
     #[arg(long, value_name = "N", default_value = "10", value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub count: u32,
-    /// Configuration they are taken about [default: static if the scenario starts from it, else reference]
+    /// Configuration of the linearisation [default: static if the scenario starts from it, else reference]
     #[arg(long, value_enum, value_name = "CONFIGURATION")]
     pub about: Option<About>,
-    /// Directory of the results; earlier modes in it are replaced [default: runs/ and the name of FILE with -modes]
+    /// Output directory; earlier modes in it are replaced [default: runs/ and the name of FILE with -modes]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
-    /// Change a value of the scenario, such as beam.girder.elements=20; may be given again
+    /// Change a value of the scenario, such as beam.girder.elements=20; repeatable
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Print modes.json to standard output, and no table
+    /// Print modes.json to standard output instead of a table
     #[arg(long)]
     pub json: bool,
 }
 
-/// What modes are taken about.
+/// Configuration of the linearisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum About {
-    /// The reference configuration, free of stress
+    /// Stress-free reference configuration
     Reference,
-    /// Static equilibrium under the loads that act at time zero
+    /// Static equilibrium under the loads at time zero
     Static,
 }
 
@@ -286,7 +286,7 @@ pub struct New {
     /// Template to print
     #[arg(value_parser = templates())]
     pub template: Option<String>,
-    /// Write it to a file, which must not exist yet
+    /// Write the template to a new file
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "template")]
     pub out: Option<PathBuf>,
 }
@@ -294,13 +294,13 @@ pub struct New {
 /// Arguments of `report`.
 #[derive(Args, Debug)]
 pub struct Report {
-    /// Directory of a finished run; several are laid over each other on one page
+    /// Directory of a finished run; several are compared on one page
     #[arg(value_hint = ValueHint::DirPath, required = true, value_name = "DIR")]
     pub dirs: Vec<PathBuf>,
-    /// Write the figures of a run as SVG and PNG as well, into its figures/
+    /// Also write the figures as SVG and PNG, into figures/ of the run
     #[arg(long)]
     pub figures: bool,
-    /// Page to write of several runs
+    /// Page of the comparison of several runs
     #[arg(long, value_hint = ValueHint::FilePath, value_name = "FILE", default_value = "comparison.html")]
     pub out: PathBuf,
     /// Open the page in the browser
@@ -314,7 +314,7 @@ pub struct Export {
     /// Directory of a finished run
     #[arg(value_hint = ValueHint::DirPath, value_name = "DIR")]
     pub dir: PathBuf,
-    /// What to write
+    /// File format
     #[arg(long, value_enum, value_name = "FORMAT", default_value = "vtkhdf")]
     pub format: ExportFormat,
     /// Directory of the files; an earlier export in it is replaced [default: paraview/ in DIR]
@@ -325,16 +325,16 @@ pub struct Export {
 /// Format of an export.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum ExportFormat {
-    /// Poly data over time in HDF5, one file for each kind of things, for ParaView 5.12 or later
+    /// Poly data over time in HDF5, one file for each kind of body, for ParaView 5.12 or later
     Vtkhdf,
-    /// The same as lists of VTP files, one file an instant, for any ParaView
+    /// The same as series of VTP files, one per instant, for any ParaView
     Pvd,
 }
 
 /// Arguments of `verify`.
 #[derive(Args, Debug)]
 pub struct Verify {
-    /// Cases to run; all if none is given
+    /// Cases to run [default: all]
     #[arg(value_name = "ID", value_parser = cases())]
     pub ids: Vec<String>,
     /// List the cases and run none
@@ -346,7 +346,7 @@ pub struct Verify {
     /// Show every check of every case, not only the tightest one
     #[arg(long)]
     pub all_checks: bool,
-    /// Write the verification manual into this folder: an index, a page and a figure a case
+    /// Write the verification manual into this folder: an index, and a page and a figure for each case
     #[arg(long, value_name = "DIR")]
     pub book: Option<PathBuf>,
 }

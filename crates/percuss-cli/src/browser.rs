@@ -6,5 +6,5 @@ use std::path::Path;
 pub fn open(page: &Path) -> Option<String> {
     let whole = page.canonicalize().unwrap_or_else(|_| page.to_owned());
     let error = open::that_detached(&whole).err()?;
-    Some(format!("nothing here opens {}: {error}", whole.display()))
+    Some(format!("cannot open {} in a browser: {error}", whole.display()))
 }

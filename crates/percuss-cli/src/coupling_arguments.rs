@@ -7,28 +7,28 @@ use clap::{Args, ValueHint};
 /// Arguments of `serve`.
 #[derive(Args, Debug)]
 pub struct Serve {
-    /// Study file: its parameters go in, its results come out, its design plays no part
+    /// Study file; inputs: the study's parameters; outputs: its results; the sampling design is ignored
     #[arg(value_hint = ValueHint::FilePath)]
     pub study: PathBuf,
-    /// Port to listen at; 0 for any that is free
+    /// Port to listen on; 0 for any free port
     #[arg(long, value_name = "N", default_value = "4242")]
     pub port: u16,
-    /// Address to listen at; 0.0.0.0 lets other machines in, who then evaluate what they like
+    /// Address to listen on; 0.0.0.0 accepts requests from other machines
     #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
     pub host: String,
-    /// Token that the path of every request begins with [default: a new one each time, told with the address]
+    /// Token that begins the path of every request [default: a new one each time, printed with the address]
     #[arg(long, value_name = "TEXT", conflicts_with = "no_token")]
     pub token: Option<String>,
-    /// Answer requests without a token: any program on this machine may ask then
+    /// Accept requests without a token, from any program on this machine
     #[arg(long)]
     pub no_token: bool,
-    /// Name that requests may call this server by besides `localhost`, --host and addresses in numbers; may be repeated
+    /// Host name accepted in requests besides `localhost`, --host and numeric addresses; repeatable
     #[arg(long, value_name = "NAME")]
     pub allow_host: Vec<String>,
-    /// Requests at a time [default: one a core]
+    /// Simultaneous requests [default: one per core]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
     pub jobs: Option<u32>,
-    /// Say nothing unless something is wrong
+    /// Print nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -36,16 +36,16 @@ pub struct Serve {
 /// Arguments of `eval`.
 #[derive(Args, Debug)]
 pub struct Eval {
-    /// Study file: its parameters go in, its results come out, its design plays no part
+    /// Study file; inputs: the study's parameters; outputs: its results; the sampling design is ignored
     #[arg(value_hint = ValueHint::FilePath)]
     pub study: PathBuf,
-    /// File of parameters: Dakota's (standard or aprepro), or JSON such as {"speed": 20}, or - for standard input
+    /// Parameters file: Dakota's (standard or aprepro), or JSON such as {"speed": 20}, or - for standard input
     #[arg(value_hint = ValueHint::FilePath, value_name = "PARAMETERS")]
     pub parameters: PathBuf,
-    /// File of results to write, in the form of the parameters; must not exist [default for JSON: standard output]
+    /// Results file, in the format of the parameters; must not exist [default for JSON: standard output]
     #[arg(value_hint = ValueHint::FilePath, value_name = "RESULTS")]
     pub results: Option<PathBuf>,
-    /// With derivatives; Dakota's files ask for them themselves
+    /// Also compute derivatives (Dakota's files request them themselves)
     #[arg(long)]
     pub gradients: bool,
 }
@@ -53,7 +53,7 @@ pub struct Eval {
 /// Arguments of `man`.
 #[derive(Args, Debug)]
 pub struct Man {
-    /// Directory to write into, made if it is missing; pages in it are replaced
+    /// Output directory, created if missing; pages in it are replaced
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: PathBuf,
 }
@@ -66,11 +66,12 @@ pub struct Completions {
 }
 
 pub const SERVE: &str = "\
-The model is `forward`: one vector in, of the study's parameters in their order and in SI units, one vector out,
-of its results. Evaluate, Gradient and ApplyJacobian are answered; derivatives are those of `percuss sensitivity`,
-where the scene has them. A run that does not complete is an error of the model, with the reason.
-The address that is told ends in a token, which clients take with it; for those that take no path there is --no-token.
-Requests of more than a megabyte, under other names (--allow-host) and from pages of other sites are refused.
+The model is `forward`: one input vector with the study's parameters in their order and in SI units, one output vector with its \
+results. Evaluate, Gradient and ApplyJacobian are supported; derivatives are those of `percuss sensitivity`, where available. A run that \
+does not complete is an error of the model, with the reason.
+
+The printed address ends in a token; use --no-token for clients that take no path. Requests of more than a megabyte, for other host \
+names (--allow-host) and from pages of other sites are rejected.
 
 Examples:
   percuss serve speed-and-mass.toml
@@ -81,9 +82,9 @@ and in Python:
   model([[20, 500]])";
 
 pub const EVAL: &str = "\
-Variables are found by their names, which are those of the study's parameters; functions by theirs, or in the order of the
-study's results where they have other names. Numbers are SI. A run that does not complete leaves a file that begins with FAIL,
-which Dakota takes for a failed evaluation, and exit status 3.
+Variables are matched by name with the study's parameters, functions by name with its results, or in their order where names differ. \
+Values are in SI units. A run that does not complete writes a file that begins with FAIL, which Dakota reads as a failed evaluation, and \
+ends with exit status 3.
 
 Examples:
   percuss eval speed.toml params.in results.out             # as Dakota's analysis_drivers = 'percuss eval speed.toml'

@@ -1,14 +1,14 @@
-//! The effective mass of a struck point against its limit: what a mesh does to rigid impacts.
+//! The effective mass of a struck point and its limit with mesh refinement, on which rigid impacts depend.
 
 use percuss::EffectiveMass;
 
-use crate::number::number;
+use crate::number::quantity;
 
 /// The effective mass beside its limit.
 pub fn line(mass: &EffectiveMass) -> String {
     if mass.on_mesh.is_infinite() {
-        return "the point struck is held: its effective mass is infinite".into();
+        return "the struck point is supported: infinite effective mass".into();
     }
-    let (on_mesh, limit) = (number(mass.on_mesh), number(mass.limit));
-    format!("effective mass {on_mesh} kg, on ever finer meshes {limit} kg")
+    let (on_mesh, limit) = (quantity(mass.on_mesh, "kg"), quantity(mass.limit, "kg"));
+    format!("effective mass {on_mesh}, limit with mesh refinement {limit}")
 }

@@ -8,7 +8,7 @@ use serde_json::{Map, Number, Value};
 /// Reads a value.
 ///
 /// # Errors
-/// What is wrong with the text, or the key that stands twice in a table, in words.
+/// What is wrong with the text, or the duplicate key of a table, in words.
 pub fn read(text: &str) -> Result<Value, String> {
     serde_json::from_str::<Unique>(text).map(|one| one.0).map_err(|error| error.to_string())
 }
@@ -67,7 +67,7 @@ impl<'de> Visitor<'de> for Reader {
         let mut all = Map::new();
         while let Some(key) = from.next_key::<String>()? {
             if all.contains_key(&key) {
-                return Err(A::Error::custom(format_args!("the key `{key}` stands twice")));
+                return Err(A::Error::custom(format_args!("duplicate key `{key}`")));
             }
             let Unique(value) = from.next_value()?;
             all.insert(key, value);
@@ -81,12 +81,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_key_stands_once_in_its_table() {
+    fn a_duplicate_key_is_an_error() {
         let text = r#"{"a": [1, -2, 2.5e3, {"a": null}], "b": {"c": true, "d": "x"}}"#;
         assert_eq!(read(text).ok(), serde_json::from_str(text).ok());
         for twice in [r#"{"a": 1, "a": 1}"#, r#"[{"b": {"a": 1, "c": 2, "a": 3}}]"#] {
-            let told = read(twice).expect_err("a key twice");
-            assert!(told.contains("the key `a` stands twice"), "{told}");
+            let error = read(twice).expect_err("a key twice");
+            assert!(error.contains("duplicate key `a`"), "{error}");
         }
     }
 }

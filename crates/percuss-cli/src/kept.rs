@@ -1,4 +1,4 @@
-//! Tells what was kept of files that were changed meanwhile.
+//! Messages on files that were modified while a command ran.
 
 use std::path::{Path, PathBuf};
 
@@ -6,10 +6,10 @@ use percuss_codes::Caution;
 
 use crate::terminal;
 
-/// Tells where something is kept that was changed while the command worked.
+/// Prints where a file is kept that was modified while the command ran.
 pub fn tell(place: &Path, kept: &Path) {
     let (place, kept) = (place.display(), kept.display());
-    let text = format!("{place} was changed meanwhile; what stood there is kept as {kept}");
+    let text = format!("{place} was modified meanwhile; the modified file is kept as {kept}");
     terminal::warning(Caution::Changed, &text);
 }
 

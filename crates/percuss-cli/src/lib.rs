@@ -21,6 +21,7 @@ mod replacing;
 mod run_arguments;
 mod scenario;
 mod terminal;
+mod yielding_words;
 
 use std::ffi::OsString;
 

@@ -16,11 +16,11 @@ pub fn refuse(name: &str, extent: &ModelExtent) -> Result<(), Failure> {
     let Some(there) = available().filter(|there| extent.memory > *there) else { return Ok(()) };
     let (mut what, mut cure) = (format!("{} elements", number(extent.elements.round())), "");
     if extent.pairs > 0.0 {
-        what += &format!(" and {} pairs of contacts", number(extent.pairs.round()));
-        cure = ", or fewer points_per_element to contacts";
+        what += &format!(" and {} contact pairs", number(extent.pairs.round()));
+        cure = ", or fewer points_per_element of contacts";
     }
     let text = format!(
-        "{name}: {what} need about {} of memory; this machine has {}: give fewer elements{cure}",
+        "{name}: {what} need about {} of memory ({} available); use fewer elements{cure}",
         size(extent.memory),
         size(there)
     );

@@ -1,5 +1,7 @@
 //! Numbers for people.
 
+use percuss_output::report::sheet::in_words;
+
 /// Six significant digits, with an exponent where the plain form would be long.
 pub fn number(x: f64) -> String {
     let x = x + 0.0; // -0 is 0
@@ -14,6 +16,15 @@ pub fn number(x: f64) -> String {
     }
     let decimals = usize::try_from(5 - exponent).unwrap_or(0);
     without_zeros(&format!("{x:.decimals$}")).to_owned()
+}
+
+/// A quantity with its unit as on the page, five significant digits and a prefix: `79.908 kN`, `633.7 \u{b5}s`. Units are spelled as
+/// channels spell them, `N*m`.
+pub fn quantity(value: f64, unit: &str) -> String {
+    if value.is_finite() {
+        return in_words(value, unit).replace('\u{a0}', " ");
+    }
+    format!("{} {}", number(value), unit.replace('*', " "))
 }
 
 /// Two significant digits, for residuals and deviations.
@@ -49,6 +60,21 @@ mod tests {
         let long = [(7200.0, "2.0 h"), (864_000.0, "10 days")];
         for (seconds, text) in cases.into_iter().chain(long) {
             assert_eq!(duration(seconds), text);
+        }
+    }
+
+    #[test]
+    fn quantities_are_those_of_the_page() {
+        let cases = [
+            (79_908.03, "N", "79.908 kN"),
+            (6.337_14e-4, "s", "633.71 \u{b5}s"),
+            (1.489_27e8, "Pa", "148.93 MPa"),
+            (0.0587, "Pa", "0.0587 Pa"),
+            (-0.0, "N*m", "0 N m"),
+            (f64::NAN, "m", "unknown m"),
+        ];
+        for (value, unit, text) in cases {
+            assert_eq!(quantity(value, unit), text);
         }
     }
 

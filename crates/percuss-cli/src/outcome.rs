@@ -24,16 +24,18 @@ impl Failure {
                     None => terminal::tell(&faults.coded()),
                 }
                 if rest > 0 {
-                    terminal::tell(&format!("and {rest} more faults"));
+                    terminal::tell(&format!("and {rest} more errors"));
                 }
                 if *changed && in_the_file {
-                    terminal::tell("(lines are those of the file with the --set changes made)");
+                    terminal::tell(
+                        "(line numbers refer to the file with the --set changes applied)",
+                    );
                 }
             }
             Self::Denied(all) => {
                 all.iter().take(MOST).for_each(|one| terminal::error(RequestCode::Denied, one));
                 if let rest @ 1.. = all.len().saturating_sub(MOST) {
-                    terminal::tell(&format!("and {rest} more findings that are denied"));
+                    terminal::tell(&format!("and {rest} more denied warnings"));
                 }
             }
             Self::Input(code, text) | Self::System(code, text) => terminal::error(*code, text),

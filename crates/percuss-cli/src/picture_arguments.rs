@@ -11,8 +11,8 @@ use percuss_scenario::units::{self, Dimension};
 
 /// Examples of `animate`.
 pub const ANIMATE: &str = "\
-The film shows the scene of the report; the ending of FILE says what it is: .gif, .apng, or .mp4, for which ffmpeg has to be
-installed. A file that percuss did not write is left alone unless --force is given.
+The film shows the scene of the report. The extension of FILE is its format: .gif, .apng or .mp4 (requires ffmpeg). A file that \
+percuss did not write is replaced only with --force.
 
 Examples:
   percuss animate runs/plank -o plank.gif
@@ -22,7 +22,7 @@ Examples:
 
 /// Examples of `plot`.
 pub const PLOT: &str = "\
-Letters are 8 to 9 points high at any width. In SVG and PDF they are outlines, so that no reader needs a font.
+Text is 8 to 9 points high at any width. In SVG and PDF text is converted to outlines.
 
 Examples:
   percuss plot runs/plank --list
@@ -32,9 +32,9 @@ Examples:
 
 /// Examples of `spectrum`.
 pub const SPECTRUM: &str = "\
-COLUMN is the acceleration of a recorded point or of a projectile: point.NAME.acceleration_1 or _2, projectile.NAME.acceleration_1
-or _2, the mean over each recorded step. The picture, FILE with .svg, shows the absolute accelerations. A file that percuss did not write is left alone
-unless --force is given.
+COLUMN is the acceleration of a recorded point or of a projectile, averaged over each recorded step: point.NAME.acceleration_1 or _2, \
+projectile.NAME.acceleration_1 or _2. The picture, FILE with .svg, shows absolute accelerations. A file that percuss did not write is \
+replaced only with --force.
 
 Examples:
   percuss spectrum runs/plank point.middle.acceleration_2
@@ -52,43 +52,43 @@ pub struct Animate {
     /// Width in pixels, an even number or one less; the height follows from the scene
     #[arg(long, value_name = "PIXELS", default_value = "800", value_parser = RangedU64ValueParser::<u32>::new().range(160..=7680))]
     pub width: u32,
-    /// Frames a second
+    /// Frames per second
     #[arg(long, value_name = "N", default_value = "25", value_parser = frames_a_second)]
     pub fps: f64,
-    /// How long the film is [default: as the report plays it, 6 s]
+    /// Duration of the film [default: 6 s, as in the report]
     #[arg(long, value_name = "TIME", value_parser = duration)]
     pub duration: Option<f64>,
-    /// Time of the run to begin at, such as "12 ms" [default: the first]
+    /// Start time in the run, such as "12 ms" [default: the first]
     #[arg(long, value_name = "TIME", value_parser = time, allow_negative_numbers = true)]
     pub from: Option<f64>,
-    /// Time of the run to end at [default: the last]
+    /// End time in the run [default: the last]
     #[arg(long, value_name = "TIME", value_parser = time, allow_negative_numbers = true)]
     pub to: Option<f64>,
-    /// Only the time in which anything touches, with some room before and behind
+    /// Only the time of contact, with a margin
     #[arg(long, conflicts_with_all = ["from", "to"])]
     pub impact: bool,
-    /// What the colours of the beams stand for
+    /// Quantity shown by colour along the beams
     #[arg(long, value_name = "QUANTITY", default_value = "none", value_parser = choices("colour"))]
     pub colour: String,
     /// Diagram drawn along the beams
     #[arg(long, value_name = "QUANTITY", default_value = "none", value_parser = choices("diagram"))]
     pub diagram: String,
-    /// Draw displacements so many times as large; refused where bodies would seem to overlap
+    /// Deformation scale; rejected where bodies would appear to overlap
     #[arg(long, value_name = "FACTOR", default_value = "1", value_parser = factor)]
     pub exaggeration: f64,
     /// Light on dark
     #[arg(long)]
     pub dark: bool,
-    /// A line above the scene
+    /// Title above the scene
     #[arg(long, value_name = "TEXT", default_value = "", hide_default_value = true)]
     pub title: String,
-    /// A picture of this instant instead of a film
+    /// Picture of this instant instead of a film
     #[arg(long, value_name = "TIME", value_parser = time, allow_negative_numbers = true, conflicts_with_all = ["from", "to", "impact", "duration"])]
     pub still: Option<f64>,
     /// Replace FILE even if percuss did not write it
     #[arg(long)]
     pub force: bool,
-    /// Say nothing unless something is wrong
+    /// Print nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -99,10 +99,10 @@ pub struct Plot {
     /// Directory of a finished run
     #[arg(value_hint = ValueHint::DirPath, value_name = "DIR")]
     pub dir: PathBuf,
-    /// List the figures that the run has, and write none
+    /// List the figures of the run without writing them
     #[arg(long)]
     pub list: bool,
-    /// Figures to write, by their ids; may be given again [default: all]
+    /// Figures to write, by their ids; repeatable [default: all]
     #[arg(long, short, value_name = "ID", value_delimiter = ',', conflicts_with = "list")]
     pub figure: Vec<String>,
     /// File formats
@@ -117,22 +117,22 @@ pub struct Plot {
     /// Width on paper
     #[arg(long, value_name = "LENGTH", default_value = "85mm", value_parser = width)]
     pub width: f64,
-    /// Pixels an inch of PNG
+    /// Pixels per inch of PNG
     #[arg(long, value_name = "N", default_value = "300", value_parser = RangedU64ValueParser::<u32>::new().range(36..=2400))]
     pub dpi: u32,
-    /// Figures of accelerations besides, filtered in a channel frequency class of SAE J211 and ISO 6487: 60, 180, 600 or 1000
+    /// Add figures of accelerations, filtered by a channel frequency class of SAE J211 and ISO 6487: 60, 180, 600 or 1000
     #[arg(long, value_name = "CLASS", value_parser = class)]
     pub cfc: Option<Cfc>,
-    /// Leave out titles, as captions of papers have them
+    /// Omit titles, for figures with captions
     #[arg(long)]
     pub no_title: bool,
-    /// Directory of the files
+    /// Output directory
     #[arg(long, value_hint = ValueHint::DirPath, value_name = "DIR", default_value = ".")]
     pub out: PathBuf,
     /// Replace files even if percuss did not write them
     #[arg(long)]
     pub force: bool,
-    /// Say nothing unless something is wrong
+    /// Print nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -155,10 +155,10 @@ pub struct Spectrum {
     /// Highest natural frequency [default: 10 kHz, or a tenth of the sampling where that is less]
     #[arg(long, value_name = "FREQUENCY", value_parser = frequency)]
     pub to: Option<f64>,
-    /// Natural frequencies an octave
+    /// Natural frequencies per octave
     #[arg(long, value_name = "N", default_value = "12", value_parser = RangedU64ValueParser::<u32>::new().range(1..=96))]
     pub per_octave: u32,
-    /// Filter the acceleration in a channel frequency class of SAE J211 and ISO 6487 first: 60, 180, 600 or 1000
+    /// Filter the acceleration by a channel frequency class of SAE J211 and ISO 6487: 60, 180, 600 or 1000
     #[arg(long, value_name = "CLASS", value_parser = class)]
     pub cfc: Option<Cfc>,
     /// File of the spectrum [default: COLUMN-spectrum.csv]
@@ -167,7 +167,7 @@ pub struct Spectrum {
     /// Replace files even if percuss did not write them
     #[arg(long)]
     pub force: bool,
-    /// Say nothing unless something is wrong
+    /// Print nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -204,7 +204,7 @@ fn quantity(text: &str, dimension: Dimension, example: &str) -> Result<f64, Stri
     match read.dimension {
         given if given == dimension || given == Dimension::default() => Ok(read.value),
         given => {
-            Err(format!("{given} is another kind of quantity; expected one such as {example}"))
+            Err(format!("{given} is another kind of quantity; expected for example {example}"))
         }
     }
 }

@@ -11,14 +11,13 @@ use crate::picture_arguments;
 
 /// Help of `run`.
 pub const RUN: &str = "\
-With a rigid projectile the report compares the energies under the coefficients of restitution
-that `[report] restitution` lists. Without it these are 1, 0.5 and 0, as long as the run has at
-most 200 000 steps times elements.
+With a rigid projectile the report compares the energies for the coefficients of restitution in `[report] restitution` (default 1, 0.5 \
+and 0, for runs of at most 200 000 steps times elements).
 
-Ctrl-C ends the run after its step and writes what there is; a second one ends it at once.
+Ctrl-C stops the run after the current step and writes the results so far; a second Ctrl-C stops immediately.
 
-With --checkpoint a run that was interrupted, killed or cut off by the machine goes on with --resume,
-given the same scenario and --out, and ends in the same history, summary and frames, bit for bit.
+With --checkpoint an interrupted or killed run continues with --resume, the same scenario and the same --out; its history, summary and \
+frames are bitwise those of an uninterrupted run.
 
 Examples:
   percuss run plank.toml
@@ -30,9 +29,9 @@ Examples:
 
 /// Help of `extend`.
 pub const EXTEND: &str = "\
-The run goes on from the checkpoint before its last step and ends in the bits of one that was given the later end from the
-beginning. Nothing else of the scenario may change; --checkpoint is needed when it is run first. Given here, too, an extension
-that was interrupted, killed or cut off goes on with --resume.
+The run continues from the checkpoint before its last step; the results are bitwise those of a run with the later end time. The \
+scenario is otherwise unchanged. The first run requires --checkpoint; with --checkpoint here, an interrupted extension continues with \
+--resume.
 
 Examples:
   percuss run plank.toml --checkpoint \"60 s\"
@@ -46,42 +45,42 @@ pub struct Run {
     /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
-    /// Directory of the results; an earlier run in it is replaced [default: runs/ and the name of FILE]
+    /// Output directory; an earlier run in it is replaced [default: runs/ and the name of FILE]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
-    /// Change a value of the scenario, such as time.step=1e-5; may be given again
+    /// Change a value of the scenario, such as time.step=1e-5; repeatable
     #[arg(long, value_name = "PATH=VALUE")]
     pub set: Vec<String>,
-    /// Fail with status 4 if energy or momentum are off by more than 1e-10, relative
+    /// Fail with status 4 if a relative balance error exceeds 1e-10
     #[arg(long)]
     pub strict: bool,
-    /// Print summary.json to standard output, and no table
+    /// Print summary.json to standard output instead of a table
     #[arg(long)]
     pub json: bool,
     /// File format of the history
     #[arg(long, value_enum, value_name = "FORMAT", default_value = "parquet")]
     pub history: History,
-    /// Leave out report.html (and the runs that compare restitution coefficients)
+    /// Do not write report.html (nor run the comparison of restitution coefficients)
     #[arg(long)]
     pub no_report: bool,
-    /// Write the figures of the report as SVG and PNG as well, into figures/
+    /// Also write the figures of the report as SVG and PNG, into figures/
     #[arg(long, conflicts_with = "no_report")]
     pub figures: bool,
-    /// Open the report in the browser when the run has ended
+    /// Open the report in the browser after the run
     #[arg(long, conflicts_with = "no_report")]
     pub open: bool,
-    /// Write a checkpoint every so often ("60 s" of computing time, "5000 steps") into DIR.checkpoint, to go on from with --resume
+    /// Interval of checkpoints in DIR.checkpoint, for --resume: computing time ("60 s") or steps ("5000 steps")
     #[arg(long, value_name = "EVERY", value_parser = every)]
     pub checkpoint: Option<Every>,
-    /// Go on from the last checkpoint; ends in the same bits as a run that was never interrupted. With --checkpoint, begin if there
-    /// is none
+    /// Continue from the last checkpoint; the results are bitwise those of an uninterrupted run. With --checkpoint, start the run if
+    /// there is none
     #[arg(long)]
     pub resume: bool,
-    /// Fail if there is a warning of this code, such as W002 or W105 (`percuss explain` lists them): before the run with status 2,
-    /// after it with 4; may be given again
+    /// Treat this warning as an error, such as W002 or W105 (`percuss explain` lists them): status 2 before the run, 4 after it;
+    /// repeatable
     #[arg(long, value_name = "CODE", value_parser = code)]
     pub deny: Vec<Code>,
-    /// Say nothing unless something is wrong
+    /// Print nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -89,10 +88,9 @@ pub struct Run {
 /// A warning, by its code.
 pub fn code(text: &str) -> Result<Code, String> {
     match Code::find(text) {
-        Some(code) if code.is_error() => Err(format!(
-            "{code} is an error ({}), which ends a command whatever is denied; expected the code of a warning",
-            code.name
-        )),
+        Some(code) if code.is_error() => {
+            Err(format!("{code} is an error ({}); expected the code of a warning", code.name))
+        }
         Some(code) => Ok(code),
         None => Err("no such code; `percuss explain` lists them".into()),
     }
@@ -126,32 +124,31 @@ fn every(text: &str) -> Result<Every, String> {
 /// Arguments of `extend`.
 #[derive(Args, Debug)]
 pub struct Extend {
-    /// Directory of a complete run that was given --checkpoint
+    /// Directory of a completed run with --checkpoint
     #[arg(value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub dir: PathBuf,
-    /// Time at which it ends now, such as "2 s"
+    /// New end time, such as "2 s"
     #[arg(long, value_name = "TIME", value_parser = picture_arguments::time)]
     pub end: f64,
     /// Directory of the extended run [default: DIR, whose results it replaces]
     #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub out: Option<PathBuf>,
-    /// Write a checkpoint every so often on the way ("60 s" of computing time, "5000 steps") into DIR.checkpoint, to go on from with
-    /// --resume
+    /// Interval of checkpoints in DIR.checkpoint, for --resume: computing time ("60 s") or steps ("5000 steps")
     #[arg(long, value_name = "EVERY", value_parser = every)]
     pub checkpoint: Option<Every>,
-    /// Go on from the last checkpoint of an extension that was interrupted; with --checkpoint, begin if there is none
+    /// Continue from the last checkpoint of an interrupted extension; with --checkpoint, start if there is none
     #[arg(long)]
     pub resume: bool,
-    /// Fail with status 4 if energy or momentum are off by more than 1e-10, relative
+    /// Fail with status 4 if a relative balance error exceeds 1e-10
     #[arg(long)]
     pub strict: bool,
-    /// Print summary.json to standard output, and no table
+    /// Print summary.json to standard output instead of a table
     #[arg(long)]
     pub json: bool,
-    /// Leave out report.html (and the runs that compare restitution coefficients)
+    /// Do not write report.html (nor run the comparison of restitution coefficients)
     #[arg(long)]
     pub no_report: bool,
-    /// Say nothing unless something is wrong
+    /// Print nothing unless something is wrong
     #[arg(long, short)]
     pub quiet: bool,
 }
@@ -159,7 +156,7 @@ pub struct Extend {
 /// File format of a history.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum History {
-    /// history.parquet: compact, units inside
+    /// history.parquet: compact, with units
     Parquet,
     /// history.csv, and the units in history.units.json
     Csv,

@@ -70,7 +70,7 @@ impl Ready {
             None => Err(Failure::input(
                 RequestCode::NoBeam,
                 format!(
-                    "there is no beam in this scene: {what} are those of beams; `percuss run` simulates it"
+                    "this scenario has no beams, and {what} of discs alone are not computed; use `percuss run`"
                 ),
             )),
         }

@@ -1,4 +1,4 @@
-//! The catalogue of what Percuss tells of: every error and every warning has a code, a name and an explanation, which stand here and
+//! The catalogue of errors and warnings: each has a code, a name and an explanation, which are written here and
 //! nowhere else. `percuss explain`, the book and the exceptions of the Python package read them.
 
 #[macro_use]
@@ -21,9 +21,9 @@ pub use requests::RequestCode;
 /// Codes that belong together, in the order of their numbers.
 #[derive(Clone, Debug)]
 pub struct Group {
-    /// What they tell of.
+    /// What they are about.
     pub name: &'static str,
-    /// What that means for whoever reads one.
+    /// Their consequence for the user.
     pub about: &'static str,
     /// The codes, shape (codes).
     pub codes: Vec<Code>,
@@ -45,33 +45,33 @@ impl Code {
     pub fn groups() -> [Group; 6] {
         [
             Group {
-                name: "Faults of scenarios, studies and changes",
-                about: "A file with a fault is not run. All faults of a file are told at once.",
+                name: "Errors of scenarios, studies and changes",
+                about: "A file with an error is not run. All errors of a file are reported together.",
                 codes: FaultCode::ALL.map(Self::from).into(),
             },
             Group {
-                name: "Analyses that give up",
-                about: "The file is sound, and the solver has no result, or none up to the end.",
+                name: "Analyses without a result",
+                about: "The file is valid, but the solver has no result, or none up to the end.",
                 codes: AnalysisCode::ALL.map(Self::from).into(),
             },
             Group {
                 name: "Files and directories",
-                about: "Results could not be read or written. What was there stays as it was.",
+                about: "Results could not be read or written. Existing results are unchanged.",
                 codes: FileCode::ALL.map(Self::from).into(),
             },
             Group {
                 name: "Studies, clusters and requests",
-                about: "A command cannot do what it was asked for.",
+                about: "A command cannot meet a request.",
                 codes: RequestCode::ALL.map(Self::from).into(),
             },
             Group {
-                name: "Findings of the advisor",
-                about: "A run goes on; its results may not mean what they seem to.",
+                name: "Model and result checks",
+                about: "The run continues; its results may be inaccurate, or depend on mesh and step.",
                 codes: Topic::ALL.map(Self::from).into(),
             },
             Group {
                 name: "Warnings of runs and commands",
-                about: "W101 to W105 are what the audit of a finished run found; the others tell how a command went.",
+                about: "W101 to W105 come from the audit of a finished run; the others report on a command.",
                 codes: Caution::ALL.map(Self::from).into(),
             },
         ]
@@ -82,7 +82,7 @@ impl Code {
         Self::groups().into_iter().flat_map(|group| group.codes).collect()
     }
 
-    /// Those that a scenario may allow: the advisor's findings and what the audit of a run tells.
+    /// Those that a scenario may accept: those of the model and result checks and of the audit of a run.
     pub fn allowable() -> Vec<Self> {
         let audit = Caution::ALL.into_iter().filter(|one| one.is_of_the_audit());
         Topic::ALL.into_iter().map(Self::from).chain(audit.map(Self::from)).collect()

@@ -1,25 +1,25 @@
-//! Checkpoints with some of their bytes changed, whose checksum fits all the same.
+//! Checkpoints with changed bytes and a valid checksum.
 
 use std::sync::OnceLock;
 
 use percuss::{Checkpoint, Flow, Recorder, RecorderError, Simulation};
 use percuss_scenario::{Compiled, read, templates};
 
-/// Steps before the checkpoint, and behind it.
+/// Steps before the checkpoint, and after it.
 const BEFORE: usize = 60;
 const BEHIND: usize = 20;
 
-/// Keeps the checkpoint of one step; stops some steps later.
+/// Recorder that stores the checkpoint of one step and stops some steps later.
 #[derive(Default)]
-struct Keeps {
+struct CheckpointRecorder {
     asked: usize,
     at: usize,
     steps: usize,
-    /// The checkpoint kept last, shape (bytes) \[-\].
+    /// The last stored checkpoint, shape (bytes) \[-\].
     kept: Vec<u8>,
 }
 
-impl Recorder for Keeps {
+impl Recorder for CheckpointRecorder {
     fn wants_checkpoint(&mut self, _: bool) -> bool {
         self.asked += 1;
         self.asked == self.at
@@ -36,22 +36,22 @@ impl Recorder for Keeps {
     }
 }
 
-/// Models of the templates that run, each with a checkpoint.
+/// Models of the templates that can be run, each with a checkpoint.
 fn valid() -> &'static [(Compiled, Vec<u8>)] {
     static VALID: OnceLock<Vec<(Compiled, Vec<u8>)>> = OnceLock::new();
     VALID.get_or_init(|| {
         let each = templates().iter().filter_map(|template| {
             let compiled = read(template.text, template.name).ok()?.compile().ok()?;
             let simulation = Simulation::new(&compiled.model, &compiled.settings).ok()?;
-            let mut keeps = Keeps { at: BEFORE, ..Keeps::default() };
-            simulation.run(&mut keeps);
-            (!keeps.kept.is_empty()).then_some((compiled, keeps.kept))
+            let mut recorder = CheckpointRecorder { at: BEFORE, ..CheckpointRecorder::default() };
+            simulation.run(&mut recorder);
+            (!recorder.kept.is_empty()).then_some((compiled, recorder.kept))
         });
         each.collect()
     })
 }
 
-/// The first byte chooses a checkpoint, each three that follow a place in it and the byte that is put there.
+/// The first byte selects a checkpoint; each following group of three bytes is a position in it and the new byte there.
 pub fn checkpoint(data: &[u8]) {
     let Some((&which, changes)) = data.split_first() else { return };
     let all = valid();
@@ -60,12 +60,12 @@ pub fn checkpoint(data: &[u8]) {
     for change in changes.chunks_exact(3).take(32) {
         let place = usize::from(u16::from_le_bytes([change[0], change[1]]));
         let count = bytes.len();
-        // Some places from the end, where lists are.
+        // Half of the positions count from the end, where lists are.
         let at = if place % 2 == 0 { place % count } else { count - 1 - place % count };
         bytes[at] = change[2];
     }
     let Ok(checkpoint) = postcard::from_bytes(&bytes) else { return };
     if let Ok(run) = Simulation::resume(&compiled.model, &compiled.settings, checkpoint) {
-        let _ = run.run(&mut Keeps::default());
+        let _ = run.run(&mut CheckpointRecorder::default());
     }
 }

@@ -1,4 +1,4 @@
-//! Files that lie in directories of results, or that scenarios name.
+//! Files of output directories, and files that scenarios name.
 
 use std::fs;
 use std::path::Path;
@@ -8,7 +8,7 @@ use percuss_output::report::{ReportData, story, write};
 use percuss_output::{HistoryReader, fields as fields_of, read_history};
 use percuss_scenario::load;
 
-/// Directories are made where they cost no disk.
+/// Directories are created in memory if possible.
 fn folder() -> tempfile::TempDir {
     let memory = Path::new("/dev/shm");
     match memory.is_dir() {
@@ -45,21 +45,21 @@ function = { kind = "table", file = "pulse.csv" }
 end = 0.01
 step = 0.001
 "#;
-    static SOUND: Once = Once::new();
+    static CHECKED: Once = Once::new();
     let answer = |data: &[u8]| {
         let dir = folder();
         fs::write(dir.path().join("pulse.csv"), data).expect("written");
         fs::write(dir.path().join("scenario.toml"), SCENARIO).expect("written");
         load(dir.path().join("scenario.toml")).and_then(|scenario| scenario.compile())
     };
-    // With faults of its own the scenario would hide what the table leads to.
-    SOUND.call_once(|| {
+    // Errors of the scenario would hide those of the table.
+    CHECKED.call_once(|| {
         let _ = answer(b"0,0\n1,1\n").unwrap_or_else(|faults| panic!("{faults}"));
     });
     let _ = answer(data);
 }
 
-/// `summary.json`: the sentences and the page that are made of it.
+/// `summary.json`: the summary text and the page made from it.
 pub fn summary(data: &[u8]) {
     let Ok(summary) = serde_json::from_slice(data) else { return };
     let _ = story(&summary);
@@ -78,7 +78,7 @@ pub fn history(data: &[u8]) {
     let _ = HistoryReader::open(dir.path());
 }
 
-/// `fields/`: the scene up to the first zero byte, the frames behind it.
+/// `fields/`: the scene up to the first zero byte, the frames after it.
 pub fn fields(data: &[u8]) {
     let cut = data.iter().position(|b| *b == 0).unwrap_or(data.len());
     let dir = folder();

@@ -1,6 +1,6 @@
-//! Input as the readers take it.
+//! Input of the readers.
 
-/// Longest input that is looked at \[bytes\]: what a person writes is shorter, and longer ones find nothing else.
+/// Longest input that is tested \[bytes\]: files written by people are shorter, and longer input does not find other errors.
 pub(super) const LONGEST: usize = 1 << 15;
 
 /// The input as text, if it is one and not too long.

@@ -1,5 +1,5 @@
-//! What hostile input is tried on, one function a reader: each takes bytes and must come back, without a panic, within bounds of
-//! time and memory. `fuzz/` drives them with libFuzzer; a test replays the corpus that is kept.
+//! Fuzz targets, one function for each reader: each takes bytes and must return without a panic within limits of time and memory. `fuzz/` runs them
+//! with libFuzzer; a test replays the stored corpus.
 
 mod checkpoints;
 mod files;
@@ -15,7 +15,7 @@ pub use texts::{overrides, scenario, study, unit};
 /// A function under test.
 pub type Target = fn(&[u8]);
 
-/// All of them with the names of their corpora.
+/// All targets with the names of their corpora.
 pub const TARGETS: [(&str, Target); 10] = [
     ("scenario", scenario),
     ("study", study),

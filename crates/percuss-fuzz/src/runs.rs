@@ -1,15 +1,15 @@
-//! Random scenes, run for a few steps: numbers of shipped scenarios changed by the input.
+//! Random scenes, run for a few steps: shipped scenarios with numbers changed by the input.
 
 use percuss::{Flow, Recorder, Simulation};
 use percuss_scenario::{Scenario, read, templates};
 
-/// Steps of a run at most.
+/// Largest number of steps of a run.
 const STEPS: usize = 40;
-/// Corrections of a step at most: some more than those after which the core gives up, for those of its last part.
+/// Largest number of corrections of a step: somewhat more than the limit of the solver, to include those of its last part.
 const CORRECTIONS: usize = 150_000;
-/// Elements of all beams at most.
+/// Largest number of elements of all beams.
 const ELEMENTS: usize = 400;
-/// Factors that a number may be changed by.
+/// Factors by which a number is changed.
 const FACTORS: [f64; 16] =
     [0.0, -1.0, 0.5, 2.0, 0.1, 10.0, 1e-3, 1e3, 0.9, 1.1, -0.5, 1e-6, 1e6, 0.99, 3.0, 1.0];
 
@@ -21,7 +21,7 @@ pub(crate) fn is_small(scenario: &Scenario) -> bool {
     elements <= ELEMENTS
 }
 
-/// Steps taken.
+/// Number of steps so far.
 struct FewSteps(usize);
 
 impl Recorder for FewSteps {
@@ -31,8 +31,8 @@ impl Recorder for FewSteps {
     }
 }
 
-/// The first byte chooses a template, each two that follow a number in it and what it is multiplied by. A run that ends as it
-/// should has an energy balance that closes, whatever the numbers are.
+/// The first byte selects a template; each following pair of bytes selects a number in it and its factor. A completed run has a small energy
+/// balance error for any numbers.
 pub fn run(data: &[u8]) {
     let Some((&which, changes)) = data.split_first() else { return };
     let all = templates();
@@ -60,18 +60,18 @@ fn changed(text: &str, changes: &[u8]) -> String {
             wanted.push((place, FACTORS[usize::from(pair[1]) % FACTORS.len()]));
         }
     }
-    wanted.sort_by_key(|(place, _)| std::cmp::Reverse(*place)); // from behind, so that places stay
+    wanted.sort_by_key(|(place, _)| std::cmp::Reverse(*place)); // from the end, so that positions remain valid
     for (place, factor) in wanted {
         let length = length_of_number(&out[place..]);
         if let Ok(value) = out[place..place + length].parse::<f64>() {
             let number = value * factor;
             let whole = out[place..place + length].bytes().all(|b| b.is_ascii_digit());
-            let told = if whole {
+            let text = if whole {
                 format!("{}", number.round().clamp(0.0, 1e6))
             } else {
                 format!("{number:?}")
             };
-            out.replace_range(place..place + length, &told);
+            out.replace_range(place..place + length, &text);
         }
     }
     out
@@ -82,7 +82,7 @@ fn length_of_number(text: &str) -> usize {
     text.bytes().take_while(|b| part(*b)).count()
 }
 
-/// Where numbers begin that stand behind an equals sign, a bracket, a comma, a quote or a space, outside comments.
+/// Positions of numbers after an equals sign, a bracket, a comma, a quote or a space, outside comments.
 fn places_of_numbers(text: &str) -> Vec<usize> {
     let mut places = Vec::new();
     let mut start = 0;

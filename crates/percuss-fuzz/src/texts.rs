@@ -1,10 +1,10 @@
-//! Texts that people write: scenarios, studies, units, changes by `--set`.
+//! Texts written by people: scenarios, studies, units, changes by `--set`.
 
 use percuss_scenario::{StudyFile, apply_overrides, read, templates, units};
 
 use super::input::text;
 
-/// A scenario: what can be read is written out and read again, to the same content; what can be built is looked at by the advisor.
+/// A scenario: a readable one is written and read again, with the same content; one that can be built is checked by the advisor.
 pub fn scenario(data: &[u8]) {
     let Some(text) = text(data) else { return };
     match read(text, "fuzz.toml") {
@@ -32,7 +32,7 @@ pub fn study(data: &[u8]) {
     }
 }
 
-/// A quantity with its unit: finite where it is taken.
+/// A quantity with its unit: finite if it is accepted.
 pub fn unit(data: &[u8]) {
     let Some(text) = text(data) else { return };
     if let Ok(quantity) = units::parse(text) {
@@ -40,7 +40,7 @@ pub fn unit(data: &[u8]) {
     }
 }
 
-/// A change by `--set` in the first line, and the file it is made to in the others, or else a template.
+/// A change by `--set` in the first line, and the changed file in the others, or a template.
 pub fn overrides(data: &[u8]) {
     let Some(text) = text(data) else { return };
     let (change, file) = text.split_once('\n').unwrap_or((text, ""));

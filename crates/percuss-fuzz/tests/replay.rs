@@ -1,4 +1,4 @@
-//! What fuzzers found worth keeping, tried again; and that each target has such a corpus.
+//! Replay of the stored inputs of the fuzzers; each target has such a corpus.
 
 use std::fs;
 use std::path::Path;
@@ -6,7 +6,7 @@ use std::path::Path;
 use percuss_fuzz::TARGETS;
 
 #[test]
-fn the_corpus_is_borne() {
+fn no_input_of_the_corpus_panics() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("corpus");
     for (name, target) in TARGETS {
         let mut tried = 0;

@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use percuss::{
-    Equilibrium, FailureKind, FollowerStability, LinearBuckling, Model, PlasticSummary,
-    SectionForceSummary, SectionPeak, SectionRange, StaticBalance, StaticContact, StaticFailure,
-    StaticYielding, yielded_at_rest,
+    Equilibrium, FailureKind, FollowerStability, LargestDisplacement, LinearBuckling, Model,
+    PlasticSummary, SectionForceSummary, SectionPeak, SectionRange, StaticBalance, StaticContact,
+    StaticFailure, StaticYielding, yielded_at_rest,
 };
 use serde_json::{Map, Value, json};
 
@@ -28,7 +28,9 @@ pub fn write_equilibrium(dir: impl AsRef<Path>, info: &EquilibriumInfo<'_>) -> R
 
 /// Everything about an equilibrium; what has no value is `null`.
 pub fn equilibrium_value(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Value {
-    let points = found.points.iter().map(|(name, u)| (name.clone(), json!({ "displacement": u })));
+    let points = found.points.iter().zip(&found.rotations).map(|((name, u), rotation)| {
+        (name.clone(), json!({ "displacement": u, "rotation": rotation }))
+    });
     let supports = found.reactions.iter().map(|(name, [f1, f2, moment])| {
         (name.clone(), json!({ "force_1": f1, "force_2": f2, "moment": moment }))
     });
@@ -42,6 +44,7 @@ pub fn equilibrium_value(model: &Model, found: &Equilibrium, linear: &LinearBuck
         "sliding": found.sliding,
         "load_steps": found.load_steps,
         "newton_iterations": found.newton_iterations,
+        "largest_displacement": found.largest_displacement.as_ref().map(moved),
         "point": points.collect::<Map<_, _>>(),
         "support": supports.collect::<Map<_, _>>(),
         "contact": contacts.collect::<Map<_, _>>(),
@@ -56,6 +59,11 @@ pub fn equilibrium_value(model: &Model, found: &Equilibrium, linear: &LinearBuck
         "linear_buckling_code": linear.outcome.code().map(percuss::Caution::code),
         "follower_stability": linear.stability.map(stability),
     })
+}
+
+fn moved(found: &LargestDisplacement) -> Value {
+    let LargestDisplacement { beam, s, displacement } = found;
+    json!({ "value": found.size(), "displacement": displacement, "beam": beam, "s": s })
 }
 
 pub(crate) fn failure(found: &StaticFailure) -> Value {

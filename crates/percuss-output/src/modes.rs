@@ -82,8 +82,8 @@ fn panel((k, mode): (usize, &Mode)) -> Panel<'_> {
     let (words, style) = match mode.kind() {
         ModeKind::Vibration => (format!("{} Hz", number(mode.frequency())), 1),
         ModeKind::RigidBody => ("rigid-body motion, 0 Hz".to_owned(), 3),
-        ModeKind::Unstable => ("unstable: it grows".to_owned(), 2),
-        ModeKind::Flutter => (format!("flutter at {} Hz: it grows", number(mode.frequency())), 2),
+        ModeKind::Unstable => ("unstable mode".to_owned(), 2),
+        ModeKind::Flutter => (format!("flutter at {} Hz (growing)", number(mode.frequency())), 2),
     };
     Panel { title: format!("{}: {words}", k + 1), style, shape: &mode.shape }
 }

@@ -1,4 +1,4 @@
-//! Names in opened directories: what stands at a name that others can foresee is never followed.
+//! Names in opened directories: a link at a predictable name is never followed.
 //!
 //! Files are made where none is, or not at all; a link in their place is an error. The directory is opened once, so that all that is
 //! done about one file happens in one directory, whatever becomes of its path meanwhile.
@@ -8,8 +8,8 @@ use std::fs::File;
 use std::io::{Error, ErrorKind, Result};
 use std::path::{Component, Path, PathBuf};
 
-/// What is wrong with a name that this program is to write at.
-const LINK: &str = "a link, or no regular file, stands there, which percuss did not make and does not follow; remove it";
+/// Why a file cannot be written at a name.
+const LINK: &str = "a link or special file exists there; remove it";
 
 /// A name in a directory that is open.
 #[derive(Debug)]

@@ -84,7 +84,7 @@ impl Unfinished {
         }
         if !is_the_same(&self.file, self.place.path()) {
             self.placed = true;
-            return Err(std::io::Error::other("another file stands where it was written"));
+            return Err(std::io::Error::other("another file exists at this location"));
         }
         // Exchanged first and looked at then: nobody comes between.
         if self.place.exchange(&target) {

@@ -185,7 +185,7 @@ class Drawing {
       for (const part of this.motion.curve(i, this.state.u, this.e, this.state.time)) {
         const base = part.map((p) => view.to(p.place));
         const ends = part.map((p, j) => {
-          // A moment stands on the side in tension: below, where it sags.
+          // The moment is drawn on the side in tension: below where it is sagging.
           const value = (this.motion.section(this.state.index, p)[k] / top) * 46 * (which === "moment" ? -1 : 1);
           return [base[j][0] + value * p.normal[0], base[j][1] - value * p.normal[1]];
         });
@@ -325,11 +325,11 @@ class Drawing {
     const o = [12, view.height - 12];
     this.arrow(o, [o[0] + 22, o[1]], { stroke: palette.soft, width: 1.2 });
     this.arrow(o, [o[0], o[1] - 22], { stroke: palette.soft, width: 1.2 });
-    pen.text([o[0] + 20, o[1] - 9], "e1", { fill: palette.soft, size: 10 });
-    pen.text([o[0] + 5, o[1] - 24], "e2", { fill: palette.soft, size: 10 });
+    pen.text([o[0] + 20, o[1] - 9], "x", { fill: palette.soft, size: 11 });
+    pen.text([o[0] + 5, o[1] - 24], "y", { fill: palette.soft, size: 11 });
     const notes = [this.motion.label(t)].filter((note) => note);
-    if (this.e !== 1) notes.push(`displacements \u00d7 ${this.e}`);
-    else if (this.motion.rests && this.motion.size.displacement > 0 && !this.motion.swing) notes.push("displacements to scale");
+    if (this.e !== 1) notes.push(`deformation scale ${this.e}`);
+    else if (this.motion.rests && this.motion.size.displacement > 0 && !this.motion.swing) notes.push("deformation scale 1");
     const lines = [[notes.join(",  "), palette.text]];
     // A line of its own: beside the time it would run into the legend of narrow pictures.
     if (options.diagram in FORCES) lines.push([this.largest(options.diagram), palette.text]);
@@ -344,7 +344,7 @@ class Drawing {
   largest(by) {
     const [now, top] = [this.motion.sectionTop(this.state.index, FORCES[by]), this.motion.size.sections[FORCES[by]]];
     const [told, ofAll] = [now, top].map((value) => engineering(value, UNITS[by]));
-    return `${DIAGRAMS[by]} up to ${told}` + (told === ofAll ? "" : ` (${ofAll} in all)`);
+    return `${DIAGRAMS[by]} up to ${told}` + (told === ofAll ? "" : ` (maximum over time ${ofAll})`);
   }
 
   legend(by) {

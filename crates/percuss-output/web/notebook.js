@@ -8,6 +8,7 @@ async function openNotebook() {
   const [{ scene, frames }] = index.scenes;
   const unpacked = Object.fromEntries(Object.entries(frames).map(([key, k]) => [key, columns[k]]));
   const player = new Player(document.getElementById("scene"), new Motion(scene, unpacked));
+  player.allInView = true; // the frame is as high as it is
   const dark = matchMedia("(prefers-color-scheme: dark)");
   const theme = () => {
     document.documentElement.dataset.theme = dark.matches ? "dark" : "light";
@@ -15,6 +16,8 @@ async function openNotebook() {
   };
   dark.addEventListener("change", theme);
   theme();
+  const story = document.querySelector(".story");
+  if (story.scrollHeight > story.clientHeight) story.tabIndex = 0; // what is cut can be scrolled with the keyboard
   player.seek(player.time);
   addEventListener("resize", () => player.draw());
 }

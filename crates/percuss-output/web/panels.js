@@ -37,9 +37,7 @@ class Panel {
   theme() {
     this.drawing = new Drawing(this.motion, palette());
     if (!this.canvas.clientWidth) return;
-    const { low, high, margin } = this.bounds;
-    const aspect = (high[1] - low[1]) / Math.max(high[0] - low[0], 1e-9);
-    const wanted = Math.max(0, this.canvas.clientWidth - 2 * margin) * aspect + 2 * margin + 30;
+    const wanted = heightFor(this.bounds, this.canvas.clientWidth);
     this.canvas.style.height = `${Math.round(Math.min(420, Math.max(170, wanted)))}px`;
     this.draw();
   }

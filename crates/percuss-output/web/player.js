@@ -3,6 +3,9 @@
 // The scene on the page: play, pause, scrub, step, speed, the impact alone or the whole run, what is shown; mouse and keyboard.
 
 const SECONDS = 6; // what the shown span takes at normal speed
+const NARROW = 600; // least width of a scene beside its text, that of its controls [pixels]
+const WIDE = 1000; // width from which a scene may stand beside its text [pixels]
+const LOW = 200; // least height of a scene that has to end on the first screen [pixels]
 const STILL_MARGIN = 0.35; // room around the contact when the impact alone is shown, as a share of it
 
 function palette() {
@@ -42,7 +45,11 @@ class Player {
     this.whole = [motion.start, Math.max(motion.end, ...others.map((m) => m.end))];
     this.impact = motion.rests ? null : contactSpan(motion);
     this.span = this.whole;
-    this.time = motion.size.peak ?? motion.start;
+    // The instant of greatest interest, which the page was told or that of the largest contact force.
+    const told = section.dataset.instant ? Number(section.dataset.instant) : motion.size.peak;
+    this.rest = Math.min(this.whole[1], Math.max(this.whole[0], told ?? motion.start));
+    this.time = this.rest;
+    this.opening = false; // whether it plays because the page was opened
     this.camera = { zoom: 1, shift: [0, 0] };
     this.listeners = [];
     this.control = (name) => section.querySelector(`[data-scene=${name}]`);
@@ -63,7 +70,7 @@ class Player {
     const factors = motion.rests || canExaggerate(motion) ? exaggerations(motion) : [1];
     const chosen = motion.rests ? visibleFactor(motion, factors) : 1;
     const offered = factors.filter((f, k) => k === 0 || f === chosen || k >= factors.length - 5);
-    select.replaceChildren(...offered.map((f) => new Option(f === 1 ? "true" : `\u00d7 ${f}`, String(f), false, f === chosen)));
+    select.replaceChildren(...offered.map((f) => new Option(String(f), String(f), false, f === chosen)));
     select.parentElement.hidden = factors.length < 2;
   }
 
@@ -93,12 +100,18 @@ class Player {
     return this.drawing.boundsAt(Number(this.control("exaggeration").value));
   }
 
-  // As high as the scene needs at the width there is, within what leaves room for the rest of the first screen.
+  // As high as the scene needs at the width there is, within the first screen. A scene that is higher than wide stands beside its text,
+  // as wide as it needs.
   fit() {
-    const { low, high, margin } = this.bounds;
-    const aspect = (high[1] - low[1]) / Math.max(high[0] - low[0], 1e-9);
-    const wanted = Math.max(0, this.canvas.clientWidth - 2 * margin) * aspect + 2 * margin + 90;
-    this.canvas.style.height = `min(var(--scene-most), ${Math.round(Math.max(260, wanted))}px)`;
+    const { section, canvas } = this;
+    const needed = Math.max(NARROW, widthFor(this.bounds, 0.6 * innerHeight));
+    const beside = this.mayStandBeside && section.clientWidth >= WIDE && needed <= 0.6 * section.clientWidth;
+    section.classList.toggle("beside-text", beside);
+    if (beside) section.style.setProperty("--stage", `${Math.round(needed)}px`);
+    const wanted = Math.round(Math.max(260, heightFor(this.bounds, canvas.clientWidth)));
+    const controls = this.allInView ? canvas.parentElement.clientHeight - canvas.clientHeight : 0;
+    const below = Math.round(innerHeight - (canvas.getBoundingClientRect().top + scrollY) - controls - 12);
+    canvas.style.height = `min(var(--scene-most), ${wanted}px, ${Math.max(LOW, below)}px)`;
   }
 
   draw() {
@@ -131,7 +144,35 @@ class Player {
     this.slider.setAttribute("aria-valuetext", this.motion.told(this.time));
     this.control("time").textContent = this.motion.told(this.time);
     this.draw();
+    if (!this.playing) this.describe();
     if (!quiet) this.listeners.forEach((listener) => listener(this.time));
+  }
+
+  // Time and state in words, for those who do not see the scene.
+  describe() {
+    const { motion } = this;
+    const { index } = motion.at(this.time);
+    const sums = new Map();
+    for (const { contact, force, impulsive } of motion.count ? motion.contacts(index) : []) {
+      const { name } = motion.scene.contacts[contact];
+      const sum = sums.get(name) ?? { force: [0, 0], unit: impulsive ? "N s" : "N" };
+      sum.force = sum.force.map((f, i) => f + force[i]);
+      sums.set(name, sum);
+    }
+    const closed = [...sums].map(([name, { force, unit }]) => `'${name}' ${engineering(Math.hypot(...force), unit)}`);
+    const contacts = closed.length ? `in contact: ${closed.slice(0, 4).join(", ")}${closed.length > 4 ? ` and ${closed.length - 4} more` : ""}` : "no contact";
+    const moved = `largest displacement ${engineering(motion.largestAt(index), "m")}`;
+    const parts = [motion.label(this.time), ...(motion.rests ? [] : [contacts]), moved];
+    this.canvas.setAttribute("aria-label", `Scene, ${parts.filter(Boolean).join("; ")}`);
+  }
+
+  // Plays once from start to end, then shows the instant of greatest interest; that at once where motion is unwanted.
+  open() {
+    const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+    if (still || this.motion.rests || this.motion.count < 2) return this.seek(this.rest);
+    this.seek(this.whole[0]);
+    this.play();
+    this.opening = true;
   }
 
   // One frame on or back.
@@ -146,6 +187,7 @@ class Player {
   }
 
   show(span) {
+    this.opening = false;
     this.span = span;
     this.control("impact").setAttribute("aria-pressed", String(span === this.impact));
     if (this.time < span[0] || this.time > span[1]) this.time = span[0];
@@ -163,6 +205,10 @@ class Player {
       let time = this.time + (rate * Math.min(now - before, 100)) / 1000;
       before = now;
       if (time >= this.span[1]) {
+        if (this.opening) {
+          this.pause();
+          return this.seek(this.rest);
+        }
         if (this.span === this.impact || this.control("loop").checked) time = this.span[0];
         else {
           this.seek(this.span[1]);
@@ -177,7 +223,9 @@ class Player {
 
   pause() {
     this.playing = false;
+    this.opening = false;
     this.label();
+    this.describe();
   }
 
   toggle() {
@@ -210,6 +258,7 @@ class Player {
     this.canvas.addEventListener("keydown", (event) => {
       if (!keys[event.key] || event.ctrlKey || event.metaKey) return;
       event.preventDefault();
+      if (this.opening && event.key !== " ") this.pause();
       keys[event.key]();
     });
     this.canvas.addEventListener("wheel", (event) => {
@@ -236,7 +285,7 @@ class Player {
 
   // About a pixel, the middle unless given.
   zoom(factor, at) {
-    const middle = [this.canvas.clientWidth / 2, (this.canvas.clientHeight - 18) / 2];
+    const middle = [this.canvas.clientWidth / 2, (this.canvas.clientHeight - FOOT) / 2];
     const [x, y] = at ?? middle;
     const zoom = Math.min(400, Math.max(0.2, this.camera.zoom * factor));
     const by = zoom / this.camera.zoom;

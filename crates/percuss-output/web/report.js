@@ -29,7 +29,7 @@ class Report {
       const shown = entry.range ?? this.range;
       plot.setScale("x", { min: shown[0], max: shown[1] });
       plot.ctx.canvas.setAttribute("role", "img");
-      plot.ctx.canvas.setAttribute("aria-label", `${entry.figure.title}: ${entry.figure.y.caption} over ${entry.figure.x.caption}`);
+      plot.ctx.canvas.setAttribute("aria-label", describeFigure(entry.figure));
       plot.over.addEventListener("dblclick", () => this.reset(entry));
       finishLegend(plot, entry.figure);
       reach(plot, () => entry.whole ?? this.whole);
@@ -70,6 +70,13 @@ class Report {
       if (plot && width !== plot.width) plot.setSize({ width, height: plot.height });
     }
   }
+}
+
+// What a figure shows, for those who do not see it: title, axes, curves.
+function describeFigure(figure) {
+  const curves = figure.tables.flatMap((t) => t.series.map((s) => s.label));
+  const title = figure.group ? `${figure.group}, ${figure.title}` : figure.title;
+  return `${title}: ${figure.y.caption} over ${figure.x.caption}; ${curves.length > 1 ? "curves" : "curve"} ${curves.join(", ")}`;
 }
 
 // Figures follow the scene's time, and a click into a figure takes the scene there.
@@ -132,9 +139,13 @@ async function main() {
   const report = new Report(index.figures, columns);
   const player = openScene(index, columns);
   wireLog(document);
-  if (player) tie(player, report);
+  wireTables(document);
+  if (player) {
+    player.mayStandBeside = true;
+    tie(player, report);
+  }
   watchTheme(report, player);
-  player?.seek(player.time);
+  player?.open();
   document.getElementById("reset").addEventListener("click", () => report.reset());
   for (const entry of report.entries) {
     for (const button of entry.element.querySelectorAll("[data-save]")) {

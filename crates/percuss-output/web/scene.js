@@ -68,6 +68,17 @@ class Motion {
     return low;
   }
 
+  // Largest displacement of a station in a frame [m].
+  largestAt(index) {
+    let most = 0;
+    const n = 4 * this.nodes;
+    for (let k = 0; k < this.stations && this.count; k++) {
+      const node = index * n + 4 * k;
+      most = Math.max(most, Math.hypot(this.frames.displacement[node], this.frames.displacement[node + 1]));
+    }
+    return most;
+  }
+
   // The configuration at time t: displacements between frames are straight lines, forces those of the nearer frame.
   at(t) {
     if (!this.count) return { time: 0, u: new Float32Array(4 * this.nodes), forces: 0, index: 0 };
@@ -326,13 +337,15 @@ class Motion {
   }
 }
 
-// Five digits as an engineer writes them, with a prefix of thousands.
+// Five digits as an engineer writes them, with a prefix of thousands; stresses below 1 Pa and velocities below 1 m/s have none, as in
+// the tables of the page.
 function engineering(value, unit) {
   if (!Number.isFinite(value)) return "";
   const size = Math.abs(value);
   const steps = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"]];
   if (size < 1e-12) return `0 ${unit}`;
-  const [by, prefix] = steps.find(([by]) => size >= by) ?? steps[steps.length - 1];
+  const plain = unit === "Pa" ? size < 1 : unit === "m/s";
+  const [by, prefix] = plain ? [1, ""] : (steps.find(([by]) => size >= by) ?? steps[steps.length - 1]);
   return `${Number((value / by).toPrecision(5))} ${prefix}${unit}`;
 }
 

@@ -67,6 +67,7 @@ async function openStill() {
   wirePrint({ panels: all, single: [[player, player?.canvas], [chart, chart?.canvas]].filter(([part]) => part) }, apply, dark);
   addEventListener("resize", () => apply(!matchMedia("print").matches && dark()));
   apply(dark());
+  wireTables(document);
   player?.seek(main.end);
   if (!matchMedia("(prefers-reduced-motion: reduce)").matches) all.play();
   root.dataset.open = "true";

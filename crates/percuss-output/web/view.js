@@ -4,6 +4,7 @@
 
 const MARGIN = 34; // pixels around the structure
 const ARROW_MARGIN = 52; // where arrows of forces stand around it
+const FOOT = 18; // of the axes and the scale below it
 const [SPRING, BLOCK, REAR] = [34, 22, 54]; // lengths of a guided projectile's symbols: spring, mass, and what stands behind [pixels]
 
 // What is shown: everything the beams pass through, displacements enlarged by a factor, and bodies as far as they stay near.
@@ -13,7 +14,8 @@ function boundsOf(motion, factor = 1) {
   const hasBeams = Number.isFinite(low[0]);
   const size = hasBeams ? Math.max(high[0] - low[0], high[1] - low[1]) : Infinity;
   const reach = hasBeams ? 0.35 * size : Infinity;
-  const margin = Math.max(motion.scene.loads.some((load) => load.kind === "point") ? ARROW_MARGIN : MARGIN, room(motion.scene.bodies));
+  const least = motion.scene.loads.some((load) => load.kind === "point") ? ARROW_MARGIN : MARGIN;
+  const margin = [0, 1].map((i) => Math.max(least, room(motion.scene.bodies, i)));
   const out = { low: [...low], high: [...high], margin };
   const grow = ([x, y], r) => {
     if (hasBeams && (x < low[0] - reach || x > high[0] + reach || y < low[1] - reach || y > high[1] + reach)) return;
@@ -38,21 +40,33 @@ function boundsOf(motion, factor = 1) {
   return out;
 }
 
-// Room that guided projectiles take behind their points [pixels].
-function room(bodies) {
-  const guided = bodies.map((body, i) => body.kind === "guided" && (body.elastic ? SPRING : 0) + BLOCK + 6 + (bodies[i + 1]?.kind === "rear" ? REAR : 0));
-  return Math.max(0, ...guided.filter(Boolean));
+// Room that guided projectiles take behind their points along an axis [pixels].
+function room(bodies, axis) {
+  const behind = (body, i) => (body.elastic ? SPRING : 0) + BLOCK + 6 + (bodies[i + 1]?.kind === "rear" ? REAR : 0);
+  const guided = bodies.map((body, i) => (body.kind === "guided" ? behind(body, i) * Math.abs(body.direction?.[axis] ?? 1) : 0));
+  return Math.max(0, ...guided);
+}
+
+// Height at which a scene fills a width, and width at which it fills a height [pixels].
+function heightFor({ low, high, margin }, width) {
+  const aspect = (high[1] - low[1]) / Math.max(high[0] - low[0], 1e-9);
+  return Math.max(0, width - 2 * margin[0]) * aspect + 2 * margin[1] + FOOT;
+}
+
+function widthFor({ low, high, margin }, height) {
+  const aspect = (high[0] - low[0]) / Math.max(high[1] - low[1], 1e-9);
+  return Math.max(0, height - 2 * margin[1] - FOOT) * aspect + 2 * margin[0];
 }
 
 // World to pixels, y upwards to y downwards; `zoom` and `shift` are the reader's.
 function viewOf(bounds, width, height, { zoom = 1, shift = [0, 0] } = {}) {
   const extent = [0, 1].map((i) => Math.max(bounds.high[i] - bounds.low[i], 0));
   const largest = Math.max(extent[0], extent[1], 1e-9);
-  const margin = bounds.margin ?? MARGIN;
-  const room = [width - 2 * margin, height - 2 * margin - 18];
+  const margin = bounds.margin ?? [MARGIN, MARGIN];
+  const room = [width - 2 * margin[0], height - 2 * margin[1] - FOOT];
   const scale = zoom * Math.min(room[0] / Math.max(extent[0], 1e-3 * largest), room[1] / Math.max(extent[1], 1e-3 * largest));
   const middle = [0, 1].map((i) => (bounds.low[i] + bounds.high[i]) / 2);
-  const centre = [width / 2 + shift[0], (height - 18) / 2 + shift[1]];
+  const centre = [width / 2 + shift[0], (height - FOOT) / 2 + shift[1]];
   const to = ([x, y]) => [centre[0] + scale * (x - middle[0]), centre[1] - scale * (y - middle[1])];
   const from = ([px, py]) => [middle[0] + (px - centre[0]) / scale, middle[1] - (py - centre[1]) / scale];
   return { scale, to, from, width, height };
@@ -64,4 +78,4 @@ function canExaggerate(motion) {
   return motion.scene.contacts.every((c) => c.between.some((name) => guided.has(name)));
 }
 
-if (typeof module !== "undefined") module.exports = { boundsOf, viewOf, canExaggerate };
+if (typeof module !== "undefined") module.exports = { boundsOf, viewOf, heightFor, widthFor, canExaggerate };

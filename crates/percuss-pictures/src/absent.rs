@@ -1,21 +1,21 @@
-//! What draws, in a build without it: everything says so.
+//! Substitutes for the drawing functions in a build without graphics support: each returns an error.
 
 use std::path::Path;
 
 use percuss_output::fields::Fields;
 
 use crate::error::Error;
-use crate::request::{Look, Plan, PrintFormat, Told};
+use crate::request::{FilmOutcome, Look, Plan, PrintFormat};
 
-/// A scene that can be drawn at any time; there is none in this build.
+/// A scene that can be drawn at any time; cannot be created in this build.
 pub struct Film {
     /// Width and height, even numbers, shape (2) \[pixels\].
     pub size: [u32; 2],
     /// First and last time, shape (2) \[s\].
     pub whole: [f64; 2],
-    /// The time in which anything touches, with some room; none where nothing does or that is all the time, shape (2) \[s\].
+    /// Interval of time with a closed contact, with a margin; `None` without contact or with permanent contact, shape (2) \[s\].
     pub impact: Option<[f64; 2]>,
-    /// How long the page takes to show all of it \[s\].
+    /// Duration of the animation on the page \[s\].
     pub seconds: f64,
 }
 
@@ -52,6 +52,6 @@ pub fn animate(
     _: &Plan,
     _: (&Path, &dyn Fn(&Path) -> bool),
     _: &mut dyn FnMut(usize) -> bool,
-) -> Result<Told, Error> {
+) -> Result<FilmOutcome, Error> {
     Err(Error::not_built())
 }

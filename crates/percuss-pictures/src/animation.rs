@@ -1,4 +1,4 @@
-//! Films: frame after frame of a scene into a file.
+//! Films: frames of a scene in a file.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -19,34 +19,33 @@ use crate::film::Film;
 use crate::gif::{Gif, Palette};
 use crate::mp4::Mp4;
 use crate::pixels::Pixels;
-use crate::request::{Format, Plan, Told};
+use crate::request::{FilmOutcome, Format, Plan};
 
 /// Frames from which the colours of a GIF are chosen.
 const PALETTE_FRAMES: usize = 12;
 /// Impulses are shown for this share of the film's time.
 const FLASH: f64 = 0.02;
 
-/// Makes a film; `go_on` is told how many frames are done and says whether to go on.
-///
-/// The file is there when all of it is: until then it grows under the name of [`unfinished()`](crate::unfinished). It takes the place of
-/// one that `may_go`; one that may not, since it came to stand there meanwhile, is kept beside.
+/// Makes a film; `go_on` receives the number of completed frames and returns whether to continue. The file appears when it is complete: until then
+/// it has the name of [`unfinished()`](crate::unfinished). It replaces a file for which `may_go` is true; another file that was created there
+/// meanwhile is moved to a name beside it.
 ///
 /// # Errors
-/// If ffmpeg is wanted and not there, something cannot be drawn, or the system refuses.
+/// If ffmpeg is needed and missing, the scene cannot be drawn, or an I/O error occurs.
 pub fn animate(
     film: &Film,
     plan: &Plan,
     (out, may_go): (&Path, &dyn Fn(&Path) -> bool),
     go_on: &mut dyn FnMut(usize) -> bool,
-) -> Result<Told, Error> {
+) -> Result<FilmOutcome, Error> {
     let unfinished = Unfinished::of(out)?;
     Ok(match record(film, plan, &unfinished, go_on)? {
-        true => Told::Done { kept: unfinished.put(may_go)? },
-        false => Told::Stopped,
+        true => FilmOutcome::Done { kept: unfinished.put(may_go)? },
+        false => FilmOutcome::Stopped,
     })
 }
 
-/// Whether it was recorded to its end.
+/// Whether the film is complete.
 fn record(
     film: &Film,
     plan: &Plan,
@@ -117,7 +116,7 @@ impl Recorder {
     }
 }
 
-/// A file that is flushed, and heard of when that fails, after its encoder has gone.
+/// A file that is flushed, with its error reported, after its encoder is dropped.
 #[derive(Clone)]
 struct Sink(Rc<RefCell<BufWriter<File>>>);
 
@@ -138,8 +137,8 @@ impl Write for Sink {
     }
 }
 
-/// Draws the scene at the given times: here as SVG, in other threads as pixels, which are handed over in their order; whether all of
-/// them were wanted.
+/// Draws the scene at the given times: as SVG in this thread, as pixels in other threads, which are passed on in their order. Returns whether all
+/// frames were used.
 fn render(
     film: &Film,
     times: &[f64],
@@ -151,7 +150,7 @@ fn render(
         let (jobs, queue) = sync_channel::<(usize, String)>(workers);
         let queue = std::sync::Arc::new(Mutex::new(queue));
         let (finished, results) = channel();
-        // They end when `jobs` is dropped: on return, however that comes.
+        // They end when `jobs` is dropped, on any return.
         let jobs = jobs;
         let size = film.size;
         let start = |_| {
@@ -176,7 +175,7 @@ fn render(
         for (k, time) in times.iter().enumerate() {
             let svg = film.svg(*time, flash)?;
             if started == 0 {
-                // No other thread can be started: this one does it.
+                // No other thread can be started: this thread draws the pixels.
                 if !hand_over((k, Pixels::of_svg(&svg, size)))? {
                     return Ok(false);
                 }

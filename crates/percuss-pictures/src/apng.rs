@@ -8,14 +8,14 @@ use crate::error::Error;
 use crate::mark::MARK;
 use crate::pixels::Pixels;
 
-/// A film that grows by frames; of every frame only the rectangle that changed is kept.
+/// A film that is written frame by frame; only the changed rectangle of each frame is stored.
 pub(crate) struct Apng<W: Write> {
     writer: Writer<W>,
     shown: Option<Pixels>,
 }
 
 impl<W: Write> Apng<W> {
-    /// So many frames follow, so many a second.
+    /// A film with the given number of frames and frames per second.
     pub fn new(to: W, size: [u32; 2], frames: usize, fps: f64) -> Result<Self, Error> {
         let mut encoder = encoder(to, size)?;
         encoder.set_animated(frames as u32, 0).map_err(Error::drawing)?;
@@ -24,17 +24,17 @@ impl<W: Write> Apng<W> {
         Ok(Self { writer: encoder.write_header().map_err(Error::drawing)?, shown: None })
     }
 
-    /// The next frame.
+    /// Appends a frame.
     pub fn push(&mut self, pixels: Pixels) -> Result<(), Error> {
         let [width, height] = pixels.size;
-        // A frame has one pixel at least, also where nothing changed.
+        // A frame has at least one pixel, even without changes.
         let part = match &self.shown {
             Some(shown) => shown.change(&pixels).unwrap_or([0, 0, 1, 1]),
             None => [0, 0, width, height],
         };
         let [left, top, width, height] = part;
         if self.shown.is_some() {
-            // In this order: a rectangle has to lie within the picture at any time.
+            // This order keeps the rectangle within the picture at any time.
             self.writer.reset_frame_position().map_err(Error::drawing)?;
             self.writer.set_frame_dimension(width, height).map_err(Error::drawing)?;
             self.writer.set_frame_position(left, top).map_err(Error::drawing)?;
@@ -46,13 +46,13 @@ impl<W: Write> Apng<W> {
         Ok(())
     }
 
-    /// Ends the file.
+    /// Completes the file.
     pub fn finish(self) -> Result<(), Error> {
         self.writer.finish().map_err(Error::drawing)
     }
 }
 
-/// A still picture; `per_metre` pixels make a metre on paper.
+/// A still picture; `per_metre` pixels per metre on paper.
 pub(crate) fn png(pixels: &Pixels, per_metre: Option<f64>) -> Result<Vec<u8>, Error> {
     let mut file = Vec::new();
     let mut encoder = encoder(&mut file, pixels.size)?;
@@ -78,7 +78,7 @@ fn encoder<W: Write>(to: W, [width, height]: [u32; 2]) -> Result<Encoder<'static
     Ok(encoder)
 }
 
-/// What a frame lasts as a fraction \[s\].
+/// Duration of a frame as a fraction \[s\].
 fn fraction(fps: f64) -> (u16, u16) {
     match fps {
         fps if fps.fract() == 0.0 && fps <= f64::from(u16::MAX) => (1, fps as u16),

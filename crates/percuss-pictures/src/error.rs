@@ -1,4 +1,4 @@
-//! Why there is no picture.
+//! Errors of pictures.
 
 use std::fmt;
 use std::path::Path;
@@ -7,7 +7,7 @@ use std::path::Path;
 use percuss_codes::RequestCode;
 use percuss_codes::{Code, FileCode};
 
-/// Why a picture could not be made.
+/// Error in the production of a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
     text: String,
@@ -22,45 +22,45 @@ impl Error {
         Self { text, code: FileCode::System.into(), input: false }
     }
 
-    /// What makes the picture gave up on what well-formed input does not bring.
+    /// The drawing library failed on content that well-formed input does not produce.
     #[cfg(feature = "drawing")]
     pub(crate) fn drawing(reason: impl fmt::Display) -> Self {
-        Self::gave_up(format!("the picture cannot be drawn: {reason}"))
+        Self::failed(format!("the picture cannot be drawn: {reason}"))
     }
 
-    /// The same, told by what gave up.
+    /// The same with the text of the program that failed.
     #[cfg(feature = "drawing")]
-    pub(crate) fn gave_up(text: String) -> Self {
+    pub(crate) fn failed(text: String) -> Self {
         Self { text, code: FileCode::Drawing.into(), input: false }
     }
 
-    /// The shapes of the run are not what they should be.
+    /// The shapes of the run are invalid.
     #[cfg(feature = "drawing")]
     pub(crate) fn content(text: impl Into<String>) -> Self {
         Self { text: text.into(), code: FileCode::Content.into(), input: true }
     }
 
-    /// What was asked for is beyond what its format can hold.
+    /// The request exceeds the limits of the file format.
     #[cfg(feature = "drawing")]
     pub(crate) fn beyond(text: impl Into<String>) -> Self {
         Self { text: text.into(), code: RequestCode::PictureBounds.into(), input: true }
     }
 
-    /// MP4 was asked for.
+    /// MP4 was requested without ffmpeg.
     pub(crate) fn no_ffmpeg() -> Self {
         let text = "MP4 is made by ffmpeg, which is not on the PATH; install it, or give a name that ends with .gif or .apng, which need \
                     nothing else";
         Self { text: text.into(), code: FileCode::Ffmpeg.into(), input: true }
     }
 
-    /// This build does not draw.
+    /// This build has no graphics support.
     #[cfg(not(feature = "drawing"))]
     pub(crate) fn not_built() -> Self {
-        let text = "this build draws no pictures; cargo install --path crates/percuss-cli installs one that does";
+        let text = "this build has no graphics support; install with cargo install --path crates/percuss-cli";
         Self { text: text.into(), code: FileCode::Drawing.into(), input: true }
     }
 
-    /// The same fault, of something at a place.
+    /// The same error with its place.
     pub fn at(self, place: &Path) -> Self {
         Self { text: format!("{}: {}", place.display(), self.text), ..self }
     }
@@ -70,7 +70,7 @@ impl Error {
         self.code
     }
 
-    /// Whether what was asked for cannot be had; else the system refused, or what draws gave up.
+    /// Whether the request or its input is invalid; otherwise an I/O error occurred, or drawing failed.
     pub fn is_input(&self) -> bool {
         self.input
     }

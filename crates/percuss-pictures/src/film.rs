@@ -1,4 +1,4 @@
-//! The scene of a run as SVG at any time, by the scripts of the page.
+//! The scene of a run as SVG at any time, drawn by the scripts of the page.
 
 use percuss_output::fields::{Fields, StoredFrame};
 use percuss_output::report::{scene_colours, scene_scripts};
@@ -10,9 +10,9 @@ use crate::error::Error;
 use crate::pixels::Pixels;
 use crate::request::Look;
 
-/// What draws without a page.
+/// Script that draws without a page.
 const FILM: &str = include_str!("../web/film.js");
-/// Bytes of the stack that scripts may use.
+/// Stack size of the scripts \[bytes\].
 const STACK: usize = 1 << 19;
 
 /// A scene that can be drawn at any time.
@@ -22,35 +22,34 @@ pub struct Film {
     pub size: [u32; 2],
     /// First and last time, shape (2) \[s\].
     pub whole: [f64; 2],
-    /// The time in which anything touches, with some room; none where nothing does or that is all the time, shape (2) \[s\].
+    /// Interval of time with a closed contact, with a margin; `None` without contact or with permanent contact, shape (2) \[s\].
     pub impact: Option<[f64; 2]>,
-    /// How long the page takes to show all of it \[s\].
+    /// Duration of the animation on the page \[s\].
     pub seconds: f64,
 }
 
-/// Why displacements may not be drawn so many times as large, and what would be right.
+/// Reason why displacements may not be drawn with this scale, and the largest valid scale.
 fn hindrance(found: &Value, factor: f64) -> Option<String> {
     let word = |value: &Value| value.as_str().unwrap_or_default().to_owned();
     if let Some(most) = found["most"].as_f64() {
         let most = (100.0 * most).floor() / 100.0;
         return Some(format!(
-            "displacements drawn {factor} times as large would let bodies overlap that do not; --exaggeration {most} is as far as \
-             they stay apart"
+            "deformation scale {factor} would show overlapping bodies; the largest is --exaggeration {most}"
         ));
     }
     let contact = found["contact"].as_str()?;
     let [one, other] = [0, 1].map(|k| word(&found["between"][k]));
     Some(format!(
-        "`{one}` and `{other}` touch in this run (contact `{contact}`), and displacements drawn larger than they are would let them \
-         overlap or part; leave --exaggeration out, and show what the beam does by --diagram moment or --colour moment"
+        "`{one}` and `{other}` touch in this run (contact `{contact}`), and a deformation scale would show them overlapping or \
+         apart; omit --exaggeration, and show what the beam does by --diagram moment or --colour moment"
     ))
 }
 
 impl Film {
-    /// Reads the scene and how it moved.
+    /// Reads the scene and its motion.
     ///
     /// # Errors
-    /// If frames do not fit the scene, or displacements may not be drawn larger than they are.
+    /// If frames do not match the scene, or displacements may not be drawn with a larger scale.
     pub fn open(fields: &Fields, look: &Look) -> Result<Self, Error> {
         percuss_output::paraview::check(fields).map_err(|e| Error::content(e.to_string()))?;
         let runtime = Runtime::new().map_err(Error::drawing)?;
@@ -75,7 +74,7 @@ impl Film {
         Ok(Self { context, size, whole, impact: pair(&about["impact"]), seconds })
     }
 
-    /// The scene at a time as SVG; impulses up to `flash` ago are shown \[s\].
+    /// The scene at a time as SVG; impulses of the preceding time `flash` are shown \[s\].
     ///
     /// # Errors
     /// If the scripts cannot draw it.
@@ -97,7 +96,7 @@ impl Film {
     }
 }
 
-/// Hands the run to the scripts; they tell about it in JSON.
+/// Passes the run to the scripts, which describe it in JSON.
 fn open(ctx: &Ctx<'_>, fields: &Fields, look: &Look) -> rquickjs::Result<String> {
     let all = |list: fn(&StoredFrame) -> &Vec<f32>| {
         let values: Vec<f32> = fields.frames.iter().flat_map(list).copied().collect();
@@ -130,7 +129,7 @@ fn open(ctx: &Ctx<'_>, fields: &Fields, look: &Look) -> rquickjs::Result<String>
     ))
 }
 
-/// Scripts fail on what they are given alone: a scene that this program did not write.
+/// Scripts fail only for invalid input: a scene that this program did not write.
 fn fault(error: CaughtError<'_>) -> Error {
     let reason = match &error {
         CaughtError::Exception(exception) => exception.message().unwrap_or_default(),

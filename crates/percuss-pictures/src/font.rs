@@ -1,4 +1,4 @@
-//! The one font of all pictures: DejaVu Sans, as the plotting crate carries it, so that a picture is the same on every machine.
+//! The font of all pictures: DejaVu Sans of the plotting crate, so that a picture is the same on every machine.
 
 use std::sync::{Arc, LazyLock};
 
@@ -11,12 +11,12 @@ use resvg::usvg::{Options, Tree};
 
 use crate::error::Error;
 
-/// Where a font stands in a drawing that carries its own.
+/// Start of an embedded font in a drawing.
 const BEGIN: &str = "url('data:font/truetype;base64,";
 
 static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
     let mut fonts = Database::new();
-    // kuva keeps its font to itself, but puts it into any drawing that asks for it: regular and bold come first.
+    // kuva's font is private, but kuva embeds it in a drawing on request: regular and bold come first.
     let drawing = SvgBackend::new().with_embedded_font(true).render_scene(&Scene::new(1.0, 1.0));
     let texts = drawing.split(BEGIN).skip(1).filter_map(|rest| rest.split_once('\''));
     for bytes in texts.take(2).filter_map(|(text, _)| STANDARD.decode(text).ok()) {
@@ -26,7 +26,7 @@ static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
     Arc::new(fonts)
 });
 
-/// An SVG text, read with that font for every family it names.
+/// An SVG text, read with this font for every font family in it.
 pub(crate) fn read(svg: &str) -> Result<Tree, Error> {
     let options = Options {
         font_family: "DejaVu Sans".to_owned(),

@@ -1,4 +1,4 @@
-//! Animated GIF: one palette for all frames, of every frame only what changed.
+//! Animated GIF: one palette for all frames, and only the changed part of every frame.
 
 use std::collections::HashMap;
 use std::io::Write;
@@ -10,16 +10,16 @@ use crate::error::Error;
 use crate::mark::MARK;
 use crate::pixels::Pixels;
 
-/// Colours of the palette; one more index leaves a pixel as it was.
+/// Colours of the palette; one more index leaves a pixel unchanged.
 const COLOURS: usize = 255;
-/// As many of the most frequent colours stay as they are: the page, the beams, the lines.
+/// Number of the most frequent colours that are not changed: the page, the beams, the lines.
 const EXACT: usize = 96;
-/// A colour counts at most this often in the choice of the others, so that thin arrows are not lost beside wide walls.
+/// Limit of the count of a colour in the choice of the others, so that thin arrows keep their colours beside wide walls.
 const WEIGHT: usize = 40;
-/// How thoroughly the others are chosen, from 1 (best) to 30.
+/// Sampling of the choice of the others, from 1 (best) to 30.
 const SAMPLING: i32 = 3;
 
-/// Colours that stand for all colours of a film.
+/// Palette for all colours of a film.
 pub(crate) struct Palette {
     /// Red, green and blue of each colour, shape (colours, 3) \[-\].
     colours: Vec<[u8; 3]>,
@@ -28,7 +28,7 @@ pub(crate) struct Palette {
 }
 
 impl Palette {
-    /// From some of the frames.
+    /// The palette of the given frames.
     pub fn of(frames: &[Pixels]) -> Self {
         let mut counts: HashMap<[u8; 3], usize> = HashMap::new();
         for row in frames.iter().flat_map(|f| f.rgb.as_chunks::<3>().0.chunk_by(|a, b| a == b)) {
@@ -62,23 +62,23 @@ impl Palette {
     }
 }
 
-/// A film that grows by frames.
+/// A film that is written frame by frame.
 pub(crate) struct Gif<W: Write> {
     encoder: Encoder<W>,
     palette: Palette,
     /// Width and height, shape (2) \[pixels\].
     size: [u32; 2],
-    /// Indices of the frame that is shown now, shape (pixels) \[index of a colour\].
+    /// Indices of the current frame, shape (pixels) \[index of a colour\].
     shown: Vec<u8>,
-    /// The frame that waits for what it lasts, and how long that is so far \[1/100 s\].
+    /// The frame whose duration is not yet known, and its duration so far \[1/100 s\].
     waiting: Option<(Frame<'static>, u64)>,
-    /// Where each frame ends in the file, shape (frames) \[bytes\].
+    /// End of each frame in the file, shape (frames) \[bytes\].
     ends: Vec<u64>,
     count: usize,
 }
 
 impl<W: Write> Gif<W> {
-    /// So many frames follow, each for a time \[s\].
+    /// A film with the given number of frames, each of the given duration \[s\].
     pub fn new(
         to: W,
         size: [u32; 2],
@@ -98,14 +98,14 @@ impl<W: Write> Gif<W> {
         encoder
             .write_raw_extension(gif::AnyExtension(0xfe), &[MARK.as_bytes()])
             .map_err(Error::drawing)?;
-        // Delays are whole hundredths; rounded from the start of the film, they do not add up to another speed.
+        // Delays are whole hundredths of a second; they are rounded from the start of the film, so that errors do not accumulate.
         let ends = (1..=frames).map(|k| (100.0 * delay * k as f64).round() as u64).collect();
         Ok(Self { encoder, palette, size, shown: Vec::new(), waiting: None, ends, count: 0 })
     }
 
-    /// The next frame. One like that before only prolongs it.
+    /// Appends a frame. A frame equal to the previous one only prolongs it.
     pub fn push(&mut self, pixels: &Pixels) -> Result<(), Error> {
-        // Most pixels are as the one before: the page.
+        // Most pixels have the colour of the previous one: the page.
         let rows = pixels.rgb.as_chunks::<3>().0.chunk_by(|a, b| a == b);
         let palette = &mut self.palette;
         let indices: Vec<u8> =
@@ -142,7 +142,7 @@ impl<W: Write> Gif<W> {
         Ok(())
     }
 
-    /// Ends the file.
+    /// Completes the file.
     pub fn finish(mut self) -> Result<(), Error> {
         self.flush()?;
         self.encoder.into_inner().map(drop).map_err(Error::drawing)
@@ -154,7 +154,7 @@ impl<W: Write> Gif<W> {
         self.encoder.write_frame(&frame).map_err(Error::drawing)
     }
 
-    /// Left, top, width, height of what differs from the frame shown.
+    /// Left, top, width and height of the part that differs from the current frame.
     fn change(&self, indices: &[u8]) -> Option<[usize; 4]> {
         let [width, height] = self.size.map(|n| n as usize);
         if self.shown.is_empty() {

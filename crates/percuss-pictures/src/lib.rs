@@ -1,10 +1,8 @@
 //! Pictures of a finished run without a browser: films of its scene, stills, figures for print.
 //!
-//! The scene is drawn by the scripts of the page themselves, run by a JavaScript engine in this process, so that it looks the same
-//! everywhere and is written once. They give SVG; from there on everything is Rust: pixels, GIF, animated PNG, PDF, and raw frames
-//! for ffmpeg.
-//!
-//! Without the feature `drawing` everything that draws gives an error that says so, and the crate compiles in seconds.
+//! The scene is drawn by the scripts of the page themselves, run by a JavaScript engine in this process, so that it looks the same everywhere and
+//! has one implementation. The scripts produce SVG; all further steps are in Rust: pixels, GIF, animated PNG, PDF, and raw frames for ffmpeg.
+//! Without the feature `drawing` all drawing functions return an error, and the crate compiles in seconds.
 
 #[cfg(not(feature = "drawing"))]
 mod absent;
@@ -43,4 +41,4 @@ pub use mark::{is_ours, marked, put};
 pub use percuss_output::unfinished;
 #[cfg(feature = "drawing")]
 pub use print::picture;
-pub use request::{Format, Look, Plan, PrintFormat, Told};
+pub use request::{FilmOutcome, Format, Look, Plan, PrintFormat};

@@ -1,4 +1,4 @@
-//! Files that this program wrote say so, and no others are replaced.
+//! Mark of files written by this program; files without it are not replaced.
 
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
@@ -8,19 +8,19 @@ use percuss_output::Unfinished;
 
 use crate::error::Error;
 
-/// What stands in every file, as a comment of its format.
+/// Mark in every file, as a comment of its format.
 pub(crate) const MARK: &str = concat!("made by percuss ", env!("CARGO_PKG_VERSION"));
-/// What it begins with in any version.
+/// Its beginning in any version.
 const ANY: &[u8] = b"made by percuss ";
-/// Bytes at either end of a file in which it is looked for.
+/// Number of bytes at both ends of a file that are searched for it.
 const ENDS: u64 = 1 << 17;
 
-/// An SVG text that says who wrote it.
+/// An SVG text with the mark.
 pub fn marked(svg: &str) -> String {
     format!("<!-- {MARK} -->\n{svg}")
 }
 
-/// Whether a file says that this program wrote it.
+/// Whether a file has the mark of this program.
 pub fn is_ours(path: &Path) -> bool {
     let look = || -> std::io::Result<bool> {
         let mut file = File::open(path)?;
@@ -34,11 +34,11 @@ pub fn is_ours(path: &Path) -> bool {
     look().unwrap_or(false)
 }
 
-/// Writes a file, entirely or not at all, in place of one that `may_go`. What may not, since it came to stand there meanwhile, is kept
-/// beside; its name is returned.
+/// Writes a file completely or not at all; it replaces a file for which `may_go` is true. Another file that was created there meanwhile is moved to
+/// a name beside it, which is returned.
 ///
 /// # Errors
-/// If the system refuses, or another process is writing it.
+/// If an I/O error occurs, or another process writes the file.
 pub fn put(
     out: &Path,
     bytes: &[u8],

@@ -1,4 +1,4 @@
-//! MP4 by ffmpeg, if it is there: raw frames go into it.
+//! MP4 by ffmpeg, which receives raw frames.
 
 use std::io::{Read, Write};
 use std::path::Path;
@@ -11,24 +11,24 @@ use crate::error::Error;
 use crate::mark::MARK;
 use crate::pixels::Pixels;
 
-/// A film that grows by frames.
+/// A film that is written frame by frame.
 pub(crate) struct Mp4 {
     child: Child,
     complaints: Option<JoinHandle<String>>,
 }
 
 impl Mp4 {
-    /// Frames of this size, so many a second, into a file.
+    /// A film with frames of the given size and rate in a file.
     pub fn new(program: &Path, file: &Unfinished, size: [u32; 2], fps: f64) -> Result<Self, Error> {
-        let mut target = std::ffi::OsString::from("file:"); // so that no name is taken for an option or an address
-        // ffmpeg opens it by its name, a file that this process has made; another one there would not be put in place.
+        let mut target = std::ffi::OsString::from("file:"); // the prefix keeps names from being read as options or addresses
+        // ffmpeg opens by name the file that this process has created; another file there would not be used.
         target.push(file.path());
         let mut command = Command::new(program);
         command
             .args(["-loglevel", "error", "-y", "-f", "rawvideo", "-pixel_format", "rgb24"])
             .args(["-video_size", &format!("{}x{}", size[0], size[1])])
             .args(["-framerate", &fps.to_string(), "-i", "pipe:0", "-an"])
-            // Any player takes four pixels of one colour; the index at the front lets a browser begin at once.
+            // All players support chroma subsampling 4:2:0; with the index at the front a browser starts at once.
             .args(["-pix_fmt", "yuv420p", "-movflags", "+faststart"])
             .args(["-metadata", &format!("comment={MARK}"), "-f", "mp4"])
             .arg(target)
@@ -37,7 +37,7 @@ impl Mp4 {
             .stderr(Stdio::piped());
         #[cfg(unix)]
         {
-            // Ctrl-C is this program's to handle.
+            // This program handles Ctrl-C.
             std::os::unix::process::CommandExt::process_group(&mut command, 0);
         }
         let mut child = command.spawn().map_err(|e| Error::io(program, "start", &e))?;
@@ -46,7 +46,7 @@ impl Mp4 {
         Ok(Self { child, complaints })
     }
 
-    /// The next frame.
+    /// Appends a frame.
     pub fn push(&mut self, pixels: &Pixels) -> Result<(), Error> {
         let written = self.child.stdin.as_mut().map(|stdin| stdin.write_all(&pixels.rgb));
         match written {
@@ -55,7 +55,7 @@ impl Mp4 {
         }
     }
 
-    /// Ends the file.
+    /// Completes the file.
     pub fn finish(mut self) -> Result<(), Error> {
         drop(self.child.stdin.take());
         match self.child.wait() {
@@ -68,8 +68,8 @@ impl Mp4 {
         drop(self.child.stdin.take());
         let status = self.child.wait().map_or_else(|e| e.to_string(), |s| s.to_string());
         let said = self.complaints.take().and_then(|thread| thread.join().ok()).unwrap_or_default();
-        let said = said.trim().lines().last().unwrap_or("without a word").to_owned();
-        Error::gave_up(format!("ffmpeg gave up ({status}): {said}"))
+        let said = said.trim().lines().last().unwrap_or("no message").to_owned();
+        Error::failed(format!("ffmpeg failed ({status}): {said}"))
     }
 }
 

@@ -1,6 +1,5 @@
-//! A drawing as a page of PDF, of its own size; letters are outlines, so that no reader needs a font.
-//!
-//! Drawings here are paths in plain colours, with clips and opacities: other things SVG knows do not occur.
+//! A drawing as a PDF page of its size; letters are outlines, so that a reader needs no font.
+//! Drawings here consist of paths in plain colours, with clips and opacities: other elements of SVG do not occur.
 
 use std::collections::BTreeMap;
 
@@ -20,15 +19,15 @@ const PAGES: i32 = 2;
 const PAGE: i32 = 3;
 const CONTENT: i32 = 4;
 const INFO: i32 = 5;
-/// Graphics states follow, one for each opacity.
+/// Number of the first graphics state; there is one for each opacity.
 const STATES: i32 = 6;
 
-/// The file; `points` of PDF to a unit of the drawing.
+/// The PDF file; a unit of the drawing has `points` PDF points.
 pub(crate) fn write(tree: &Tree, points: f64) -> Result<Vec<u8>, Error> {
     let scale = points as f32;
     let [width, height] = [tree.size().width() * scale, tree.size().height() * scale];
     let mut page = Page { content: Content::new(), opacities: BTreeMap::new() };
-    // Upwards, as PDF counts.
+    // The vertical axis of PDF points upwards.
     page.content.transform([scale, 0.0, 0.0, -scale, 0.0, height]);
     page.group(tree.root(), 1.0);
     let Page { content, opacities } = page;
@@ -75,7 +74,7 @@ impl Page {
         if let Some(clip) = group.clip_path() {
             self.clip(clip);
         }
-        // Things of a group do not overlap here, so that each of them can bear the opacity of all.
+        // Elements of a group do not overlap here, so that each of them can have the opacity of the group.
         let opacity = opacity * group.opacity().get();
         for node in group.children() {
             match node {
@@ -112,7 +111,7 @@ impl Page {
             return;
         }
         if path.paint_order() == PaintOrder::StrokeAndFill {
-            self.stroke(path, opacity); // what surrounds a text lies below it
+            self.stroke(path, opacity); // the outline of a text is below its fill
             self.fill(path, opacity);
         } else {
             self.fill(path, opacity);
@@ -189,7 +188,7 @@ impl Page {
                     self.content.line_to(last.x, last.y);
                 }
                 PathSegment::QuadTo(p, q) => {
-                    // PDF has cubics alone.
+                    // PDF has only cubic curves.
                     let (p, q) = (at(p), at(q));
                     let part = |a: f32, b: f32| a + 2.0 / 3.0 * (b - a);
                     let (a, b) =
@@ -223,7 +222,7 @@ fn colour(paint: &Paint) -> Option<[f32; 3]> {
 mod tests {
     use super::*;
 
-    /// What is drawn on the page of a file.
+    /// Content stream of the page of a file.
     fn operations(svg: &str) -> (String, String) {
         let file = write(&crate::font::read(svg).unwrap(), 0.75).unwrap();
         let text = String::from_utf8_lossy(&file).into_owned();

@@ -16,7 +16,7 @@ pub(crate) struct Pixels {
 }
 
 impl Pixels {
-    /// An SVG text drawn as large as `size` lets it be, on white where it leaves the page open.
+    /// An SVG text drawn at the largest scale that fits into `size`, on a white page.
     pub fn of_svg(svg: &str, size: [u32; 2]) -> Result<Self, Error> {
         Self::of_tree(&font::read(svg)?, size)
     }
@@ -32,7 +32,7 @@ impl Pixels {
         Ok(Self { size, rgb })
     }
 
-    /// The smallest rectangle in which `other` differs, as left, top, width, height; none if it does not.
+    /// The smallest rectangle in which `other` differs, as left, top, width, height; `None` if the pictures are equal.
     pub fn change(&self, other: &Self) -> Option<[u32; 4]> {
         let width = self.size[0] as usize;
         let stride = 3 * width;

@@ -1,4 +1,4 @@
-//! Drawings for print: the same SVG as vectors and as pixels.
+//! Drawings for print: SVG as vectors and as pixels.
 
 use resvg::usvg::WriteOptions;
 
@@ -10,15 +10,15 @@ use crate::pdf;
 use crate::pixels::Pixels;
 use crate::request::PrintFormat;
 
-/// Millimetres of an inch.
+/// Millimetres per inch.
 const INCH: f64 = 25.4;
-/// Units of SVG in an inch.
+/// SVG units per inch.
 const UNITS: f64 = 96.0;
 
-/// An SVG text, one unit of which is 1/96 inch, as a file; `dots` an inch where there are pixels.
+/// An SVG text with units of 1/96 inch as a file; pixels have `dots` per inch.
 ///
 /// # Errors
-/// If it cannot be drawn.
+/// If the text cannot be drawn.
 pub fn picture(svg: &str, format: PrintFormat, dots: f64) -> Result<Vec<u8>, Error> {
     let tree = font::read(svg)?;
     let [width, height] = [tree.size().width(), tree.size().height()].map(f64::from);

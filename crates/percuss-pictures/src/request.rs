@@ -1,37 +1,37 @@
-//! What can be asked for.
+//! Requests for pictures and films.
 
 use std::path::{Path, PathBuf};
 
-/// How the scene is to be drawn.
+/// Appearance of the scene.
 #[derive(Clone, Debug)]
 pub struct Look {
     /// Width \[pixels\]; the height follows from the scene.
     pub width: u32,
     /// A line above the scene; may be empty.
     pub title: String,
-    /// What colours stand for, as on the page.
+    /// Quantity shown by colours, as on the page.
     pub colour: String,
     /// Diagram along the beams, as on the page.
     pub diagram: String,
-    /// Displacements are drawn so many times as large.
+    /// Deformation scale.
     pub exaggeration: f64,
-    /// Light on dark.
+    /// Whether to draw light lines on a dark page.
     pub dark: bool,
 }
 
 /// File format of a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// 255 colours, shown anywhere.
+    /// 255 colours, supported everywhere.
     Gif,
-    /// All colours, shown by browsers.
+    /// All colours, supported by browsers.
     Apng,
-    /// For slides; made by ffmpeg.
+    /// For slides; written by ffmpeg.
     Mp4,
 }
 
 impl Format {
-    /// By the ending of a file's name.
+    /// The format for the extension of a file name.
     pub fn of(path: &Path) -> Option<Self> {
         match path.extension()?.to_str()?.to_ascii_lowercase().as_str() {
             "gif" => Some(Self::Gif),
@@ -42,7 +42,7 @@ impl Format {
     }
 }
 
-/// What is shown, and how fast.
+/// Interval, number and rate of the frames of a film.
 #[derive(Clone, Copy, Debug)]
 pub struct Plan {
     /// File format.
@@ -65,31 +65,31 @@ impl Plan {
     }
 }
 
-/// How a film ended.
+/// Outcome of a film.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Told {
-    /// It is there.
+pub enum FilmOutcome {
+    /// The film is written.
     Done {
-        /// Where something is kept that came to stand in its place meanwhile.
+        /// Path to which a file was moved that somebody else wrote at the same place meanwhile.
         kept: Option<PathBuf>,
     },
-    /// It was not wanted any more; nothing is left.
+    /// Drawing was stopped; no file is left.
     Stopped,
 }
 
 /// File format of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PrintFormat {
-    /// Letters are outlines, so that it looks the same anywhere.
+    /// SVG with letters as outlines, so that it looks the same everywhere.
     Svg,
-    /// The same for LaTeX and word processors.
+    /// PDF with letters as outlines, for LaTeX and word processors.
     Pdf,
     /// Pixels.
     Png,
 }
 
 impl PrintFormat {
-    /// Its name, which files end with.
+    /// Its name, the extension of file names.
     pub fn name(self) -> &'static str {
         match self {
             Self::Svg => "svg",

@@ -41,14 +41,14 @@ pub fn set(text: &str, path: &str, value: &str) -> PyResult<String> {
     for (depth, part) in outer.iter().enumerate() {
         let item = table.entry(part).or_insert_with(|| missing_table(depth));
         table = item.as_table_like_mut().ok_or_else(|| {
-            PyKeyError::new_err(format!("{path}: `{part}` is a value, nothing stands below it"))
+            PyKeyError::new_err(format!("{path}: `{part}` is a value without keys"))
         })?;
     }
     put(table, key, value, parts.len());
     Ok(document.to_string())
 }
 
-/// The text without what stands at a path.
+/// The text without the value at a path.
 ///
 /// Parameters
 /// ----------
@@ -65,7 +65,7 @@ pub fn set(text: &str, path: &str, value: &str) -> PyResult<String> {
 /// Raises
 /// ------
 /// KeyError
-///     If nothing stands there.
+///     If there is no value.
 ///
 /// Examples
 /// --------
@@ -89,7 +89,7 @@ fn parse(text: &str) -> PyResult<DocumentMut> {
     text.parse().map_err(|error: toml_edit::TomlError| PyValueError::new_err(error.to_string()))
 }
 
-/// `[kind]` is not written, `[kind.name]` is, what is deeper stands in braces.
+/// `[kind]` is not written, `[kind.name]` is; deeper tables are written in braces.
 fn missing_table(depth: usize) -> Item {
     match depth {
         0 => {

@@ -25,7 +25,7 @@ pub fn scenario_error(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
     made.map_or_else(|error| error, PyErr::from_value)
 }
 
-/// `percuss.AnalysisError`: the solver gave up.
+/// `percuss.AnalysisError`: an analysis without a result.
 pub fn analysis_error(code: AnalysisCode, text: &str) -> PyErr {
     coded("AnalysisError", code.into(), text)
 }
@@ -51,7 +51,7 @@ pub fn recorder_error(error: &percuss::Error) -> PyErr {
     coded("FileError", error.code().into(), &error.to_string())
 }
 
-/// Something cannot be done as it was asked for.
+/// A request that cannot be met.
 pub fn request_error(code: RequestCode, text: &str) -> PyErr {
     coded("InputError", code.into(), text)
 }

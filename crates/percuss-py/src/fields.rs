@@ -147,8 +147,8 @@ pub fn scene_page(
 /// Examples
 /// --------
 /// >>> native = percuss._percuss.open(percuss.run("plank.toml", out="plank") and "plank")
-/// >>> percuss._percuss.story(native["summary"])[:20]
-/// 'bag struck plank.mid'
+/// >>> percuss._percuss.story(native["summary"]).split(" at ")[0]
+/// "'plank.mid' was struck by projectile 'bag'"
 #[pyfunction]
 pub fn story(summary: &str) -> PyResult<String> {
     let summary =

@@ -84,7 +84,7 @@ pub fn acceleration<'py>(
 /// Raises
 /// ------
 /// InputError
-///     If the band, the damping or the class cannot be had.
+///     If the band, the damping or the class is out of range.
 ///
 /// Examples
 /// --------

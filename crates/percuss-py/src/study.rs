@@ -18,7 +18,7 @@ use crate::work;
 /// text : str
 ///     The text of a study file.
 /// name : str
-///     What stands for the file in messages; the scenario it names lies where it lies.
+///     Name of the file in messages; the scenario it names is relative to its folder.
 /// allow_outside : bool
 ///     Let it name files that lie anywhere.
 ///
@@ -39,7 +39,7 @@ pub struct Study {
 
 #[pymethods]
 impl Study {
-    /// Reads a study; `name` stands for the file in messages, and the scenario it names lies where it lies.
+    /// Reads a study; `name` is the name of the file in messages, and the scenario it names is relative to its folder.
     #[new]
     #[pyo3(signature = (text, name, allow_outside = false))]
     fn new(py: Python<'_>, text: &str, name: &str, allow_outside: bool) -> PyResult<Self> {

@@ -162,12 +162,14 @@ macro_rules! table {
     };
 }
 
-/// The kinds of a table: `Variant = "word" { keys } with { parts }`, by the key `tag`; `or` another part that comes in more
+/// The kinds of a table: `Variant = "word" { keys } with { parts }`, by the key `tag`, one of them `implied` by a key of its own where `tag` is not
+/// given; `or` another part that comes in more
 /// kinds by the same key.
 macro_rules! kinds {
     (
         $(#[doc = $doc:literal])*
-        pub enum $choice:ident by $tag:literal $(default $default_word:literal)? {
+        pub enum $choice:ident by $tag:literal $(default $default_word:literal)?
+            $(implied $implied_word:literal by $implied_key:literal)? {
             $(
                 $(#[doc = $variant_doc:literal])*
                 $variant:ident = $word:literal $({
@@ -216,6 +218,7 @@ macro_rules! kinds {
                     tag: $tag,
                     about: String::new(),
                     default: [None, $(Some($default_word))?].into_iter().flatten().next(),
+                    implied: [None, $(Some(($implied_key, $implied_word)))?].into_iter().flatten().next(),
                     variants,
                 }
             }

@@ -111,7 +111,7 @@ pub fn read_in_time<R: Read>(
     let mut bytes = Vec::new();
     loop {
         let piece = pieces.recv_timeout(patience).map_err(|_| {
-            let text = format!("nothing came from it for {} s", patience.as_secs_f64());
+            let text = format!("no input for {} s", patience.as_secs_f64());
             Error::new(ErrorKind::TimedOut, text)
         })??;
         if piece.is_empty() {
@@ -119,7 +119,7 @@ pub fn read_in_time<R: Read>(
         }
         bytes.extend(piece);
         if bytes.len() > MOST {
-            let text = format!("it gives more than {} MB and may have no end", MOST >> 20);
+            let text = format!("input exceeds {} MB", MOST >> 20);
             return Err(Error::new(ErrorKind::FileTooLarge, text));
         }
     }

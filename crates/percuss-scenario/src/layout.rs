@@ -36,6 +36,8 @@ pub(crate) struct Kinds {
     pub tag: &'static str,
     pub about: String,
     pub default: Option<&'static str>,
+    /// A key that implies a kind where nothing is said of it, and that kind.
+    pub implied: Option<(&'static str, &'static str)>,
     /// The kinds, shape (kinds).
     pub variants: Vec<Variant>,
 }
@@ -78,7 +80,9 @@ impl Kinds {
     /// The kind of a table; nothing is said of one that is not known.
     fn chosen(&self, body: &Body<'_>) -> Option<&Variant> {
         let node = body.get(self.tag);
-        let word = node.as_ref().map_or(self.default, |node| node.value.as_str());
+        let implied = self.implied.filter(|(key, _)| body.get(key).is_some());
+        let unsaid = implied.map_or(self.default, |(_, word)| Some(word));
+        let word = node.as_ref().map_or(unsaid, |node| node.value.as_str());
         self.variants.iter().find(|v| Some(v.word) == word)
     }
 

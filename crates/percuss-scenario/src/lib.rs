@@ -38,6 +38,7 @@ mod parse;
 mod partner;
 mod point;
 mod preset;
+mod profile;
 mod quantity;
 mod reach;
 mod reading;

@@ -27,6 +27,13 @@ pub struct Preset {
 /// The name of a material known by name.
 pub(crate) struct Presets;
 
+impl Presets {
+    /// The material of a name.
+    pub fn named(name: &str) -> Option<Preset> {
+        Self::WORDS.iter().find(|word| word.0 == name).map(|word| word.1)
+    }
+}
+
 macro_rules! presets {
     ($($name:literal = $mega:literal MPa, $density:literal kg, $bears:expr, $about:literal;)*) => {
         &[$((
@@ -72,6 +79,19 @@ impl Words for Presets {
         // Strength: yield stress of S235 (EN 1993-1-1, table 3.1). Rates: mild steel (Cowper and Symonds 1957; Jones 1989, table 8.1).
         "steel" = 210_000 MPa, 7850 kg, metal(235.0, Some([40.4, 5.0])),
             "structural steel (EN 1993-1-1, 3.2.6; density EN 1993-1-2)";
+        // Yield strength of thicknesses up to 40 mm (EN 1993-1-1, table 3.1).
+        "S235" = 210_000 MPa, 7850 kg, metal(235.0, Some([40.4, 5.0])),
+            "structural steel S235 (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+        "S275" = 210_000 MPa, 7850 kg, metal(275.0, None),
+            "structural steel S275 (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+        "S355" = 210_000 MPa, 7850 kg, metal(355.0, None),
+            "structural steel S355 (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+        "S420" = 210_000 MPa, 7850 kg, metal(420.0, None),
+            "structural steel S420 N or M (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+        "S450" = 210_000 MPa, 7850 kg, metal(440.0, None),
+            "structural steel S450, whose yield strength is 440 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+        "S460" = 210_000 MPa, 7850 kg, metal(460.0, None),
+            "structural steel S460 N or M (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
         // Proof stress of hot rolled plate (EN 10088-2). Rates: AISI 304 (Forrestal and Sagartz 1978; Jones 1989, table 8.1).
         "stainless-steel" = 200_000 MPa, 7900 kg, metal(210.0, Some([100.0, 10.0])),
             "austenitic stainless steel 1.4301 (EN 10088-1)";
@@ -90,6 +110,25 @@ impl Words for Presets {
         // Mean tensile and characteristic compressive strength (EN 1992-1-1, table 3.1).
         "concrete" = 33_000 MPa, 2500 kg, each(2.9, 30.0),
             "reinforced concrete C30/37, uncracked (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
+        // Mean tensile and characteristic compressive strength (EN 1992-1-1, table 3.1).
+        "C12/15" = 27_000 MPa, 2500 kg, each(1.6, 12.0),
+            "reinforced concrete C12/15, uncracked, secant modulus (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
+        "C16/20" = 29_000 MPa, 2500 kg, each(1.9, 16.0),
+            "reinforced concrete C16/20, uncracked, secant modulus (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
+        "C20/25" = 30_000 MPa, 2500 kg, each(2.2, 20.0),
+            "reinforced concrete C20/25, uncracked, secant modulus (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
+        "C25/30" = 31_000 MPa, 2500 kg, each(2.6, 25.0),
+            "reinforced concrete C25/30, uncracked, secant modulus (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
+        "C30/37" = 33_000 MPa, 2500 kg, each(2.9, 30.0),
+            "reinforced concrete C30/37, uncracked, secant modulus (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
+        "C35/45" = 34_000 MPa, 2500 kg, each(3.2, 35.0),
+            "reinforced concrete C35/45, uncracked, secant modulus (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
+        "C40/50" = 35_000 MPa, 2500 kg, each(3.5, 40.0),
+            "reinforced concrete C40/50, uncracked, secant modulus (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
+        "C45/55" = 36_000 MPa, 2500 kg, each(3.8, 45.0),
+            "reinforced concrete C45/55, uncracked, secant modulus (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
+        "C50/60" = 37_000 MPa, 2500 kg, each(4.1, 50.0),
+            "reinforced concrete C50/60, uncracked, secant modulus (EN 1992-1-1, table 3.1; density EN 1991-1-1)";
         // Characteristic bending strength of float glass (EN 572-1).
         "glass" = 70_000 MPa, 2500 kg, each(45.0, f64::INFINITY),
             "soda lime silicate glass (EN 572-1)";

@@ -43,6 +43,8 @@ pub struct KindsReference {
     pub about: String,
     /// The kind if nothing is said.
     pub default: Option<&'static str>,
+    /// A key that implies a kind if nothing is said, and that kind.
+    pub implied: Option<(&'static str, &'static str)>,
     /// Each kind by its word, with what it brings, shape (kinds).
     pub variants: Vec<(&'static str, BodyReference)>,
 }
@@ -135,6 +137,7 @@ impl KindsReference {
             tag: kinds.tag,
             about: if kinds.about.is_empty() { table.into() } else { kinds.about.clone() },
             default: kinds.default,
+            implied: kinds.implied,
             variants: kinds.variants.iter().map(variant).collect(),
         }
     }

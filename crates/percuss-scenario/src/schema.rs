@@ -61,7 +61,8 @@ impl Object {
     fn tag(&mut self, kinds: &Kinds, word: &str) {
         let schema = json!({ "const": word, "description": kinds.about });
         self.properties.insert(kinds.tag.into(), schema);
-        if kinds.default != Some(word) {
+        let implied = kinds.implied.is_some_and(|(_, implied)| implied == word);
+        if kinds.default != Some(word) && !implied {
             self.required.insert(0, kinds.tag);
         }
     }

@@ -21,7 +21,7 @@ pub fn templates() -> &'static [Template] {
         },
         Template {
             name: "rigid",
-            summary: "a rigid mass strikes a clamped beam again and again",
+            summary: "a rigid mass strikes a clamped beam repeatedly",
             text: include_str!("../templates/rigid.toml"),
         },
         Template {
@@ -36,22 +36,22 @@ pub fn templates() -> &'static [Template] {
         },
         Template {
             name: "arch",
-            summary: "a blow turns a shallow arch inside out",
+            summary: "snap-through of a shallow arch under impact",
             text: include_str!("../templates/arch.toml"),
         },
         Template {
             name: "gapped-pipe",
-            summary: "a struck pipe rattles in brackets with some play",
+            summary: "a struck pipe in brackets with clearance",
             text: include_str!("../templates/gapped-pipe.toml"),
         },
         Template {
             name: "flying-beam",
-            summary: "a free beam, thrown and spun by a force and a moment that end",
+            summary: "a free beam after a force and a moment of limited duration",
             text: include_str!("../templates/flying-beam.toml"),
         },
         Template {
             name: "bouncing-ball",
-            summary: "a ball bounces on a fixed beam until it rests",
+            summary: "a ball bounces on a fixed beam until it is at rest",
             text: include_str!("../templates/bouncing-ball.toml"),
         },
         Template {
@@ -66,7 +66,7 @@ pub fn templates() -> &'static [Template] {
 pub fn study_templates() -> &'static [Template] {
     &[Template {
         name: "study",
-        summary: "many runs of a scenario: what varies, how, and which results are wanted",
+        summary: "many runs of a scenario: parameters, sampling design and results",
         text: include_str!("../templates/study.toml"),
     }]
 }

@@ -80,7 +80,7 @@ impl Scenario {
     /// If the file could not have it there, what was found and what would be right.
     pub fn set_toml(&mut self, field: &Field, toml: &str) -> Result<(), Fault> {
         let Ok(value) = DeValue::parse(toml) else {
-            return Err(Fault::new(&field.path, toml, "a value as it stands in a file"));
+            return Err(Fault::new(&field.path, toml, "a value as written in a file"));
         };
         let content = self.content.clone();
         let mut reader = Reader::of_content(toml, &content);

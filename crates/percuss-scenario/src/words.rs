@@ -86,23 +86,23 @@ impl Words for Strain {
     ];
 }
 
-/// Stresses that a material bears.
+/// Sign of the stresses that a material carries.
 pub(crate) struct Bears;
 
 impl Words for Bears {
     type Value = Option<Slack>;
     const WORDS: &'static [(&'static str, Option<Slack>, &'static str)] = &[
         ("both", None, "tension and compression"),
-        ("tension", Some(Slack::Compression), "tension only: cables, thin straps"),
+        ("tension", Some(Slack::Compression), "tension-only: cables, thin straps"),
         (
             "compression",
             Some(Slack::Tension),
-            "compression only: masonry, concrete without reinforcement (with `yield`, its strength in compression)",
+            "compression-only: masonry, concrete without reinforcement (with `yield`, its strength in compression)",
         ),
     ];
 }
 
-/// How the points of a beam are joined.
+/// Curve through the points of a beam.
 pub(crate) struct Curved;
 
 impl Words for Curved {
@@ -136,21 +136,17 @@ impl Words for Started {
     ];
 }
 
-/// How touching bodies that are struck at one instant share the blow.
+/// Treatment of multiple impacts.
 pub(crate) struct Multiple;
 
 impl Words for Multiple {
     type Value = MultipleImpacts;
     const WORDS: &'static [(&'static str, MultipleImpacts, &'static str)] = &[
-        (
-            "simultaneous",
-            MultipleImpacts::Simultaneous,
-            "all contacts obey the impact law at once and share the blow",
-        ),
+        ("simultaneous", MultipleImpacts::Simultaneous, "the impact law for all contacts at once"),
         (
             "sequential",
             MultipleImpacts::Sequential,
-            "one after another, the fastest approach first: the blow is passed on",
+            "one impact after another, fastest approach first",
         ),
     ];
 }
@@ -165,20 +161,28 @@ impl Words for Force {
         (
             "plain-gradient",
             ContactForce::PlainGradient,
-            "along the gradient in the middle of the step: errs where the point of contact moves",
+            "along the gradient at the middle of the step: inaccurate where the contact point moves",
         ),
         ("midpoint", ContactForce::Midpoint, "the paper's"),
     ];
 }
 
-/// What becomes of the velocities in an impact.
+/// Impact law.
 pub(crate) struct Impact;
 
 impl Words for Impact {
     type Value = ImpactLaw;
     const WORDS: &'static [(&'static str, ImpactLaw, &'static str)] = &[
-        ("newton", ImpactLaw::Newton, "Newton's; Moreau's where it would give energy"),
-        ("moreau", ImpactLaw::Moreau, "Moreau's: the impulses of the plastic impact, times 1 + e"),
+        (
+            "newton",
+            ImpactLaw::Newton,
+            "Newton's law; Moreau's where Newton's would increase the energy",
+        ),
+        (
+            "moreau",
+            ImpactLaw::Moreau,
+            "Moreau's law: the impulses of the plastic impact, times 1 + e",
+        ),
     ];
 }
 

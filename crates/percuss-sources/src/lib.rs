@@ -1,10 +1,9 @@
-//! What build scripts call so that a crate knows which sources it was built from: results of two builds of one version differ
-//! where the sources do, and are told apart.
+//! Hash of a crate's sources for its build script: builds of one version from different sources have different identifiers.
 
 use std::path::{Path, PathBuf};
 use std::{env, fs};
 
-/// Sets the environment variable `PERCUSS_BUILD` of the crate that is built: its version, `+`, and a hash of all files below its `src`
+/// Sets the environment variable `PERCUSS_BUILD` for the compilation of the crate: its version, `+`, and a hash of all files below its `src`
 /// in 32 hexadecimal digits, the same on every system.
 ///
 /// # Panics

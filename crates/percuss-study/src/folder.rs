@@ -45,12 +45,12 @@ impl Folder {
         match fs::read_to_string(&own) {
             Ok(found) if found == text => {}
             Ok(_) => {
-                let what = "holds another study, or an earlier state of this one";
+                let what = "belongs to another study, or to an earlier state of this one";
                 return Err(folder.refused(RequestCode::OtherStudy, what));
             }
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
                 if folder.is_taken()? {
-                    let what = "is not empty and holds no study";
+                    let what = "is not empty and contains no study";
                     return Err(folder.refused(RequestCode::OtherStudy, what));
                 }
                 fs::create_dir_all(folder.path.join(SHARDS))
@@ -78,7 +78,10 @@ impl Folder {
 
     fn refused(&self, code: RequestCode, what: &str) -> Error {
         let path = self.path.display();
-        Error::unfit(code, format!("{path} {what}; give another --out, or remove it to begin anew"))
+        Error::unfit(
+            code,
+            format!("{path} {what}; choose another --out, or remove it to start again"),
+        )
     }
 
     /// Where it is.

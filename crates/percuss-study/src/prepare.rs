@@ -78,7 +78,7 @@ impl Study {
     /// fast; none if nothing is against it, or no run can be prepared.
     pub fn runs_alone(&self) -> Option<String> {
         if let Some(result) = self.results.iter().find(|result| is_known_alone(&result.path)) {
-            return Some(format!("`{}` is asked for ({})", result.name, result.path.path()));
+            return Some(format!("`{}` is requested ({})", result.name, result.path.path()));
         }
         let mut preparer = Preparer::new(self);
         let mut sound =
@@ -92,8 +92,8 @@ impl Study {
     /// Whether runs go side by side or one by one, and why, in words.
     pub fn how_runs_go(&self) -> String {
         match self.runs_alone() {
-            Some(why) => format!("runs go one by one: {why}"),
-            None => "runs go side by side in vector registers".to_owned(),
+            Some(why) => format!("runs are computed one at a time: {why}"),
+            None => "runs are computed in SIMD batches".to_owned(),
         }
     }
 

@@ -99,7 +99,7 @@ fn batch(
     let done = catch_unwind(AssertUnwindSafe(|| solve(&given)));
     match (done, runs) {
         (Ok(done), _) => done.into_iter().map(|one| one.map_err(told)).collect(),
-        (Err(_), [_]) => vec![Err((broken("the solver broke down"), "failed"))],
+        (Err(_), [_]) => vec![Err((broken("internal error in the solver"), "failed"))],
         (Err(_), _) => runs.iter().flat_map(|run| batch(&[run], solve)).collect(),
     }
 }
@@ -245,7 +245,7 @@ mod tests {
         let done = batch(&compiled.each_ref(), &solve);
         assert!(done[0].as_ref().is_ok_and(|run| run.steps == 10));
         let (reason, status) = done[1].as_ref().err().cloned().unwrap_or_default();
-        assert_eq!((reason.as_str(), status), ("the solver broke down [E114]", "failed"));
+        assert_eq!((reason.as_str(), status), ("internal error in the solver [E114]", "failed"));
         assert_eq!(AnalysisCode::Broken.code(), "E114");
     }
 }

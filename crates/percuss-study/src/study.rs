@@ -172,9 +172,9 @@ impl Study {
             let (unit, path) = (result.path.unit(), result.path.path());
             all.push((column(&result.name, unit, Role::Result, path), number.clone()));
         }
-        let status = "completed, failed (the solver gave up) or invalid (the scenario has faults)";
+        let status = "completed, failed (no convergence) or invalid (the scenario has errors)";
         all.push((column("status", "1", Role::Status, status), text.clone()));
-        all.push((column("reason", "1", Role::Reason, "why it did not end well"), text));
+        all.push((column("reason", "1", Role::Reason, "reason of a failed or invalid run"), text));
         for (name, unit, about, values) in [
             ("audit.time", "s", "time", &number),
             ("audit.energy_residual", "1", "energy.residual_max", &number),

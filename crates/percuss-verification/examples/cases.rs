@@ -1,5 +1,5 @@
-//! The cases of `percuss verify`, a line each as it ends: its name, whether it holds, and the comparisons that do not. Cases run side by
-//! side, and one that panics ends alone: scripts/sensitivity asks this of mechanics with a mistake in it.
+//! Runs the cases of `percuss verify` and prints a line for each: its name, whether it passes, and the comparisons that fail. Cases run in
+//! parallel, and a panic ends only its case: scripts/sensitivity runs this with errors in the mechanics.
 
 use std::panic::catch_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};

@@ -23,7 +23,7 @@ pub fn frequencies() -> Report {
         beam.supports = supports;
         let found = natural_frequencies(&beam.build(), 3);
         for (k, f) in expected.into_iter().enumerate() {
-            // Printed to eight decimals.
+            // The source has eight decimals.
             c.absolute(
                 format!("{name}, mode {} [Hz]", k + 1),
                 or_nan(found.get(k).copied()),
@@ -98,7 +98,7 @@ fn thrown(strain: StrainMeasure) -> Single {
     beam
 }
 
-/// An id to be replaced when the structure is built.
+/// A placeholder that is replaced when the structure is built.
 fn dummy_beam() -> BeamId {
     let mut b = ModelBuilder::new();
     let strain = StrainMeasure::Green;

@@ -13,7 +13,7 @@ pub const CASES: &[Case] = &joined::<COUNT>(LISTS);
 const LISTS: &[&[Case]] = &[OWN, YIELDING, PUBLISHED];
 const COUNT: usize = OWN.len() + YIELDING.len() + PUBLISHED.len();
 
-/// All of some lists, one behind the other.
+/// Concatenation of several lists.
 const fn joined<const N: usize>(lists: &[&[Case]]) -> [Case; N] {
     let mut all = [lists[0][0]; N];
     let (mut list, mut first, mut k) = (0, 0, 0);
@@ -28,7 +28,7 @@ const fn joined<const N: usize>(lists: &[&[Case]]) -> [Case; N] {
     all
 }
 
-/// Cases of what stays elastic, whose scenes are built through the library.
+/// Elastic cases whose scenes are built with the library.
 const OWN: &[Case] = &[
     Case {
         id: "elastic-clamped",
@@ -80,7 +80,7 @@ const OWN: &[Case] = &[
     },
     Case {
         id: "cradle",
-        title: "Newton's cradle of five balls: the blow passed on, and shared at once",
+        title: "Newton's cradle of five balls: sequential and simultaneous impacts",
         source: "closed form; Herrmann and Seitz 1982, Am. J. Phys. 50, 977",
         run: cradle::cradle_of_five,
     },

@@ -1,6 +1,6 @@
-//! A number measured against a number expected.
+//! Comparison of a computed number with an expected one.
 
-/// How close a measured number must be.
+/// Tolerance of a comparison.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tolerance {
     /// Relative to the expected number.
@@ -16,18 +16,18 @@ pub enum Tolerance {
 /// One comparison of a verification case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
-    /// What is compared, with its unit.
+    /// Compared quantity, with its unit.
     pub quantity: String,
     /// The number expected.
     pub expected: f64,
     /// The number measured.
     pub measured: f64,
-    /// How close they must be.
+    /// Tolerance.
     pub tolerance: Tolerance,
 }
 
 impl Check {
-    /// Whether the comparison holds; a number that is not one never does.
+    /// Whether the comparison holds; NaN never does.
     pub fn holds(&self) -> bool {
         self.deviation().is_some_and(|d| match self.tolerance {
             Tolerance::Relative(t) | Tolerance::Absolute(t) => d <= t,
@@ -36,7 +36,7 @@ impl Check {
         })
     }
 
-    /// Distance from the expected number, in the sense of the tolerance; none if a number is missing.
+    /// Distance from the expected number, in the sense of the tolerance; `None` if a number is missing.
     pub fn deviation(&self) -> Option<f64> {
         let distance = (self.measured - self.expected).abs();
         let deviation = match self.tolerance {
@@ -48,48 +48,48 @@ impl Check {
     }
 }
 
-/// What a case comes to: its checks, and what the manual shows beside them.
+/// Result of a case: its checks, and the figures and files shown in the manual.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
     /// Its comparisons, shape (checks).
     pub checks: Vec<Check>,
-    /// Curves with what they are compared with, shape (figures).
+    /// Figures of curves and their references, shape (figures).
     pub figures: Vec<Figure>,
-    /// Scenario files that it ran, as (name, text), shape (files).
+    /// Scenario files of the case, as (name, text), shape (files).
     pub files: Vec<(&'static str, String)>,
 }
 
 /// A figure of the manual.
 #[derive(Clone, Debug)]
 pub struct Figure {
-    /// What it shows.
+    /// Title.
     pub title: String,
     /// The axes, with their units, shape (2).
     pub axes: [&'static str; 2],
     /// Whether both axes are logarithmic, as for errors over sizes.
     pub logarithmic: bool,
-    /// What is drawn, shape (curves).
+    /// Curves, shape (curves).
     pub curves: Vec<Curve>,
 }
 
 /// A curve of a figure.
 #[derive(Clone, Debug)]
 pub struct Curve {
-    /// What it is.
+    /// Label.
     pub name: String,
     /// Its points, shape (n, 2) \[unit of either axis\], in the units of the axes.
     pub points: Vec<[f64; 2]>,
-    /// Whether it is what Percuss is compared with.
+    /// Whether it is the reference.
     pub reference: bool,
 }
 
 impl Curve {
-    /// A curve that Percuss computed.
+    /// A curve computed by Percuss.
     pub fn computed(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
         Self { name: name.into(), points, reference: false }
     }
 
-    /// One that it is compared with.
+    /// A reference curve.
     pub fn reference(name: impl Into<String>, points: Vec<[f64; 2]>) -> Self {
         Self { name: name.into(), points, reference: true }
     }
@@ -111,7 +111,7 @@ pub fn observed_order(points: &[[f64; 2]]) -> f64 {
 pub struct Checks(Report);
 
 impl Checks {
-    /// No checks yet.
+    /// An empty list of checks.
     pub fn new() -> Self {
         Self::default()
     }
@@ -151,8 +151,7 @@ impl Checks {
         self.0.figures.push(Figure { title, axes, logarithmic: false, curves });
     }
 
-    /// Errors over sizes of elements, steps or fibres, shape (n, 2), on logarithmic axes; returns the order observed, which the
-    /// figure tells.
+    /// Errors over sizes of elements, steps or fibres, shape (n, 2), on logarithmic axes; returns the observed order, which the figure states.
     pub fn convergence(
         &mut self,
         title: impl Into<String>,
@@ -165,12 +164,12 @@ impl Checks {
         order
     }
 
-    /// A scenario file that is run, for the manual to show with a sketch.
+    /// Adds a scenario file, which the manual shows with a sketch.
     pub fn file(&mut self, name: &'static str, text: impl Into<String>) {
         self.0.files.push((name, text.into()));
     }
 
-    /// What was collected.
+    /// The collected checks, figures and files.
     pub fn into_report(self) -> Report {
         self.0
     }

@@ -1,4 +1,4 @@
-//! What must be conserved: balances, momenta, invariances.
+//! Conservation: energy and momentum balances, invariances.
 
 use percuss::*;
 
@@ -7,7 +7,7 @@ use crate::structure::*;
 
 macro_rules! paper_scenarios {
     ($($name:literal),* $(,)?) => {
-        /// The paper's examples, copies of `scenarios/paper/` that go with the crate: name and text.
+        /// The paper's examples, copies of `scenarios/paper/` in the crate: name and text.
         const PAPER: &[(&str, &str)] =
             &[$(($name, include_str!(concat!("../scenarios/", $name, ".toml")))),*];
     };
@@ -41,7 +41,7 @@ fn paper_run(text: &str) -> RunSummary {
     run(&compiled.model, &compiled.settings)
 }
 
-/// Energy and momenta in every scenario of `scenarios/paper/`, contact opening and closing included.
+/// Energy and momenta in every scenario of `scenarios/paper/`, including opening and closing of contacts.
 pub fn paper_balances() -> Report {
     let mut c = Checks::new();
     for (name, text) in PAPER {
@@ -50,7 +50,7 @@ pub fn paper_balances() -> Report {
         c.at_least(format!("{name}: completed"), reached, 1.0);
         let energy = summary.energy.residual_max;
         if name.starts_with("elastic") && name.ends_with("-paper") {
-            // The midpoint force errs in the opening and closing steps, and only there.
+            // The midpoint force has an energy error in the opening and closing steps, and only there.
             c.at_least(format!("{name}: energy residual (midpoint force errs)"), energy, 1e-9);
             c.at_most(format!("{name}: energy residual"), energy, 1e-5);
         } else {
@@ -63,7 +63,7 @@ pub fn paper_balances() -> Report {
     c.into_report()
 }
 
-/// The paper's forms err where they must: opening and closing steps, whole steps of contact.
+/// The paper's forms have energy errors in opening and closing steps and for contact in whole steps.
 pub fn paper_forms() -> Report {
     let mut c = Checks::new();
     let text = |wanted: &str| PAPER.iter().find(|(name, _)| *name == wanted).map_or("", |p| p.1);
@@ -78,8 +78,8 @@ pub fn paper_forms() -> Report {
     c.relative("midpoint force: energy residual", energy, 2.8e-7, 0.05);
     let rigid = paper_run(text("rigid-clamped-e1-paper"));
     c.absolute("time-stepping at 1e-5 s: impacts", impacts(&rigid).len() as f64, 2.0, 0.0);
-    // Whether the first contact is seen in step 50 or 51 hangs on the last bit of the gap; the independent
-    // implementation saw it in step 51, as we do with a gap wider by 1e-8 m.
+    // The last bit of the gap decides whether the first contact is in step 50 or 51; it is in step 51 of the independent implementation, and here
+    // with a gap wider by 1e-8 m.
     let mut late = paper_rigid(1.0);
     late.standoff += 1e-8;
     let settings = Settings {
@@ -94,7 +94,7 @@ pub fn paper_forms() -> Report {
     c.into_report()
 }
 
-/// Trap 4: of stored strains only the bending strain drifts from the configuration, as the square of the step.
+/// Trap 4: of the stored strains only the bending strain drifts from the configuration, with the square of the step.
 pub fn strain_history() -> Report {
     let mut c = Checks::new();
     let model = paper_beam(6).struck(paper_elastic()).build();
@@ -112,13 +112,13 @@ pub fn strain_history() -> Report {
     c.into_report()
 }
 
-/// Velocities flipped, the motion runs back to its start: smooth contact, and restitution 1.
+/// With reversed velocities the motion returns to its start: compliant contact, and restitution 1.
 pub fn time_reversal() -> Report {
     let mut c = Checks::new();
     let elastic = paper_beam(6).struck(paper_elastic()).build();
     let rigid = paper_beam(6).young(0.2e12).struck(paper_rigid(1.0)).build();
-    // The pulse of an impact is no longer in the middle of its step on the way back: the times of impact differ by
-    // their located tolerance, 1e-9 steps.
+    // In the reversed motion the pulse of an impact is not in the middle of its step: the times of impact differ by the tolerance of their
+    // location, 1e-9 steps.
     for (name, model, end, step, tolerance) in
         [("elastic", elastic, 0.1, 1e-4, 1e-9), ("rigid", rigid, 0.001, 1e-6, 1e-6)]
     {
@@ -139,7 +139,7 @@ pub fn time_reversal() -> Report {
             0.0,
             tolerance,
         );
-        // Displacement and velocity of the projectile, behind those of the beam's nodes.
+        // Displacement and velocity of the projectile, after those of the beam's nodes.
         let node = state.displacement.len() - 1;
         let travel = state.displacement[node][1];
         c.absolute(format!("{name}: travel of the projectile [m]"), travel, 0.0, tolerance);
@@ -150,7 +150,7 @@ pub fn time_reversal() -> Report {
     c.into_report()
 }
 
-/// The whole scene turned and moved gives the same run.
+/// A rotated and translated scene gives the same run.
 pub fn rigid_motion() -> Report {
     let mut c = Checks::new();
     let (angle, shift) = (0.7_f64, [3.0, -5.0]);
@@ -174,7 +174,7 @@ pub fn rigid_motion() -> Report {
     };
     c.relative("speed after [m/s]", speed(&b), speed(&a), 1e-9);
     c.relative("peak force [N]", smooth(&b).0.value, smooth(&a).0.value, 1e-9);
-    for (name, s) in [("as it stands", &a), ("turned and moved", &b)] {
+    for (name, s) in [("as given", &a), ("turned and moved", &b)] {
         c.at_most(format!("{name}: energy residual"), s.energy.residual_max, 1e-10);
         let m = s.momentum;
         c.at_most(format!("{name}: linear momentum residual"), m.linear_residual_max, 1e-10);
@@ -198,7 +198,7 @@ pub fn contact_point() -> Report {
     // Mesh error at this size: 1.1e-3 between 6 elements and the limit (E3), less for 7 and 8.
     c.relative("peak force [N]", inside.0, node.0, 1e-3);
     c.relative("rebound velocity [m/s]", inside.1, node.1, 1e-3);
-    // A point moves smoothly over a node off the middle: of 8 elements, the one at 3/8.
+    // The result is smooth where the struck point passes a node that is not at midspan: with 8 elements the node at 3/8.
     let (left, at, right) = (result(8, 0.375 - 1e-7), result(8, 0.375), result(8, 0.375 + 1e-7));
     c.relative("just left of a node: peak force [N]", left.0, at.0, 1e-6);
     c.relative("just right of a node: peak force [N]", right.0, at.0, 1e-6);

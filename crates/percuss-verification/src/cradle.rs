@@ -1,11 +1,11 @@
-//! Newton's cradle: a blow that touching balls pass on.
+//! Newton's cradle: an impact on a row of touching balls.
 
 use percuss::*;
 
 use crate::check::{Checks, Report};
 use crate::structure::run;
 
-/// Five equal balls that touch, the first ones on their way to the others.
+/// Five equal balls in a row; the first ones move towards the others, which touch.
 fn cradle(flying: usize, restitution: f64) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("far", 1e9, 1e3));
@@ -29,8 +29,8 @@ fn cradle(flying: usize, restitution: f64) -> Model {
     b.build().expect("a sound model")
 }
 
-/// Velocities at the end, by the number of balls that come; the blow passed on: as many leave, and with restitution e the last of a
-/// row of five leaves with ((1 + e) / 2)^4. All at once Newton's law shares it: (-3/5, 2/5, 2/5, 2/5, 2/5).
+/// Final velocities for the number of incoming balls. With impacts one after another as many balls leave, and with restitution e the last of a row
+/// of five leaves with ((1 + e) / 2)^4. For a simultaneous impact Newton's law gives (-3/5, 2/5, 2/5, 2/5, 2/5).
 pub fn cradle_of_five() -> Report {
     let mut c = Checks::new();
     let end = |flying: usize, restitution: f64, multiple_impacts: MultipleImpacts| {

@@ -16,7 +16,7 @@ const LIMIT: Figures = Figures {
     rebound: -19.10077444,
 };
 
-/// What is compared of an impact.
+/// Compared results of an impact.
 struct Figures {
     displacement: f64,
     force: f64,
@@ -38,7 +38,7 @@ fn figures(model: &Model, end: f64, step: f64) -> Figures {
     }
 }
 
-/// Figures at a step of 1e-4 s, and their second order towards the limit.
+/// Values at a step of 1e-4 s, and their second-order convergence to the limit.
 pub fn clamped() -> Report {
     let model = paper_beam(6).clamped().struck(paper_elastic()).build();
     let mut c = Checks::new();
@@ -107,7 +107,7 @@ pub fn elementary() -> Report {
     c.relative("wall: contact duration [s]", f.end - f.start, PI * f64::sqrt(mass / k), 1e-6);
     c.relative("wall: peak force [N]", f.force, v * f64::sqrt(mass * k), 1e-6);
     c.relative("wall: rebound velocity [m/s]", f.rebound, -v, 1e-10);
-    // A free beam so stiff that it moves as a rigid body of 900 kg.
+    // A free beam that is so stiff that it moves as a rigid body of 900 kg.
     let free = paper_beam(2).young(1e16).struck(paper_elastic()).build();
     let f = figures(&free, 0.12, 1e-5);
     let reduced = 1.0 / (1.0 / mass + 1.0 / 900.0);
@@ -117,7 +117,7 @@ pub fn elementary() -> Report {
     c.into_report()
 }
 
-/// The unsupported example with large steps for 20 s: it runs, and energy and momenta stay.
+/// The unsupported example with large steps for 20 s: the run completes, and energy and momenta are conserved.
 pub fn large_steps() -> Report {
     let mut c = Checks::new();
     let model = paper_beam(6).struck(paper_elastic()).build();

@@ -1,4 +1,4 @@
-//! Ends of beams that strike and are rolled over: rigid bodies in closed form.
+//! Ends of beams in impact and under a rolling disc: rigid bodies in closed form.
 
 use std::f64::consts::PI;
 
@@ -12,11 +12,11 @@ fn run(b: &ModelBuilder, end: f64, step: f64) -> RunSummary {
     simulate(&model, &Settings::new(end, step), &mut NoRecorder).expect("sound settings")
 }
 
-/// A stiff bar that falls on its corner, and a disc that slides over the end of another one.
+/// A stiff bar that falls on its corner, and a disc that slides over the end of another bar.
 ///
-/// A rigid body that meets a smooth floor elastically takes the impulse 2 v / (1/m + x^2/J), x the level distance of the corner from its
-/// middle. A disc of radius R that slides off a corner at v turns about it as a point on a circle does: it leaves where the cosine
-/// of the angle is c = (2 + v^2/(g R))/3, with the level velocity sqrt(g R) c^1.5.
+/// A rigid body that meets a smooth floor elastically receives the impulse 2 v / (1/m + x^2/J), where x is the horizontal distance of the corner
+/// from its middle. A disc of radius R that slides off a corner at v rotates about it like a point on a circle: it separates where the cosine of
+/// the angle is c = (2 + v^2/(g R))/3, with the horizontal velocity sqrt(g R) c^1.5.
 pub fn beam_ends() -> Report {
     let mut c = Checks::new();
     let (depth, speed) = (0.1, 0.05);
@@ -47,7 +47,7 @@ pub fn beam_ends() -> Report {
         let x = 0.5 * (cosine - depth * sine);
         let impulse = 2.0 * speed / (1.0 / mass + x * x / inertia);
         let what = format!("bar under {degrees} degrees: impulse of its corner [N s]");
-        // It turns by some milliradians while it touches.
+        // It rotates by some milliradians during contact.
         c.relative(what, found.unwrap_or(f64::NAN), impulse, 3e-3);
         c.at_most("energy residual", summary.energy.residual_max, 1e-10);
     }

@@ -1,4 +1,4 @@
-//! Axial force and moment together: what a rectangle bears when all of it yields.
+//! Interaction of axial force and moment: plastic resistance of a rectangle.
 
 use percuss::*;
 
@@ -6,15 +6,15 @@ use crate::check::{Checks, Report};
 use crate::structure::at;
 use crate::yielding::perfect;
 
-/// Width, depth and length of the bar \[m\]: a slice, so short that no deflection turns the axial force into a moment worth telling; a
-/// longer bar in tension bears more by going aside.
+/// Width, depth and length of the bar \[m\]: a slice, so short that the moment of the axial force about the deflected axis is negligible; a longer
+/// bar in tension carries more by deflection.
 const BAR: [f64; 3] = [0.02, 0.04, 2e-4];
 const LIMIT: f64 = 250e6;
-/// Fibres through the depth; the edge of what is pulled and what is pressed lies between two of them.
+/// Fibres through the depth; the plastic neutral axis is between two of them.
 const FIBRES: usize = 96;
 
-/// Whether a cantilever bears an axial force and a moment at its end, which grow together.
-fn bears(axial: f64, moment: f64) -> bool {
+/// Whether a cantilever carries an axial force and a moment at its end, which grow in proportion.
+fn is_carried(axial: f64, moment: f64) -> bool {
     let [width, depth, length] = BAR;
     let mut b = ModelBuilder::new();
     let steel = b.material(perfect(200e9, 7850.0, LIMIT));
@@ -28,8 +28,8 @@ fn bears(axial: f64, moment: f64) -> bool {
     b.build().is_ok_and(|model| equilibrium(&model).is_ok())
 }
 
-/// `M/M0 = 1 - (N/N0)^2` with `N0 = Y b h`, `M0 = Y b h^2/4`: the share of both at once that is borne, along rays of axial force and moment,
-/// pulled and pressed.
+/// `M/M0 = 1 - (N/N0)^2` with `N0 = Y b h`, `M0 = Y b h^2/4`: the largest common factor of axial force and moment, along rays in tension and
+/// compression.
 pub fn interaction() -> Report {
     let mut c = Checks::new();
     let [width, depth, _] = BAR;
@@ -39,7 +39,7 @@ pub fn interaction() -> Report {
         let (mut low, mut high) = (0.5, 1.5);
         for _ in 0..13 {
             let share = 0.5 * (low + high);
-            let borne = bears(share * n * axial, share * m * moment);
+            let borne = is_carried(share * n * axial, share * m * moment);
             *(if borne { &mut low } else { &mut high }) = share;
         }
         c.absolute(format!("N/N0 = {n}, M/M0 = {m:.2}: share borne"), low, 1.0, 3e-3);

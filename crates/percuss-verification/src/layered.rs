@@ -1,4 +1,4 @@
-//! Sections of several materials, against transformed sections.
+//! Sections of several materials, compared with transformed sections.
 
 use percuss::*;
 
@@ -8,7 +8,7 @@ use crate::yielding::perfect;
 
 const LENGTH: f64 = 1.0;
 
-/// Four elements follow an arc of 0.015 rad a metre and more as closely as this; half the curvature halves it twice.
+/// Relative error of four elements on an arc of 0.015 rad per metre and more; it is quartered by half the curvature.
 const ARC: f64 = 1e-6;
 
 /// A part of a section: number of its material, its bottom and its top \[m\], its width \[m\].
@@ -20,7 +20,7 @@ struct Layer {
 }
 
 impl Layer {
-    /// Two fibres at the points of Gauss, which have its area and its second moment: height, area, number of the material.
+    /// Two fibres at the Gauss points, with its area and second moment: height, area, number of the material.
     fn fibres(&self) -> [(f64, f64, usize); 2] {
         let (middle, half) = (0.5 * (self.from + self.to), 0.5 * (self.to - self.from));
         let point = |x: f64| (middle + half * x / 3.0_f64.sqrt(), half * self.width, self.material);
@@ -51,7 +51,7 @@ fn loaded(
     equilibrium(&b.build().ok()?).ok()
 }
 
-/// Curvature of the arc into which a moment bends it \[1/m\], and its least and largest stress \[Pa\].
+/// Curvature of the arc under a moment \[1/m\], and its least and largest stress \[Pa\].
 fn bent(found: Option<&Equilibrium>) -> [f64; 3] {
     let Some(found) = found else { return [f64::NAN; 3] };
     let [u, w] = found.points[0].1;
@@ -88,11 +88,11 @@ fn bimetal(c: &mut Checks) {
     let bending: f64 =
         (0..2).map(|i| stiff[i] * (deep[i] * deep[i] / 12.0 + arms[i] * arms[i])).sum();
     let fibres: Vec<_> = layers.iter().flat_map(Layer::fibres).collect();
-    // So small that the arc is one of a straight beam: four elements follow a larger one to the sixth digit only.
+    // So small that the linear theory applies: for a larger arc four elements are accurate only to the sixth digit.
     let moment = 0.02;
     let [curvature, least, most] = bent(loaded(&fibres, &metals, [0.0, moment]).as_ref());
     c.relative("bimetal: curvature [1/m]", curvature, moment / bending, 1e-9);
-    // A moment counter-clockwise presses what lies above.
+    // A counter-clockwise moment compresses the upper part.
     let stress = |&(y, _, i): &(f64, f64, usize)| -metals[i].young * y * moment / bending;
     let all: Vec<f64> = fibres.iter().map(stress).collect();
     let [low, high] = [f64::min, f64::max].map(|f| all.iter().copied().fold(all[0], f));
@@ -106,8 +106,8 @@ fn bimetal(c: &mut Checks) {
     c.relative("bimetal: stress of the steel [Pa]", most, 210e9 * 1000.0 / axial, 1e-9);
 }
 
-/// An elastic rectangle of 0.2 x 0.4 m with bars of 500 mm^2 at 0.17 m above and below the centre line, which yield at 500 MPa; then a body that
-/// yields too, at 20 MPa.
+/// An elastic rectangle of 0.2 x 0.4 m with bars of 500 mm^2 at 0.17 m above and below the centre line, which yield at 500 MPa; then with a matrix
+/// that also yields, at 20 MPa.
 fn reinforced(c: &mut Checks) {
     let (width, depth, bar, arm) = (0.2, 0.4, 500e-6, 0.17);
     let (soft, hard, limit) = (30e9, 200e9, 500e6);
@@ -127,7 +127,7 @@ fn reinforced(c: &mut Checks) {
     let first = limit * bending / (hard * arm);
     for share in [0.5, 0.999, 1.001, 1.5] {
         let [curvature, _, most] = bent(loaded(&fibres, &metals, [0.0, share * first]).as_ref());
-        // Beyond first yield the bars bear no more, the body the rest.
+        // Beyond first yield the force of the bars is constant, and the matrix carries the rest.
         let rest = (share * first - 2.0 * limit * bar * arm) / alone;
         let [exact, stress] = match share < 1.0 {
             true => [share * first / bending, share * limit],

@@ -1,7 +1,7 @@
-//! Verification of Percuss: results against closed forms, published figures and references computed independently.
+//! Verification of Percuss: results compared with closed forms, published values and independently computed references.
 //!
 //! A case is a function that returns its [`Report`]; its documentation names the source of every expected number. The same
-//! cases run in the test suite and behind `percuss verify`.
+//! cases run in the test suite and in `percuss verify`.
 
 mod beams;
 mod catalogue;
@@ -43,10 +43,10 @@ pub use check::{Check, Curve, Figure, Report, Tolerance, observed_order};
 pub struct Case {
     /// Short name, unique.
     pub id: &'static str,
-    /// What is verified.
+    /// Title: the verified property.
     pub title: &'static str,
-    /// Where the expected numbers come from.
+    /// Source of the expected numbers.
     pub source: &'static str,
-    /// Runs it.
+    /// Function that runs the case.
     pub run: fn() -> Report,
 }

@@ -68,7 +68,7 @@ pub fn spin_up() -> Report {
         c.absolute(name("its time [s]"), axial.1, 6.741, 1e-2);
         c.relative(name("least transverse displacement [m]"), across.0, -0.573_951, 1e-3);
         c.absolute(name("its time [s]"), across.1, 6.762, 1e-2);
-        // What vibration is left shortens the mean by a little.
+        // The remaining vibration shortens the mean slightly.
         c.relative(name("steady stretch [m]"), sum / count, steady, 1e-3);
         c.at_most(name("energy residual"), residual, 1e-10);
     }
@@ -96,7 +96,7 @@ pub fn pendulum() -> Report {
         }
         let state = run.state();
         let (t, v) = (state.time, state.velocity[1][0]);
-        // Out to the left and back: at rest again when the horizontal velocity falls through zero.
+        // It moves to the left and back: it is at rest again when the horizontal velocity passes zero downwards.
         if before.1 > 0.0 && v <= 0.0 {
             period = before.0 + (t - before.0) * before.1 / (before.1 - v);
         }

@@ -15,7 +15,7 @@ struct Pulled {
 }
 
 impl Pulled {
-    /// A column, row by row; empty where there is none.
+    /// A column of the history; empty if it does not exist.
     fn column(&self, name: &str) -> Vec<f64> {
         self.rows.column(name).unwrap_or_default()
     }
@@ -29,11 +29,11 @@ impl Pulled {
     }
 }
 
-/// Area of the bars that are strained evenly \[m^2\]; they are 1 m long and as deep, so that nothing buckles.
+/// Area of the uniformly strained bars \[m^2\]; they are 1 m long and 1 m deep, so that they do not buckle.
 const AREA: f64 = 1e-3;
 
-/// A bar strained evenly, `strain` over time, from its rate `from` on: of so little mass (1 kg/m^3) that its
-/// forces are those of statics.
+/// A uniformly strained bar, `strain` as a function of time, with the initial rate `from`; its density (1 kg/m^3) is so small that its forces are
+/// those of statics.
 fn strained(
     material: Material,
     strain: impl Fn(f64) -> f64 + Send + Sync + 'static,
@@ -58,15 +58,15 @@ fn strained(
     Pulled { rows, summary }
 }
 
-/// Stress of a bar strained evenly, from its strain energy at a row.
+/// Stress of a uniformly strained bar, from its strain energy at a row.
 fn stress(run: &Pulled, young: f64, row: usize) -> f64 {
     (2.0 * young * run.value("energy.strain", row) / AREA).sqrt()
 }
 
-/// A bar pulled, then pressed as far: stress, what is dissipated and what is stored, by hardening.
+/// A bar in tension, then in compression by the same amount: stress, dissipation, and energy stored in hardening.
 ///
-/// At a strain e where it yields, `sigma = E (e - p) = sg (sy + H alpha) + Hk p`. What flows dissipates `sy` a strain; hardening stores
-/// `H alpha^2 / 2 + Hk p^2 / 2`. Steps follow the path of strain exactly, whatever their size.
+/// At a strain e where it yields, `sigma = E (e - p) = sg (sy + H alpha) + Hk p`. Plastic flow dissipates `sy` per strain; hardening stores
+/// `H alpha^2 / 2 + Hk p^2 / 2`. Steps follow the path of strain exactly for any step size.
 pub fn cycles() -> Report {
     let mut c = Checks::new();
     let (young, limit, largest) = (200e9, 250e6, 0.01);
@@ -82,8 +82,8 @@ pub fn cycles() -> Report {
         let second = (limit + 2.0 * iso * first - young * largest) / (young + iso + kin);
         let alpha = [first, 2.0 * first - second];
         let plastic = [first, second];
-        // Without hardening nothing says how strains are shared out along the bar: they drift apart between the Gauss points of an element, and the
-        // stress, told from the strain energy, is off by 1.6e-4 after 96 steps, 4.5e-4 after 384 and 1.2e-3 after 768.
+        // Without hardening the distribution of strain along the bar is undetermined: strains of the Gauss points of an element drift apart, and
+        // the stress computed from the strain energy has an error of 1.6e-4 after 96 steps, 4.5e-4 after 384 and 1.2e-3 after 768.
         let hardens = iso + kin > 0.0;
         let close = if hardens { 1e-9 } else { 1e-3 };
         for steps in if hardens { [12, 96] } else { [96, 192] } {
@@ -112,7 +112,7 @@ pub fn cycles() -> Report {
     c.into_report()
 }
 
-/// Stress of a bar pulled at a rate after a time, by Runge and Kutta: `sigma' = E (rate - C (sigma/sy - 1)^q)` beyond sy.
+/// Stress of a bar after a time of constant strain rate, by Runge-Kutta integration: `sigma' = E (rate - C (sigma/sy - 1)^q)` beyond sy.
 fn overstressed(young: f64, limit: f64, law: Overstress, rate: f64, time: f64) -> f64 {
     let from = limit / (young * rate);
     let count = 20_000;
@@ -127,11 +127,11 @@ fn overstressed(young: f64, limit: f64, law: Overstress, rate: f64, time: f64) -
     })
 }
 
-/// A bar pulled at a steady rate, with viscous overstress: it tends to `sy (1 + (rate/C)^(1/q))`.
+/// A bar at constant strain rate, with viscous overstress: the stress tends to `sy (1 + (rate/C)^(1/q))`.
 pub fn rates() -> Report {
     let mut c = Checks::new();
     let (young, limit) = (200e9, 250e6);
-    // Constants in common use of mild steel and of aluminium 6061-T6.
+    // Common constants of mild steel and of aluminium 6061-T6.
     for (name, constant, exponent) in [("mild steel", 40.4, 5.0), ("aluminium", 6500.0, 4.0)] {
         let law = Overstress { rate: constant, exponent };
         let run = |rate: f64, strain: f64, steps: usize| {
@@ -148,7 +148,7 @@ pub fn rates() -> Report {
             c.relative(format!("{name}, {rate}/s: stress [Pa]"), found, exact, 1e-9);
             balances(&mut c, &format!("{name}, {rate}/s"), &summary);
         }
-        // On the way there, where without flow it would be: flow is that of the overstress at the end of a step, of first order.
+        // The transient stress: flow is that of the overstress at the end of a step, of first order.
         let rate: f64 = 100.0;
         let strain = limit / young * (1.0 + (rate / constant).powf(1.0 / exponent));
         let exact = overstressed(young, limit, law, rate, strain / rate);
@@ -160,7 +160,7 @@ pub fn rates() -> Report {
     c.into_report()
 }
 
-/// A bar whose end is pulled at once at 20 m/s: a precursor at yield, and behind the plastic front a plateau.
+/// A bar whose end is suddenly pulled at 20 m/s: a precursor at yield, and a plateau behind the plastic front.
 ///
 /// sigma = sy + rho cp (v - vy), vy = sy / (rho c), cp = sqrt(Et/rho) (Donnell 1930; von Karman, Taylor and Rakhmatulin).
 pub fn plastic_wave() -> Report {
@@ -221,8 +221,8 @@ pub fn plastic_wave() -> Report {
         yields_at * (end - 0.4 * LENGTH / fast),
         limit * (strain - plateau / young) * slow * end * area,
     ];
-    // Of the first order in the elements, as the front is smeared over some of them. What is dissipated stays 0.1 % too large: the
-    // jump of the precursor overshoots on any mesh, and what it passes yields a little.
+    // The error is of first order in the element length, as the front extends over several elements. Dissipation is 0.1 % too large: the jump of
+    // the precursor overshoots on any mesh, and the material that it passes yields slightly.
     let names = [
         ("stress [Pa]", [1e-2, 6e-3]),
         ("strain", [1e-2, 6e-3]),
@@ -241,9 +241,8 @@ pub fn plastic_wave() -> Report {
     c.into_report()
 }
 
-/// Three bars in a fan (ANSYS VM11), loaded up to where all yield and unloaded; psi, in, lb.
-///
-/// Strains a hundredth of the source's, whose solution is that of small displacements.
+/// Three bars in a fan (ANSYS VM11), loaded until all bars yield and unloaded; psi, in, lb.
+/// Strains are a hundredth of the source's, whose solution assumes small displacements.
 pub fn fan() -> Report {
     const SMALL: f64 = 0.01;
     let mut c = Checks::new();

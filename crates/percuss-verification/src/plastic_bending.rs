@@ -1,4 +1,4 @@
-//! Beams that yield in pure bending, and a ring that an explosion closes.
+//! Beams that yield in pure bending, and a ring closed by an explosion.
 
 use percuss::*;
 
@@ -13,7 +13,7 @@ const LENGTH: f64 = 0.05;
 const WIDTH: f64 = 3e-3;
 const DEPTH: f64 = 5e-3;
 
-/// It under an end moment.
+/// The cantilever under an end moment.
 fn bent(section: Section, moment: f64) -> Option<Equilibrium> {
     let mut b = ModelBuilder::new();
     let metal = b.material(perfect(YOUNG, 7800.0, LIMIT));
@@ -49,8 +49,8 @@ pub fn moment_and_curvature() -> Report {
         for share in [0.6, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95] {
             let what = format!("{fibres} fibres, M = {share} M0: curvature [1/m]");
             let exact = curvature(share);
-            // Fibres are sums of Gauss in what bends elastically; beyond, the error falls with the square of their number in what is still
-            // elastic, ky/k of the depth, at most 1.92 of one over it.
+            // Fibres give Gauss sums in the elastic range; beyond it, the error decreases with the square of the number of fibres in the elastic
+            // core, ky/k of the depth, and is at most 1.92 divided by this square.
             let elastic = first / exact * f64::from(fibres);
             let close = if share < 2.0 / 3.0 { 1e-9 } else { 2.0 / elastic.powi(2) };
             c.relative(what, measured(fibres as usize, share), exact, close);
@@ -71,10 +71,10 @@ pub fn moment_and_curvature() -> Report {
     c.into_report()
 }
 
-/// Fully plastic moments, found by halving: the largest moment that is borne.
+/// Plastic moments, found by bisection: the largest moment with an equilibrium.
 ///
-/// Sections of 16 fibres, whose plastic moment is exact; 0.1 % to 0.25 % below it the innermost ones are the last that are elastic, and bend
-/// a bar of eight elements further than these follow.
+/// Sections of 16 fibres, whose plastic moment is exact; 0.1 % to 0.25 % below it only the innermost fibres are elastic, and the bending of a bar
+/// exceeds what eight elements can represent.
 pub fn plastic_moments() -> Report {
     let mut c = Checks::new();
     let (d, i) = (5e-3_f64, 4e-3_f64);
@@ -98,7 +98,7 @@ pub fn plastic_moments() -> Report {
     c.into_report()
 }
 
-/// Half a ring of aluminium that sheet explosive closes: its least diameter \[m\] and when \[s\], and its diameter at 1.35 ms \[m\].
+/// Half a ring of aluminium closed by sheet explosive: its least diameter \[m\] and the time of it \[s\], and its diameter at 1.35 ms \[m\].
 fn ring(metal: Material, elements: usize) -> ([f64; 3], RunSummary) {
     let radius = 0.5 * (0.1524 - 0.00315);
     let mut b = ModelBuilder::new();
@@ -145,11 +145,11 @@ fn ring(metal: Material, elements: usize) -> ([f64; 3], RunSummary) {
     ([least, when, or_nan(then.copied())], summary)
 }
 
-/// A free ring under sheet explosive over 120 degrees (Clark et al. 1962), as Abaqus' benchmark of the free ring has it: aluminium 6061-T6
-/// that hardens or whose stress grows with rate.
+/// A free ring under sheet explosive over 120 degrees (Clark et al. 1962), as in Abaqus' benchmark: aluminium 6061-T6 with hardening or with rate
+/// dependence.
 ///
-/// Its results are published as curves, which tell a diameter to about 5 mm: 60 and 80 mm, from 1.3 to 1.4 ms on. The curve of what
-/// hardens is flat there.
+/// Its results are published as curves, from which a diameter can be read to about 5 mm: 60 and 80 mm, from 1.3 to 1.4 ms on. The curve with
+/// hardening is flat there.
 pub fn explosive_ring() -> Report {
     let mut c = Checks::new();
     let (young, density, limit, tangent) = (72.4e9, 2672.0, 295.1e6, 542.6e6);
@@ -169,7 +169,7 @@ pub fn explosive_ring() -> Report {
             balances(&mut c, &what, &summary);
         }
     }
-    // Elements of 10, 5 and 2.5 degrees: changes fall to a third.
+    // Elements of 10, 5 and 2.5 degrees: changes decrease to a third.
     let [a, b, d] = [18, 36, 72].map(|elements| 1e3 * ring(rate.clone(), elements).0[0]);
     c.at_most("rate: 36 to 72 elements over 18 to 36, change", (d - b).abs() / (b - a).abs(), 0.5);
     c.into_report()

@@ -15,8 +15,8 @@ const DEEP: [f64; 3] = [200e9 * 16.0 / 12.0, 8000.0 * 4.0, 8000.0 * 16.0 / 12.0]
 const SHEAR: f64 = 5.0 / 6.0 * 200e9 / 2.6 * 4.0;
 const DEEP_LENGTH: f64 = 10.0;
 
-/// NAFEMS FV5: a deep simply supported beam. Its published flexural frequencies are those of a beam that shears: the closed form
-/// of Timoshenko's beam meets them, ours is that of Rayleigh's, and the quotient is what shear is worth.
+/// NAFEMS FV5: a deep simply supported beam. Its published flexural frequencies include shear deformation: the closed form of Timoshenko's beam
+/// agrees with them. The reference here is Rayleigh's beam, and the quotient shows the effect of shear.
 pub fn deep_beam() -> Report {
     let mut c = Checks::new();
     let model = scene(&mut c, published!("deep-beam")).model;
@@ -42,7 +42,7 @@ pub fn deep_beam() -> Report {
             rayleigh,
             mesh,
         );
-        // Another shear coefficient in the third digit.
+        // The shear coefficient of the source differs in the third digit.
         c.relative(
             format!("flexure {n}: closed form with shear, published [Hz]"),
             shears,
@@ -59,7 +59,7 @@ pub fn deep_beam() -> Report {
     c.into_report()
 }
 
-/// NAFEMS 5T: the same beam under a load put on at once, damped: the sum over its modes.
+/// NAFEMS 5T: the same beam under a sudden load, with damping: modal sum.
 pub fn stepped_load() -> Report {
     let mut c = Checks::new();
     let compiled = scene(&mut c, published!("stepped-load"));
@@ -90,7 +90,7 @@ pub fn stepped_load() -> Report {
     let measured = run.displacement("beam.mid", 1);
     c.relative("largest deflection [mm]", 1e3 * measured.value.abs(), 1e3 * peak, 1e-3);
     c.absolute("its instant [s]", measured.time, time, 2e-5);
-    // The source's beam shears: a tenth more at rest.
+    // The source includes shear deformation: a tenth more static deflection.
     let still = 5.0 * load * DEEP_LENGTH.powi(4) / (384.0 * ei);
     let sheared = load * DEEP_LENGTH.powi(2) / (8.0 * SHEAR);
     c.relative("at rest, with shear, published [mm]", 1e3 * (still + sheared), 0.538, 3e-3);
@@ -128,7 +128,7 @@ pub fn two_springs() -> Report {
         let (force, stretch) = (k * (length - 10.0), length - 10.0);
         ([force * dx / length, force * dy / length], 0.5 * k * stretch * stretch)
     };
-    // Newton's method with differences for the tangent, from a place nearby.
+    // Newton's method with a finite-difference tangent, from a starting point nearby.
     let (mut x, mut y) = (8.0, 4.0);
     let residual = |x: f64, y: f64| {
         let (a, b) = (spring(8.0, 10.0, x, y).0, spring(1.0, -10.0, x, y).0);
@@ -151,7 +151,7 @@ pub fn two_springs() -> Report {
         (last("point.node.start.displacement_1"), last("point.node.start.displacement_2"));
     c.relative("displacement to the side [cm]", found_x, x, 1e-6);
     c.relative("displacement upwards [cm]", found_y, y, 1e-6);
-    // Published is where a search ended; the least energy is 2.5e-4 from there.
+    // The published point is the end of a numerical search; the minimum of the energy is 2.5e-4 from it.
     c.relative("to the side, published", found_x, 8.631, 3e-4);
     c.relative("upwards, published", found_y, 4.533, 3e-4);
     let stored = spring(8.0, 10.0, found_x, found_y).1 + spring(1.0, -10.0, found_x, found_y).1;
@@ -198,7 +198,7 @@ pub fn dropped_container() -> Report {
     c.into_report()
 }
 
-/// ANSYS VM77 (Biggs): a beam that bears a mass, under a force with a finite rise time.
+/// ANSYS VM77 (Biggs): a beam with a mass, under a force with a finite rise time.
 pub fn rise_time() -> Report {
     let mut c = Checks::new();
     let compiled = scene(&mut c, published!("rise-time"));
@@ -213,10 +213,10 @@ pub fn rise_time() -> Report {
     let instant =
         (0..150_000).map(|k| f64::from(k) * 1e-6).max_by(|a, b| exact(*a).total_cmp(&exact(*b)));
     let measured = run.displacement("beam.mid", 1);
-    // The step of 0.2 ms is a five-hundredth of a period: 5e-5 of the response. The beam sags by 1e-3 of its length.
+    // The step of 0.2 ms is a five-hundredth of a period: an error of 5e-5 of the response. The deflection is 1e-3 of the length.
     c.relative("largest deflection [in]", measured.value.abs(), peak, 2e-4);
     c.absolute("its instant [s]", measured.time, or_nan(instant), 2e-4);
-    // Read from a chart in the source.
+    // Values are read from a chart in the source.
     c.relative("largest deflection, published [in]", measured.value.abs(), 0.331, 0.015);
     c.relative("its instant, published [s]", measured.time, 0.092, 0.011);
     let range = &run.summary.section_forces[0].stress;
@@ -247,7 +247,7 @@ pub fn ring_modes() -> Report {
     let speed = f64::sqrt(200e9 * 0.02 * 0.004_f64.powi(3) / 12.0 / (8000.0 * 0.02 * 0.004));
     for (k, n) in [2.0_f64, 4.0, 6.0].into_iter().enumerate() {
         let exact = n * (n * n - 1.0) / f64::sqrt(n * n + 1.0) * speed / TAU;
-        // Inextensional: a thin ring stretches, and turns with inertia, by n^2 (h/R)^2 / 12.
+        // The formula is inextensional: stretching and rotary inertia of a thin ring change it by n^2 (h/R)^2 / 12.
         let thin = n * n * 1.6e-5 / 12.0;
         c.relative(
             format!("n = {n} [Hz]"),
@@ -259,9 +259,8 @@ pub fn ring_modes() -> Report {
     c.into_report()
 }
 
-/// Saint-Venant's rod, struck along its axis by a mass behind a spring: waves in closed form with a delay, integrated finely.
-///
-/// The wave that runs into the rod has the velocity f'(t), what comes back from the wall -f'(t - T). At the struck end the
+/// Saint-Venant's rod, struck along its axis by a mass behind a spring: waves in closed form with a delay, integrated with small steps.
+/// The wave into the rod has the velocity f'(t), its reflection from the wall -f'(t - T). At the struck end the
 /// velocity is `f'(t) - f'(t - T)` and the force `Z (f'(t) + f'(t - T))`, `Z = E A / c`, `T = 2 L / c`.
 pub fn struck_rod() -> Report {
     let mut c = Checks::new();
@@ -289,7 +288,7 @@ pub fn struck_rod() -> Report {
             ends = t;
             break;
         }
-        // Speeds first, then what is pressed in: second order in a step of a ten-thousandth of the spring's time.
+        // Velocities are updated before the compression: second order in a step of a ten-thousandth of the spring's time.
         speed -= force / mass * step;
         pressed += (speed - (out - back)) * step;
     }
@@ -311,14 +310,14 @@ pub fn struck_rod() -> Report {
     c.into_report()
 }
 
-/// Three beads above each other fall on a floor: their impacts, one after the other, computed from one event to the next.
+/// Three beads above each other fall on a floor: the sequence of their impacts, computed from event to event.
 pub fn bead_column() -> Report {
     const EVENTS: usize = 24;
     let mut c = Checks::new();
     let compiled = scene(&mut c, published!("bead-column"));
     let run = Recorded::of(&compiled);
     let (gravity, restitution, mass) = (9.81_f64, 0.9, [1.0, 2.0, 0.5]);
-    // Heights of the lowest points above where they would lie on each other at rest.
+    // Heights of the lowest points above their positions in a resting stack.
     let mut height = [0.5, 0.6, 0.8];
     let (mut speed, mut time, mut events) = ([0.0_f64; 3], 0.0, Vec::new());
     while events.len() < EVENTS {
@@ -360,7 +359,7 @@ pub fn bead_column() -> Report {
     found.sort_by(|a, b| a.time.total_cmp(&b.time));
     for (k, (time, impulse)) in events.iter().enumerate() {
         let impact = found.get(k);
-        // Impacts take an interval of a ten-millionth of the step each, and errors grow from blow to blow.
+        // Impacts take an interval of a ten-millionth of the step each, and errors grow from impact to impact.
         c.relative(
             format!("impact {}: instant [s]", k + 1),
             or_nan(impact.map(|i| i.time)),
@@ -378,7 +377,7 @@ pub fn bead_column() -> Report {
     c.into_report()
 }
 
-/// code_aster SSNL106: a bar of fibres pulled beyond yield bears its area times the yield stress.
+/// code_aster SSNL106: the force of a fibre bar in tension beyond yield is its area times the yield stress.
 pub fn fibre_bar() -> Report {
     let mut c = Checks::new();
     let compiled = scene(&mut c, published!("fibre-bar"));

@@ -8,10 +8,10 @@ use crate::check::{Checks, Curve, Report};
 use crate::scene::{at_element, compiled, displaced, published, scene};
 use crate::structure::or_nan;
 
-/// Equilibrium of a file that the manual shows.
+/// Equilibrium of a file shown in the manual.
 ///
 /// # Panics
-/// If there is none.
+/// If there is no equilibrium.
 fn equilibrium_of(c: &mut Checks, file: (&'static str, &'static str)) -> Equilibrium {
     equilibrium(&scene(c, file).model).expect("an equilibrium")
 }
@@ -29,7 +29,7 @@ pub fn overhanging_beam() -> Report {
     let (load, arm, span) = (1e4 / 12.0, 120.0_f64, 240.0_f64);
     let (young, inertia, half) = (30e6, 7892.0, 15.0);
     let moment = load * arm * arm / 2.0;
-    // The beam is bent by 1e-3: what is linear is off by the square of that.
+    // The deflection is 1e-3 of the length: the error of the linear theory is its square.
     let [_, up] = displaced(&found, "beam.mid");
     c.relative(
         "deflection of the middle [in]",
@@ -59,7 +59,7 @@ pub fn tapered_cantilever() -> Report {
     c.relative("stress at the middle, published", middle, 8333.0, 1e-4);
     c.relative("stress at the root, published", root, 7407.0, 1e-4);
     // Told for the beam is the largest anywhere: of a depth that shrinks evenly it lies where depth is twice that of the tip.
-    c.relative("largest stress told [psi]", stress(&found, 0), 4000.0 * 25.0 / modulus(6.0), 1e-4);
+    c.relative("largest fibre stress [psi]", stress(&found, 0), 4000.0 * 25.0 / modulus(6.0), 1e-4);
     c.into_report()
 }
 
@@ -80,7 +80,7 @@ pub fn t_section() -> Report {
     c.into_report()
 }
 
-/// A cantilever propped at its end: 5/8 of the load goes to the wall, 3/8 to the prop.
+/// A cantilever propped at its end: reactions of 5/8 of the load at the wall and 3/8 at the prop.
 pub fn propped_cantilever() -> Report {
     let mut c = Checks::new();
     let found = equilibrium_of(&mut c, published!("propped-cantilever"));
@@ -103,12 +103,12 @@ pub fn propped_cantilever() -> Report {
     c.absolute("its place [m]", range.max.s, 0.625, 1e-6);
     let envelope = &found.section_forces[0].envelope;
     let exact = |s: f64| load * (-1.0 / 8.0 + 5.0 / 8.0 * s - s * s / 2.0);
-    let told = envelope.s.iter().zip(&envelope.moment[1]).map(|(s, m)| [*s, *m]).collect();
+    let computed = envelope.s.iter().zip(&envelope.moment[1]).map(|(s, m)| [*s, *m]).collect();
     let closed = (0..=20).map(|k| f64::from(k) / 20.0).map(|s| [s, exact(s)]).collect();
     c.figure(
         "Moment along the beam",
         ["place [m]", "moment [N m]"],
-        [Curve::computed("Percuss", told), Curve::reference("closed form", closed)],
+        [Curve::computed("Percuss", computed), Curve::reference("closed form", closed)],
     );
     c.into_report()
 }
@@ -122,7 +122,7 @@ pub fn pressed_ring() -> Report {
     let range = &found.section_forces[0].moment;
     c.relative("moment under the force [N m]", -range.min.value, force / PI, 1e-5);
     c.relative("moment at the side [N m]", range.max.value, force * (0.5 - 1.0 / PI), 1e-5);
-    // A thin ring: normal forces add (h/R)^2 / 12, 1.3e-6, times some.
+    // A thin ring: normal forces contribute about (h/R)^2 / 12 = 1.3e-6.
     let short = -2.0 * displaced(&found, "quarter.end")[1];
     let long = 2.0 * displaced(&found, "quarter.start")[0];
     c.relative("shorter by [m]", short, (PI / 4.0 - 2.0 / PI) * force / stiffness, 3e-5);
@@ -135,7 +135,7 @@ fn factor(model: &Model) -> f64 {
     or_nan(buckling(model, 1).modes.first().map(|mode| mode.factor))
 }
 
-/// A portal frame on pins sways aside under a force on each column: `k L tan(k L) = 6` for a beam like the columns.
+/// A portal frame on pins buckles sideways under a force on each column: `k L tan(k L) = 6` for a beam like the columns.
 pub fn portal_sway() -> Report {
     let mut c = Checks::new();
     let model = scene(&mut c, published!("portal-sway")).model;
@@ -176,16 +176,16 @@ pub fn euler_columns() -> Report {
         let found = |elements: usize| {
             factor(&compiled(&text(elements, foot, &head), name).model) / stiffness
         };
-        // At the load it is compressed by up to 5e-5.
+        // Its compressive strain at the load is at most 5e-5.
         c.relative(format!("{name}: P L^2 / (E I)"), found(32), exact, 1e-4);
         if name == "clamped" {
             c.file("euler-column", text(32, foot, &head));
-            // Errors of the mesh, without what compression does on all of them alike.
+            // Errors of the mesh, without the effect of compression, which is equal on all meshes.
             let limit = found(96);
             let errors = [4, 6, 8, 12].map(|n| [1.0 / n as f64, (found(n) / limit - 1.0).abs()]);
             let axes = ["length of an element [m]", "relative error"];
             let order =
-                c.convergence("A clamped column on ever finer meshes", axes, errors.to_vec());
+                c.convergence("A clamped column under mesh refinement", axes, errors.to_vec());
             c.absolute("order of convergence", order, 4.0, 0.15);
         }
     }

@@ -20,7 +20,7 @@ pub fn first_impact() -> Report {
         (24, 1.0, 1880.35517, f64::NAN, 0.0),
     ] {
         let model = stiff(n).clamped().struck(paper_rigid(e)).build();
-        // The impact falls on the end of step 50; the pulse reaches into step 51. The jump M (v+ - v-) = -n L is the
+        // The impact is at the end of step 50; the pulse extends into step 51. The jump M (v+ - v-) = -n L is the
         // limit of a short pulse, so the step is short.
         let summary = run(&model, &Settings::new(5.1e-4, 1e-7));
         let first = impacts(&summary).first();
@@ -55,7 +55,7 @@ pub fn sequence() -> Report {
         c.relative(format!("impulse {k} [N s]"), or_nan(found.map(|i| i.1)), impulse, 1e-3);
     }
     c.absolute("number of impacts", fine.len() as f64, 3.0, 0.0);
-    // Differences of successive halvings fall fourfold.
+    // Differences of successive halvings decrease by a factor of four.
     let ladder: Vec<_> = [2e-6, 1e-6, 5e-7, 2.5e-7].iter().map(|h| impulses(*h)).collect();
     for k in [1, 2] {
         let at = |n: usize| or_nan(ladder[n].get(k).map(|i| i.1));
@@ -74,8 +74,8 @@ pub fn sequence() -> Report {
 
 /// F2: the whole sequence in the linear range, scaled to the amplitude of the reference.
 ///
-/// At the reference's own amplitude (the example divided by 100) stretching still moves the third impulse by 4e-4
-/// of itself; the reference is linear, so the example is divided by 10^4.
+/// At the reference's own amplitude (the example divided by 100) stretching changes the third impulse by a share of 4e-4; the reference is linear,
+/// so the example is divided by 10^4.
 pub fn linear_sequence() -> Report {
     const SCALE: f64 = 100.0; // amplitude of the reference over ours
     let sequence = |step: f64| {
@@ -147,7 +147,7 @@ pub fn bouncing_ball() -> Report {
     c.into_report()
 }
 
-/// F4: a rigid free rod struck off its middle, approached by a very stiff beam.
+/// F4: a rigid free rod struck eccentrically, approximated by a very stiff beam.
 pub fn rigid_rod() -> Report {
     let mut c = Checks::new();
     for (at, impulse, velocity) in
@@ -155,8 +155,8 @@ pub fn rigid_rod() -> Report {
     {
         let mut shot = paper_rigid(1.0);
         shot.at = at;
-        // So stiff that it moves as a rigid body over a step; time stepping lets the impulse act over a whole step, where
-        // a pulse would set the mesh's own modes ringing. Rotary inertia is dropped: the closed form has none.
+        // So stiff that it moves as a rigid body over a step; with time stepping the impulse acts over a whole step, whereas a pulse would excite
+        // modes of the mesh. Rotary inertia is omitted, as in the closed form.
         let mut beam = paper_beam(1).young(1e22).struck(shot);
         beam.rotary = RotaryInertia::Neglected;
         let impacts_mode = ImpactResolution::TimeStepping { closed_tolerance: 1e-9 };

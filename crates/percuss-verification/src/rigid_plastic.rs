@@ -1,9 +1,8 @@
-//! Beams that a blow bends for good, against closed forms of rigid, perfectly plastic material.
-//!
-//! What the program computes differs from these by its elements and by what the material stores elastically. A hinge at an end stands
-//! a third of an element inside: an error of the first order in the element's length. Elasticity fades as Young's modulus grows at
-//! the same yield stress: in proportion to 1/E where all moves slowly, to 1/sqrt(E) where bending waves run ahead of a hinge that
-//! travels (both ways grow with the root of time, the waves' with sqrt(EI/m)). So each case compares the limit that its runs tend to.
+//! Permanent deflection of beams after impact, compared with closed forms for rigid, perfectly plastic material. The numerical results differ from
+//! these by discretisation and elasticity. A hinge at an end is a third of an element inside: an error of first order in the element length. The
+//! effect of elasticity decreases with growing Young's modulus at constant yield stress: in proportion to 1/E for slow motion, to 1/sqrt(E) where
+//! bending waves precede a travelling hinge (both distances grow with the square root of time, that of the waves with sqrt(EI/m)). Each case
+//! therefore compares the limit of its runs.
 
 use percuss::*;
 
@@ -14,11 +13,11 @@ use crate::yielding::{balances, perfect};
 /// Yield stress \[Pa\].
 const LIMIT: f64 = 250e6;
 
-/// Young's modulus, and the one that it is compared with \[Pa\].
+/// Young's modulus, and the larger one for the limit \[Pa\].
 const SOFT: f64 = 2e12;
 const STIFF: f64 = 8e12;
 
-/// The limit of what falls off in the first order as elements are halved.
+/// Limit of a first-order sequence with halved elements.
 fn on_finer_meshes(coarse: f64, fine: f64) -> f64 {
     2.0 * fine - coarse
 }
@@ -28,7 +27,7 @@ fn plastic_moment(depth: f64) -> f64 {
     LIMIT * depth.powi(3) / 4.0
 }
 
-/// Largest deflection over depth `w` that a mass of `lambda = G V0^2 L / (8 M0 h)` drives a rectangle to, with the interaction
+/// Largest deflection over depth `w` of a rectangle struck by a mass with `lambda = G V0^2 L / (8 M0 h)`, with the interaction
 /// `M/M0 + (N/N0)^2 = 1`: its energy is the work of both over the deflection.
 ///
 /// Between clamps the work is `w + w^3/3` up to w = 1, then `w^2 + 1/3`; between pins `w/2 + 2 w^3/3` up to w = 1/2, then `w^2 + 1/12`.
@@ -42,7 +41,7 @@ fn driven_to(clamped: bool, lambda: f64) -> f64 {
     (0..50).fold(0.0, |w, _| w - work(w) / (first + 3.0 * cubic * w * w))
 }
 
-/// Half of a light beam of half span 0.5 m with a heavy mass on its middle, at once at V0.
+/// Half of a light beam of half span 0.5 m with a heavy mass at midspan, with the initial velocity V0.
 struct HeavyMass {
     clamped: bool,
     lambda: f64,
@@ -51,12 +50,12 @@ struct HeavyMass {
 impl HeavyMass {
     const DEPTH: f64 = 0.025;
 
-    /// Its largest deflection over its depth.
+    /// Ratio of its largest deflection to its depth.
     fn deflection(&self, c: &mut Checks, elements: usize, young: f64) -> f64 {
         let (half, depth, mass) = (0.5, Self::DEPTH, 100.0);
         let speed = f64::sqrt(8.0 * plastic_moment(depth) * depth * self.lambda / (mass * half));
         let mut b = ModelBuilder::new();
-        // The beam weighs half a thousandth of what its mass does.
+        // The mass of the beam is half a thousandth of the attached mass.
         let metal = b.material(perfect(young, 785.0, LIMIT));
         let section = b.section(Section::rectangle("square", depth, depth));
         let beam = b.beam(Beam::new("beam", &[[0.0, 0.0], [half, 0.0]], elements, metal, section));
@@ -86,9 +85,8 @@ impl std::fmt::Display for HeavyMass {
     }
 }
 
-/// A heavy mass on a beam whose ends cannot draw in: bending at first, then a string.
-///
-/// Eight elements at 2e12 Pa miss it by 5 % at most, the limit by 1.7 %: what is left is of higher order in elements half as long.
+/// A heavy mass on a beam with axially fixed ends: first bending, then membrane action.
+/// The error of eight elements at 2e12 Pa is at most 5 %, that of the limit 1.7 %: the remainder is of higher order in the element length.
 pub fn heavy_mass() -> Report {
     let mut c = Checks::new();
     for clamped in [true, false] {
@@ -105,16 +103,16 @@ pub fn heavy_mass() -> Report {
     c.into_report()
 }
 
-/// A cantilever of 1 m with a mass at its tip, struck there; in two parts, so that it is told what the root takes.
+/// A cantilever of 1 m with a mass at its tip, struck there; in two beams, so that the dissipation at the root is reported.
 struct Parkes {
-    /// Mass of the tip over that of the beam.
+    /// Ratio of the tip mass to the mass of the beam.
     ratio: f64,
 }
 
 impl Parkes {
     const DEPTH: f64 = 0.1;
     const DENSITY: f64 = 7850.0;
-    /// Angle by which the root turns at last: deflections stay small.
+    /// Final rotation of the root, so small that deflections are small.
     const ANGLE: f64 = 0.08;
     /// Length of the part at the root.
     const ROOT: f64 = 0.1;
@@ -124,14 +122,14 @@ impl Parkes {
         Self::DENSITY * Self::DEPTH.powi(2)
     }
 
-    /// Velocity of the tip that turns the root by the angle: `(G + mL/3) V0^2 / (2 M0 (1 + mL/2G)^2)`.
+    /// Velocity of the tip for this rotation of the root: `(G + mL/3) V0^2 / (2 M0 (1 + mL/2G)^2)`.
     fn speed(&self) -> f64 {
         let inertia = Self::beam_mass() * (self.ratio + 1.0 / 3.0);
         let after = 1.0 + 0.5 / self.ratio;
         (2.0 * plastic_moment(Self::DEPTH) * Self::ANGLE / inertia).sqrt() * after
     }
 
-    /// Deflection of the tip: the way of the tip while the hinge travels, and the root's turn, `G^2 V0^2 / (3 m M0)` times
+    /// Deflection of the tip: its displacement during the travel of the hinge, and that by the rotation of the root, `G^2 V0^2 / (3 m M0)` times
     /// `b/(1 + b) + 2 ln(1 + b)` with `b = mL/2G`.
     fn deflection(&self) -> f64 {
         let beta = 0.5 / self.ratio;
@@ -140,7 +138,7 @@ impl Parkes {
         way * (beta / (1.0 + beta) + 2.0 * beta.ln_1p())
     }
 
-    /// Share of the energy that is left when the hinge has come as far from the tip: `(1 + mx/3G) / (1 + mx/2G)^2`.
+    /// Share of the energy that remains when the hinge is at the distance x = `way` from the tip: `(1 + mx/3G) / (1 + mx/2G)^2`.
     fn share(&self, way: f64) -> f64 {
         (1.0 + way / (3.0 * self.ratio)) / (1.0 + way / (2.0 * self.ratio)).powi(2)
     }
@@ -163,7 +161,7 @@ impl Parkes {
         let (name, at) = ("striker".into(), tip.clone());
         b.point_mass(PointMass { name, at, mass, rotary_inertia: 0.0 });
         b.record_point(tip.clone());
-        // It is at rest when momentum about the root is spent: M0 T = G V0 L. The mass has its momentum within the first step.
+        // It is at rest when the angular momentum about the root is zero: M0 T = G V0 L. The mass receives its momentum within the first step.
         let end = 1.2 * mass * speed / plastic_moment(Self::DEPTH);
         let step = end / steps as f64;
         let force = [0.0, mass * speed / step];
@@ -178,10 +176,9 @@ impl Parkes {
     }
 }
 
-/// A cantilever struck at its tip: a hinge travels to the root, then the beam turns about it (Parkes 1955).
-///
-/// The whole root takes .41667, .74667, .93726 of the energy for G/mL of .5, 2, 10; here the tenth next to it is told, in which the hinge
-/// comes to its end. Ten elements leave up to 4 % of the deflection and 8 % of that share in the limit of stiff material.
+/// A cantilever struck at its tip: a hinge travels to the root, then the beam rotates about it (Parkes 1955). The root dissipates .41667, .74667,
+/// .93726 of the energy for G/mL of .5, 2, 10; the compared tenth of the length at the root contains the end of the hinge's travel. Ten elements
+/// have errors up to 4 % of the deflection and 8 % of that share in the limit of stiff material.
 pub fn parkes() -> Report {
     let mut c = Checks::new();
     for (ratio, steps) in [(0.5, 2000), (2.0, 4000), (10.0, 4000)] {
@@ -198,7 +195,7 @@ pub fn parkes() -> Report {
     c.into_report()
 }
 
-/// Deflection in the middle of a beam of half span 0.5 m, free to draw in, that is struck all over \[m\].
+/// Deflection in the middle of a beam of half span 0.5 m, axially free, with an initial velocity of the whole beam \[m\].
 fn struck_all_over(
     c: &mut Checks,
     clamped: bool,
@@ -224,7 +221,7 @@ fn struck_all_over(
     let (middle, components) = (at("middle", beam, 0.5), vec![Displacement1]);
     b.support(Support::new("middle", middle.clone(), SupportKind::Fix { components }));
     b.record_point(middle);
-    // At rest after m V0 L^2 / 2 M0, half of that between clamps. All has its momentum within the first step.
+    // At rest after m V0 L^2 / 2 M0, half of that between clamps. The beam receives its momentum within the first step.
     let rest = mass * speed * half * half / (2.0 * moment);
     let end = if clamped { 0.6 * rest } else { 1.2 * rest };
     let step = end / 2000.0;
@@ -240,9 +237,8 @@ fn struck_all_over(
     summary.points[0].displacement_max[1].value
 }
 
-/// A velocity on all of a beam of span 2L, in bending alone: `m V0^2 L^2 / (3 M0)`, half of it between clamps (Symonds 1953).
-///
-/// Twenty elements at 8e12 Pa miss it by 10 %, most of it by elasticity; the limit by 0.6 % and 2.6 %.
+/// An initial velocity of a whole beam of span 2L, in bending only: `m V0^2 L^2 / (3 M0)`, half of it between clamps (Symonds 1953).
+/// The error of twenty elements at 8e12 Pa is 10 %, mainly by elasticity; that of the limit 0.6 % and 2.6 %.
 pub fn thrown() -> Report {
     let mut c = Checks::new();
     for (name, clamped, way) in [("simply supported", false, 0.02), ("clamped", true, 0.04)] {

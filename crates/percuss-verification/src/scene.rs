@@ -1,4 +1,4 @@
-//! Cases that are scenario files.
+//! Cases defined by scenario files.
 
 use percuss::*;
 use percuss_scenario::Compiled;
@@ -6,7 +6,7 @@ use percuss_scenario::Compiled;
 use crate::check::Checks;
 use crate::structure::or_nan;
 
-/// A file of `published/`, with the crate.
+/// A file of `published/` in the crate.
 macro_rules! published {
     ($name:literal) => {
         ($name, include_str!(concat!("../published/", $name, ".toml")))
@@ -14,19 +14,19 @@ macro_rules! published {
 }
 pub(crate) use published;
 
-/// The model of a file, which the manual then shows.
+/// The model of a file, which is shown in the manual.
 ///
 /// # Panics
-/// If the case's file is faulty.
+/// If the case's file has errors.
 pub fn scene(c: &mut Checks, (name, text): (&'static str, &'static str)) -> Compiled {
     c.file(name, text);
     compiled(text, name)
 }
 
-/// The same of a text that the manual does not show.
+/// The model of a text that is not shown in the manual.
 ///
 /// # Panics
-/// If the text is faulty.
+/// If the text has errors.
 pub fn compiled(text: &str, name: &str) -> Compiled {
     let scenario = percuss_scenario::read(text, name).unwrap_or_else(|faults| panic!("{faults}"));
     scenario.compile().unwrap_or_else(|faults| panic!("{faults}"))
@@ -35,7 +35,7 @@ pub fn compiled(text: &str, name: &str) -> Compiled {
 /// A run with its history.
 pub struct Recorded {
     rows: MemoryRecorder,
-    /// What it came to.
+    /// Summary of the run.
     pub summary: RunSummary,
 }
 
@@ -43,14 +43,14 @@ impl Recorded {
     /// Runs a scene.
     ///
     /// # Panics
-    /// If the case's settings are faulty.
+    /// If the case's settings are invalid.
     pub fn of(compiled: &Compiled) -> Self {
         let mut rows = MemoryRecorder::default();
         let summary = simulate(&compiled.model, &compiled.settings, &mut rows);
         Self { rows, summary: summary.expect("a verification case has sound settings") }
     }
 
-    /// A column over time, shape (rows, 2): \[s, unit of the column\]; empty if there is none.
+    /// A column over time, shape (rows, 2): \[s, unit of the column\]; empty if it does not exist.
     pub fn curve(&self, name: &str) -> Vec<[f64; 2]> {
         let time = self.rows.column("time").unwrap_or_default();
         let column = self.rows.column(name).unwrap_or_default();
@@ -63,7 +63,7 @@ impl Recorded {
         found.map_or(Peak { value: f64::NAN, time: f64::NAN }, |p| p.displacement_max[component])
     }
 
-    /// The balance closes.
+    /// Checks the energy balance.
     pub fn balances(&self, c: &mut Checks) {
         c.at_most("energy residual", self.summary.energy.residual_max, 1e-10);
     }
@@ -80,7 +80,7 @@ pub fn at_element(found: &Equilibrium, element: usize) -> [f64; 3] {
     [0, 1, 2].map(|k| or_nan(found.element_forces.get(element).map(|ends| ends[0][k])))
 }
 
-/// Every so many points of a curve, the last one too, for a figure.
+/// Every n-th point of a curve and the last one, for a figure.
 pub fn thinned(curve: &[[f64; 2]], most: usize) -> Vec<[f64; 2]> {
     let step = curve.len().div_ceil(most.max(1)).max(1);
     let mut kept: Vec<[f64; 2]> = curve.iter().step_by(step).copied().collect();

@@ -1,4 +1,4 @@
-//! Section forces against the balance of free bodies (any textbook on statics of beams, e.g. Timoshenko and Young, Elements of
+//! Section forces compared with the balance of free bodies (any textbook on statics of beams, e.g. Timoshenko and Young, Elements of
 //! strength of materials).
 
 use percuss::*;
@@ -14,7 +14,7 @@ struct Scene {
     beam: BeamId,
 }
 
-/// A straight beam of length 1, so stiff that nothing depends on its deflection.
+/// A straight beam of length 1, so stiff that its deflection has no effect.
 fn scene(elements: usize, along: [f64; 2], section: Section) -> Scene {
     let mut builder = ModelBuilder::new();
     let strain = StrainMeasure::Engineering;
@@ -43,7 +43,7 @@ impl Scene {
         self.builder.load(Load::new("spread", kind));
     }
 
-    /// Section forces; none where there is no equilibrium.
+    /// Section forces; `None` without equilibrium.
     fn forces(&self) -> SectionForceSummary {
         let model = self.builder.build().expect("a verification case builds");
         let found = equilibrium(&model).expect("a verification case has an equilibrium");
@@ -55,7 +55,7 @@ fn square() -> Section {
     Section::rectangle("s", 0.1, 0.1)
 }
 
-/// A beam's forces under distributed loads, its weight, and forces that part it, on meshes of any size.
+/// A beam's forces under distributed loads, its weight, and forces that divide it into spans, on meshes of any size.
 pub fn in_statics() -> Report {
     let mut c = Checks::new();
     for n in [1, 2, 8] {
@@ -64,7 +64,7 @@ pub fn in_statics() -> Report {
         arm.spread([0.0, -1e3]);
         let f = arm.forces();
         let name = format!("cantilever under 1000 N/m, {n} elements");
-        c.relative(format!("{name}: shear force [N]"), f.shear.largest().value.abs(), 1e3, BALANCE);
+        c.relative(format!("{name}: shear force [N]"), f.shear.largest().value, 1e3, BALANCE);
         c.relative(format!("{name}: moment [N m]"), f.moment.largest().value.abs(), 500.0, BALANCE);
     }
     for n in [3, 4] {

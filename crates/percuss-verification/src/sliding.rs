@@ -10,7 +10,7 @@ const SPEED: f64 = 2.0;
 const MASS: f64 = 1.5;
 const RADIUS: f64 = 0.1;
 
-/// A disc that begins to slide along the ground without spin.
+/// A disc that slides along the ground, initially without spin.
 fn sliding(friction: f64, inertia: f64) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("far", 1e9, 1e3));
@@ -38,7 +38,7 @@ fn sliding(friction: f64, inertia: f64) -> Model {
     b.build().expect("a sound model")
 }
 
-/// Impulse of friction and where the disc is last seen in its contact.
+/// Impulse of friction and the last position of the disc in contact.
 fn contact(summary: &RunSummary) -> (f64, f64) {
     match &summary.contacts[0].record {
         ContactRecord::Nonsmooth { intervals, .. } if intervals.len() == 1 => {
@@ -48,8 +48,8 @@ fn contact(summary: &RunSummary) -> (f64, f64) {
     }
 }
 
-/// While it slides a disc slows down by mu g and is spun up by `mu m g r / I`; a solid one rolls from `v / (3 mu g)` on with two thirds of
-/// its speed, a third of the energy gone; one that cannot be spun up stops after `v^2 / (2 mu g)`.
+/// A sliding disc decelerates by mu g with the angular acceleration `mu m g r / I`; a solid disc rolls after `v / (3 mu g)` with two thirds of its
+/// speed and a third of its energy dissipated; a disc without rotation stops after `v^2 / (2 mu g)`.
 pub fn sliding_disc() -> Report {
     let mut c = Checks::new();
     for friction in [0.15, 0.4] {
@@ -79,7 +79,7 @@ pub fn sliding_disc() -> Report {
         let found = run(&sliding(friction, 1e9), &Settings::new(1.2 * stops, stops / 400.5));
         let (_, place) = contact(&found);
         let expected = SPEED * SPEED / (2.0 * friction * WEIGHT);
-        // The step in which it stops is part sliding and part rest: half of mu g h^2 at most, of mu g (400 h)^2 / 2.
+        // The disc stops within a step: the error is at most half of mu g h^2, compared with mu g (400 h)^2 / 2.
         c.relative(at("way until a block stops [m]"), place, expected, 1.0 / 400.0_f64.powi(2));
         c.absolute(at("its speed [m/s]"), found.projectiles[0].velocity_final[0], 0.0, 1e-9);
         c.relative(at("its energy lost [J]"), found.energy.loss_impacts, energy, 1e-9);

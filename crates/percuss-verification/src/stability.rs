@@ -1,4 +1,4 @@
-//! Equilibria in contact, and what their stability and their vibrations rest on.
+//! Equilibria in contact, their stability and their vibrations.
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,9 +11,9 @@ const YOUNG: f64 = 2.1e11;
 const DENSITY: f64 = 7850.0;
 const GRAVITY: f64 = 9.81;
 
-/// Force and moment of the clamp, and the free length, of an inextensible strip (EI = 1.4 N m^2, 1.54 N/m) that leaves a clamp level at
-/// a height and touches a smooth floor without a moment: `EI theta' = m`, `m' = (R - w s) cos theta`, by Runge-Kutta's method and
-/// Newton's, 400 steps.
+/// Force and moment of the clamp, and the free length, of an inextensible strip (EI = 1.4 N m^2, 1.54 N/m) with a horizontal clamp at a height
+/// above a smooth floor, which it touches without a moment: `EI theta' = m`, `m' = (R - w s) cos theta`, by Runge-Kutta's method and Newton's, 400
+/// steps.
 const HEAVY_ELASTICA: [(f64, f64, f64, f64); 3] = [
     (0.02, 1.098431424117, 0.293682685904, 1.069718523686),
     (0.1, 1.645048910359, 0.656694449496, 1.601069259786),
@@ -40,16 +40,16 @@ fn strip_on_floor(height: f64, elements: usize) -> Model {
     b.build().expect("a verification case builds")
 }
 
-/// A strip lies down on a floor: linear closed form for small heights, heavy elastica for large ones.
+/// A strip on a floor: linear closed form for small heights, heavy elastica for large ones.
 pub fn strip_on_a_floor() -> Report {
     let mut c = Checks::new();
     let (bending, weight) = (YOUNG * 0.01 * 8e-9 / 12.0, DENSITY * 2e-5 * GRAVITY);
     let elements = 160;
-    // Two candidates for contact in an element: the touch-down is known to half their distance, the force to half of its weight.
+    // An element has two contact candidates: the error of the touch-down point is half their distance, that of the force half of its weight.
     let slack = 0.25 * weight * 2.0 / (2 * elements) as f64;
     let linear = [1e-3, 2e-3, 5e-3].map(|height| {
         let free = (72.0 * bending * height / weight).powf(0.25);
-        // Inclined by some h / a it differs from a linear beam by the square of that.
+        // The slope is about h / a, and the difference from a linear beam is its square.
         let steep = (height / free).powi(2) * weight * free;
         let force = 2.0 / 3.0 * weight * free;
         (height, force, 0.25 * force * free, free, slack + steep)
@@ -137,7 +137,7 @@ fn beck_root(p: f64) -> f64 {
     low
 }
 
-/// Beck's column: frequencies under a force that stays tangential, and the load at which two of them meet.
+/// Beck's column: frequencies under a tangential follower force, and the load at which two of them coincide.
 pub fn becks_column() -> Report {
     let mut c = Checks::new();
     let one = YOUNG * 0.05_f64.powi(4) / 12.0 / 9.0;
@@ -149,7 +149,8 @@ pub fn becks_column() -> Report {
         b.load(Load::new("push", kind));
         b.build().expect("a verification case builds")
     };
-    // The strain of the load, p I / (A L^2) = 4.6e-4 at 20, stiffens and shortens; more so where two frequencies draw near.
+    // The strain of the load, p I / (A L^2) = 4.6e-4 at 20, stiffens and shortens the column; the effect grows where two frequencies approach each
+    // other.
     for load in [5.0, 10.0, 15.0] {
         let model = column(load);
         let modes = equilibrium(&model)
@@ -166,7 +167,7 @@ pub fn becks_column() -> Report {
     c.into_report()
 }
 
-/// A pinned column beside four rods in tension that nothing ties to it: its factor is found behind all their negative ones.
+/// A pinned column beside four unconnected rods in tension: its buckling factor comes after all negative factors of the rods.
 pub fn column_beside_ties() -> Report {
     let mut c = Checks::new();
     let mut b = ModelBuilder::new();
@@ -184,7 +185,7 @@ pub fn column_beside_ties() -> Report {
         b.load(Load::new(name, kind));
     }
     let found = buckling(&b.build().expect("a verification case builds"), 2);
-    // Euler's load of a column whose stretch under it, 8e-5, is left out.
+    // Euler's load of a column whose axial strain under it, 8e-5, is neglected.
     for (k, exact) in [6.0, 24.0].into_iter().enumerate() {
         let factor = or_nan(found.modes.get(k).map(|m| m.factor));
         c.relative(format!("factor {}", k + 1), factor, exact, 5e-4);

@@ -1,4 +1,4 @@
-//! Statics against closed forms and published figures: large bending, buckling, snap-through.
+//! Statics compared with closed forms and published values: large bending, buckling, snap-through.
 
 use std::f64::consts::PI;
 
@@ -10,7 +10,7 @@ use crate::structure::{at, or_nan};
 const BOTH: [(&str, StrainMeasure); 2] =
     [("Green", StrainMeasure::Green), ("engineering", StrainMeasure::Engineering)];
 
-/// A cantilever along e1 with a dead force and a moment at its tip, which is recorded.
+/// A cantilever along e1 with a dead force and a moment at its tip, whose displacement is recorded.
 struct Cantilever {
     strain: StrainMeasure,
     elements: usize,
@@ -40,7 +40,7 @@ impl Cantilever {
         b.build().expect("a verification case builds")
     }
 
-    /// Displacement of the tip; NaN where there is no equilibrium.
+    /// Displacement of the tip; NaN without equilibrium.
     fn tip(&self) -> [f64; 2] {
         equilibrium(&self.model()).map_or([f64::NAN; 2], |found| found.points[0].1)
     }
@@ -77,7 +77,7 @@ pub fn cantilever() -> Report {
             c.absolute(format!("{name}, alpha {alpha}: w/L"), y, w, 1e-6);
             c.absolute(format!("{name}, alpha {alpha}: u/L"), -x, u, 1e-6);
         }
-        // Errors of the mesh fall with its fourth power.
+        // Errors of the mesh decrease with the fourth power of the element length.
         for (alpha, w, u) in BISSHOPP_DRUCKER {
             let error = |n: usize| {
                 let [x, y] = tip_loaded(strain, n, alpha).tip();
@@ -160,9 +160,9 @@ pub fn buckled_column() -> Report {
             force: [-share * critical, lateral * critical],
             moment: 0.0,
         };
-        // A lateral force chooses the side.
+        // A lateral force determines the side.
         let found = column(1e-5).tip();
-        // Axial strains of P/EA = 6e-6, which the inextensible closed form leaves out, weigh more near buckling.
+        // Axial strains of P/EA = 6e-6, which the inextensible closed form neglects, have a larger effect near buckling.
         c.relative(format!("{angle} deg: tip x/L"), 1.0 + found[0] / length, x, 1e-4);
         c.relative(format!("{angle} deg: tip y/L"), found[1] / length, y, 1e-4);
     }
@@ -200,7 +200,7 @@ fn lee(elements: usize) -> Model {
     b.build().expect("a verification case builds")
 }
 
-/// A5: Lee's frame, a rigid corner and a path past its limit points; engineering strains, independent shooting.
+/// A5: Lee's frame, a rigid corner and a path beyond its limit points; engineering strains, independent shooting.
 pub fn lees_frame() -> Report {
     let mut c = Checks::new();
     let model = lee(80);
@@ -263,8 +263,8 @@ fn toggle_over(rise: f64, floor: f64) -> Model {
     b.build().expect("a verification case builds")
 }
 
-/// A toggle that snaps through onto a floor and presses on it: `P = EA (rise^2 - h^2) h / l^3` in Green strain, limit points by it or
-/// where the floor stops the top, whose force is the rest of the load.
+/// A toggle that snaps through onto a floor: `P = EA (rise^2 - h^2) h / l^3` in Green strain, limit points from it or where the floor stops the
+/// top; the contact force is the rest of the load.
 pub fn toggle_on_floor() -> Report {
     let mut c = Checks::new();
     for (rise, floor) in [(0.05, -0.03), (0.05, -0.02), (0.02, -0.012)] {

@@ -1,4 +1,4 @@
-//! Beams that strike one-sided springs, and a mass that stays on the beam it strikes.
+//! Impact of beams on one-sided springs, and of a mass that remains attached to the struck beam.
 
 use std::f64::consts::PI;
 
@@ -15,8 +15,8 @@ pub fn swinging_beam() -> Report {
         2.6607, 4.3284, 4.9387, 4.7676, 3.7875, 2.8256, 2.7028, 3.1350, 3.4943, 3.4855, 2.7947,
         0.8227,
     ];
-    // Published with 1 % modal damping. At 3 ms print has 4.92; a sum of 10 damped modes by an independent Runge-Kutta
-    // integration gives 4.9535 there and meets the other eleven: 4.9535 is expected instead.
+    // Published with 1 % modal damping. At 3 ms the printed value is 4.92; a sum of 10 damped modes by an independent Runge-Kutta integration gives
+    // 4.9535 there and agrees with the other eleven values: 4.9535 is expected.
     let damped = [2.66, 4.33, 4.9535, 4.78, 3.82, 2.87, 2.71, 3.09, 3.41, 3.36, 2.64, 0.742];
     for (name, ratios, expected) in
         [("undamped", Vec::new(), undamped), ("1 % modal damping", vec![0.01; 10], damped)]
@@ -168,7 +168,7 @@ pub fn tip_stop() -> Report {
     c.into_report()
 }
 
-/// E6: a mass strikes a beam at midspan and stays on it (Saint-Venant): largest deflections by the modes of beam and mass.
+/// E6: a mass strikes a beam at midspan and remains on it (Saint-Venant): largest deflections from the modes of beam and mass.
 pub fn mass_that_stays() -> Report {
     let mut c = Checks::new();
     for (name, kind, mu, expected) in [
@@ -195,7 +195,7 @@ pub fn mass_that_stays() -> Report {
             mass,
             rotary_inertia: 0.0,
         });
-        // The mass brings its momentum within the first step.
+        // The momentum of the mass is applied within the first step.
         let force = [0.0, mass * velocity / step];
         let kind = LoadKind::Point { at: middle.clone(), force, moment: 0.0, follower: false };
         b.load(Load { until: step, ..Load::new("blow", kind) });

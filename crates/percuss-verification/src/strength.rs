@@ -1,4 +1,4 @@
-//! What parts: joints beyond their strength, and a bar whose fibres fail.
+//! Failure of joints at their strength, and fracture of a bar.
 
 use percuss::*;
 
@@ -11,13 +11,13 @@ const LENGTH: f64 = 0.5;
 const DENSITY: f64 = 7850.0;
 const YOUNG: f64 = 210e9;
 const MASS: f64 = DENSITY * SIDE * SIDE * LENGTH;
-/// Half of what the loads grow to, force \[N\] and moment \[N m\].
+/// Strengths, half of the final loads, force \[N\] and moment \[N m\].
 const STRENGTH: f64 = 5e4;
 const TURNED: f64 = 1e3;
-/// Time over which the loads grow \[s\], long beside the periods of the bar.
+/// Time over which the loads grow \[s\], long compared with the periods of the bar.
 const RAMP: f64 = 0.4;
 
-/// A bar joined to a stub in a wall, under a force and a moment on its end that grow steadily.
+/// A bar joined to a stub in a wall, under a force and a moment on its end that grow linearly.
 fn hung(kind: JointKind, strength: JointStrength, [force, moment]: [f64; 2]) -> Model {
     let mut b = ModelBuilder::new();
     let metal = b.material(Material::new("metal", YOUNG, DENSITY));
@@ -34,9 +34,9 @@ fn hung(kind: JointKind, strength: JointStrength, [force, moment]: [f64; 2]) -> 
     b.build().expect("a verification case builds")
 }
 
-/// A bar pulled from its joint, and one turned from it, by a load that grows steadily to twice the strength S over T: they part at about T / 2,
-/// and the bar moves on freely. From the time t0 to t the force does `S^2 (t^2 - t0^2)^2 / (2 m T^2)` on it, the moment the same with the bar's
-/// inertia, beside what bends or stretches bar and stub.
+/// A joint that fails in tension, and one that fails in bending, by a load that grows linearly to twice the strength S over T: failure is at about
+/// T / 2, and the bar then moves freely. From the time t0 to t the work of the force on it is `S^2 (t^2 - t0^2)^2 / (2 m T^2)`, that of the moment
+/// the same with the bar's inertia, without the strain energy of bar and stub.
 pub fn strong_joints() -> Report {
     let mut c = Checks::new();
     let force = JointStrength { force: Some(STRENGTH), moment: None };
@@ -53,7 +53,7 @@ pub fn strong_joints() -> Report {
         let summary = run(&hung(kind, strength, load), &Settings::new(end, 2e-5));
         balances(&mut c, name, &summary);
         let parted = summary.joints.first().and_then(|joint| joint.parted);
-        // Bar and stub tremble from the instant at which the load begins to grow, by its rate over their circular frequency: 0.24 % in bending.
+        // Bar and stub vibrate from the start of the load, with an amplitude of its rate divided by their circular frequency: 0.24 % in bending.
         let time = or_nan(parted.map(|one| one.time));
         c.relative(format!("{name}: time (s)"), time, 0.5 * RAMP, 5e-3);
         let carried = or_nan(parted.map(|one| if load[0] > 0.0 { one.force } else { one.moment }));
@@ -68,8 +68,8 @@ pub fn strong_joints() -> Report {
 /// Area of the bar that fails \[m^2\].
 const AREA: f64 = 1e-3;
 
-/// A bar of one element, perfectly plastic, that a support pulls until all of its fibres fail at once: its plastic work until then, what it
-/// had stored and releases, and that nothing holds the support any more.
+/// A perfectly plastic bar of one element, pulled by a support until all of its fibres fail at once: its plastic work until then, the stored energy
+/// that it releases, and zero reaction afterwards.
 pub fn failing_bar() -> Report {
     let mut c = Checks::new();
     let (young, limit, fails, rate, length) = (200e9, 250e6, 0.02, 0.1, 1.0);
@@ -78,7 +78,7 @@ pub fn failing_bar() -> Report {
         let curve = vec![Hardening { from: 0.0, stress: limit, modulus: 0.0 }];
         let plasticity =
             Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: Some(fails) };
-        // Of so little mass that its forces are those of statics.
+        // The density is so small that its forces are those of statics.
         let metal = b.material(Material {
             strain: StrainMeasure::Engineering,
             inelasticity: Some(Inelasticity::Plastic(plasticity)),
@@ -104,7 +104,7 @@ pub fn failing_bar() -> Report {
         balances(&mut c, &name, &summary);
         let parted = summary.plastic.first().and_then(|beam| beam.parted.first());
         let time = or_nan(parted.map(|one| one.time));
-        // The end of the step in which it fails.
+        // The end of the step of failure.
         c.absolute(format!("{name}: time (s)"), time, fails * length / rate, step);
         let stored = 0.5 * limit * limit / young * AREA * length;
         let released = or_nan(parted.map(|one| one.energy));

@@ -1,4 +1,4 @@
-//! The structures the cases are about, built through the library.
+//! Structures of the cases, built with the library.
 
 use percuss::*;
 
@@ -29,7 +29,7 @@ pub struct Single {
     pub loads: Vec<(f64, Load)>,
 }
 
-/// A projectile and where it strikes.
+/// A projectile and its struck point.
 #[derive(Clone, Debug)]
 pub struct Shot {
     /// Fraction of the beam's length.
@@ -46,7 +46,7 @@ pub struct Shot {
     pub standoff: f64,
 }
 
-/// The paper's beam, 3 m long, of the first example's material unless said otherwise.
+/// The paper's beam, 3 m long, with the material of the first example by default.
 pub fn paper_beam(elements: usize) -> Single {
     Single {
         points: [[0.0, 0.0], [3.0, 0.0]],
@@ -94,7 +94,7 @@ impl Single {
         self
     }
 
-    /// Holds every component of every node: a rigid body that cannot move (one element).
+    /// Fixes every degree of freedom: a rigid body that cannot move (one element).
     pub fn held(mut self) -> Self {
         use Component::*;
         let all = || SupportKind::Fix {
@@ -111,7 +111,7 @@ impl Single {
         self
     }
 
-    /// Struck by one more projectile.
+    /// Adds a projectile.
     pub fn struck(mut self, shot: Shot) -> Self {
         self.projectiles.push(shot);
         self
@@ -120,7 +120,7 @@ impl Single {
     /// The frozen model; its beam is `beam`, its projectiles `shot0`, `shot1`, its ends are recorded.
     ///
     /// # Panics
-    /// If the case itself is faulty.
+    /// If the case itself is invalid.
     pub fn build(&self) -> Model {
         let mut b = ModelBuilder::new();
         let (young, density, strain) = (self.young, self.density, self.strain);
@@ -168,7 +168,7 @@ pub fn at(label: &str, beam: BeamId, fraction: f64) -> PointRef {
 /// Runs a model; a case that cannot run fails all its checks by NaN.
 ///
 /// # Panics
-/// If the case's settings are faulty.
+/// If the case's settings are invalid.
 pub fn run(model: &Model, settings: &Settings) -> RunSummary {
     simulate(model, settings, &mut NoRecorder).expect("a verification case has sound settings")
 }

@@ -1,4 +1,4 @@
-//! Invariants of structures: corners that keep their angle, balances that close with everything at work at once.
+//! Invariants of structures: angles of rigid corners, energy and momentum balances of a structure with all features.
 
 use percuss::*;
 
@@ -18,7 +18,7 @@ fn angle(state: &State, a: Tangent, b: Tangent) -> f64 {
     (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1])
 }
 
-/// A flying frame of a bent beam and a branch, struck: angles and places at its joints, and its balances.
+/// A free frame of a bent beam and a branch, struck: angles and positions at its joints, and its balances.
 pub fn corners() -> Report {
     let mut c = Checks::new();
     let mut b = ModelBuilder::new();
@@ -94,7 +94,7 @@ pub fn corners() -> Report {
     c.into_report()
 }
 
-/// A structure with everything in it: kinds of geometry, section, support, joint, load, damping and projectile.
+/// A structure with all kinds of geometry, section, support, joint, load, damping and projectile.
 fn everything_model() -> Model {
     let mut b = ModelBuilder::new();
     let steel = b.material(Material {
@@ -165,7 +165,7 @@ fn joints(b: &mut ModelBuilder, [frame, arch, arm, tie]: [BeamId; 4]) {
     b.joint(joint("pin", JointKind::Hinge, at("arch.end", arch, 1.0), at("tie.start", tie, 0.0)));
 }
 
-/// A foot that is shaken and turned, one on springs, one that lets go, an inclined roller between nodes, a stop.
+/// A foot with prescribed displacement and rotation, one on springs, one that releases, an inclined roller between nodes, a stop.
 fn supports(b: &mut ModelBuilder, [frame, arch, arm, tie]: [BeamId; 4]) {
     let mut foot = Support::new("foot", at("frame.start", frame, 0.0), SupportKind::Clamp);
     foot.motion = Some(Motion {
@@ -286,7 +286,7 @@ fn loads(b: &mut ModelBuilder, frame: BeamId, arch: BeamId, arm: BeamId, tie: Be
     b.load(Load { function: TimeFunction::Step { at: 0.033 }, ..Load::new("gust", gust) });
 }
 
-/// Everything at once, started from static equilibrium, by every scheme of the midpoint family.
+/// All features together, started from static equilibrium, with every scheme of the midpoint family.
 pub fn everything() -> Report {
     let mut c = Checks::new();
     let model = everything_model();
@@ -297,7 +297,7 @@ pub fn everything() -> Report {
         let settings = Settings { scheme, start: Start::Static, ..Settings::new(0.15, 1e-4) };
         let mut run = match Simulation::new(&model, &settings) {
             Ok(run) => run,
-            Err(faults) => panic!("sound settings: {faults:?}"),
+            Err(faults) => panic!("valid settings: {faults:?}"),
         };
         let (mut energy, mut momentum, mut shrinks, mut loss) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0);
         let mut reached = true;
@@ -321,7 +321,7 @@ pub fn everything() -> Report {
         c.at_most(format!("{name}: energy given back by damping [J]"), shrinks, 0.0);
         c.at_least(format!("{name}: energy taken by damping [J]"), loss, 1.0);
         c.at_least(format!("{name}: energy lost in impacts [J]"), ledger.loss_impacts, 1.0);
-        // That every column takes part: the driven support alone does 0.91 J.
+        // Every column contributes: the driven support alone does 0.91 J of work.
         c.at_least(format!("{name}: work of supports [J]"), ledger.work_supports.abs(), 0.5);
         c.at_least(format!("{name}: work of loads [J]"), ledger.work_loads.abs(), 1.0);
     }

@@ -1,4 +1,4 @@
-//! Contact on beams' faces, and impact on beams against theory.
+//! Contact on faces of beams, and impact on beams compared with theory.
 
 use std::f64::consts::PI;
 
@@ -71,7 +71,7 @@ pub fn sphere_on_a_beam() -> Report {
     c.into_report()
 }
 
-/// E4: a mass and spring on an infinite beam; E9: supports are not felt before waves return from them.
+/// E4: a mass and spring on an infinite beam; E9: supports have no effect before waves return from them.
 pub fn infinite_beam() -> Report {
     let mut c = Checks::new();
     let scene = |length: f64, support: Option<SupportKind>, stiffness: f64| {
@@ -96,7 +96,7 @@ pub fn infinite_beam() -> Report {
     if let Some(interval) = first_interval(&long) {
         let peak = interval.peak_force;
         c.relative("E4: largest force [N]", peak.value, 95.146518557, 1e-7);
-        // At its largest the force is flat in time.
+        // The force is stationary at its peak.
         c.relative("E4: its time [s]", peak.time, 1.514508856e-3, 5e-6);
         // Contact ends at x = 3.0748... of tau = 1e-3 s: from the same curve.
         c.relative(
@@ -121,15 +121,15 @@ pub fn infinite_beam() -> Report {
             1e-4,
         );
     }
-    // E9: a simply supported beam first pulls at its supports, towards the blow; a soft spring, so that waves ahead of the blow,
-    // which know no first sign, are faint.
+    // E9: the first reaction of a simply supported beam is directed towards the impact; with a soft spring, so that the dispersive waves that
+    // arrive earlier, whose sign is undetermined, are weak.
     let model =
         scene(3.0, Some(SupportKind::Pin), 1e5).build().expect("a verification case builds");
     let mut rows = MemoryRecorder::default();
     let _ = simulate(&model, &Settings::new(8e-2, 1e-4), &mut rows).expect("sound settings");
     let reaction = rows.column("support.left.force_2").unwrap_or_default();
     let first = reaction.iter().find(|r| r.abs() > 1.0).copied().unwrap_or(f64::NAN);
-    c.at_least("E9: first reaction, along the blow [N]", first, 0.0);
+    c.at_least("E9: first reaction, in the direction of the impact [N]", first, 0.0);
     c.into_report()
 }
 

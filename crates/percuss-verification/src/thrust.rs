@@ -1,4 +1,4 @@
-//! A rod in free flight under a force that turns with it.
+//! A free rod under a follower force.
 
 use percuss::*;
 
@@ -8,11 +8,11 @@ use crate::structure::run;
 const LENGTH: f64 = 1.0;
 const DEPTH: f64 = 0.05;
 const DENSITY: f64 = 7850.0;
-/// A hundred times that of steel, with which the rod bends so much that its way differs by 2e-4.
+/// A hundred times that of steel, with which the bending of the rod changes its path by 2e-4.
 const YOUNG: f64 = 210e11;
 const FORCE: f64 = 400.0;
 
-/// A square rod along the first axis, pushed across at its end by a force that stays across it.
+/// A square rod along the first axis, with a transverse follower force at its end.
 fn pushed() -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("stiff", YOUNG, DENSITY));
@@ -31,7 +31,7 @@ fn pushed() -> Model {
     b.build().expect("a sound model")
 }
 
-/// Way of the middle as a rigid rod has it, at so many instants up to `end`, and its speed there: the direction of the force turns by
+/// Path of the middle of a rigid rod, at the given number of instants up to `end`, and its final speed: the direction of the force turns by
 /// `alpha t^2 / 2`, whose sine and cosine are integrated twice (Fresnel's integrals) by Simpson's rule.
 fn rigid(alpha: f64, mass: f64, end: f64, instants: usize) -> (Vec<[f64; 3]>, [f64; 2]) {
     let acceleration = |t: f64| {
@@ -52,8 +52,8 @@ fn rigid(alpha: f64, mass: f64, end: f64, instants: usize) -> (Vec<[f64; 3]>, [f
     (out, velocity)
 }
 
-/// The rod spins up steadily and its middle draws a curve that winds, as of a rocket with a skew nozzle; a force that keeps its direction
-/// would drive it straight on.
+/// The rod has a constant angular acceleration and its middle moves on a spiral, as a rocket with a skew nozzle; under a force of constant
+/// direction it would move on a straight line.
 pub fn skew_thrust() -> Report {
     let mut c = Checks::new();
     let mass = DENSITY * DEPTH * DEPTH * LENGTH;
@@ -69,7 +69,7 @@ pub fn skew_thrust() -> Report {
             .map(|x| x[1 + i])
             .fold(0.0, |m: f64, x| if x.abs() > m.abs() { x } else { m });
         let peak = found.points[0].displacement_max[i].value;
-        // The end of the rod turns a little against its middle, as the rod bends: with its stiffness the difference goes.
+        // The end of the rod rotates slightly relative to its middle, as the rod bends: the difference vanishes with growing stiffness.
         c.relative(format!("largest way of the middle, {axis} axis [m]"), peak, largest, 1e-5);
     }
     let spin = alpha * end;

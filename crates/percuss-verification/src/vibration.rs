@@ -36,7 +36,7 @@ pub fn compressed_bar() -> Report {
     let published = [17.055, 105.32, 249.39];
     let exact = [17.05581, 105.3258, 249.39453];
     // Stiffer along its axis by `stiff`, the bar is strained less by its load: 3.3e-4 at 1, amplified near buckling by
-    // P / (2 (Pcr - P)) = 0.92 and the change of length and stretch; the closed form knows no strain.
+    // P / (2 (Pcr - P)) = 0.92 and the change of length and stretch; the closed form neglects this strain.
     for (stiff, tolerance) in [(1.0, 7e-4), (1e4, 1e-5)] {
         for (name, strain) in
             [("Green", StrainMeasure::Green), ("engineering", StrainMeasure::Engineering)]
@@ -79,7 +79,7 @@ pub fn free_rod() -> Report {
     let material = b.material(Material::new("steel", young, density));
     let section = b.section(Section::new("s", 1.0, 1.0 / 12.0));
     let beam = b.beam(Beam::new("rod", &[[0.0, 0.0], [length, 0.0]], 24, material, section));
-    // Held across its axis, it moves along it only.
+    // Its transverse motion is fixed.
     let components = vec![Component::Displacement2, Component::Rotation];
     for k in 0..=24 {
         let f = f64::from(k) / 24.0;

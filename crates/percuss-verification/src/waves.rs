@@ -1,4 +1,4 @@
-//! Bars that strike with their ends: exact waves, contact without spurious oscillation.
+//! Axial impact of bars: exact waves, contact without spurious oscillation.
 
 use percuss::*;
 
@@ -8,7 +8,7 @@ use crate::structure::at;
 const RIGID: fn(f64) -> TouchLaw = |e| TouchLaw::Rigid(RigidLaw::frictionless(e));
 
 fn section(area: f64) -> Section {
-    // Stiff against bending: a bar that is pressed does not buckle.
+    // Large bending stiffness: a bar in compression does not buckle.
     let mut section = Section::new("bar", area, 1e3 * area);
     section.rotary_inertia = RotaryInertia::Neglected;
     section
@@ -19,7 +19,7 @@ fn wall(b: &mut ModelBuilder, normal: [f64; 2]) -> ContactPartner {
     ContactPartner::Obstacle(b.obstacle(Obstacle { name: "wall".into(), shape, motion: None }))
 }
 
-/// Time, and what a column holds, of a run.
+/// Time and a column of a run's history.
 struct History {
     /// Times, shape (rows) \[s\].
     time: Vec<f64>,
@@ -45,13 +45,13 @@ impl History {
         self.rows.column("contact.blow.impulse").unwrap_or_default()
     }
 
-    /// Impulse between two times over the time between them.
+    /// Impulse between two times divided by the time between them.
     fn mean_force(&self, from: f64, to: f64) -> f64 {
         let each = self.time.iter().zip(self.impulses());
         each.filter(|(t, _)| **t > from && **t <= to).map(|(_, l)| l).sum::<f64>() / (to - from)
     }
 
-    /// First and last instant at which an impulse was handed over.
+    /// First and last instant with an impulse.
     fn pressed(&self) -> [f64; 2] {
         let pressed: Vec<f64> = self
             .time
@@ -65,7 +65,7 @@ impl History {
     }
 }
 
-/// A bar of `points` that flies against a wall at the origin.
+/// A bar along `points` that moves against a wall at the origin.
 fn flying_bar(
     points: [[f64; 2]; 2],
     material: Material,
@@ -113,7 +113,7 @@ pub fn bar_on_a_wall() -> Report {
     }
     let material = engineering(Material::new("SDNV100", 2e11, 8000.0));
     let points = [[2e-3, 0.0], [0.202, 0.0]];
-    // Scaled down 100 times, as the source's strains are small ones.
+    // Scaled by 1/100, as the source assumes small strains.
     let bar = flying_bar(points, material, 4e-4, 40, [-100.0, 0.0], RIGID(1.0));
     let h = history(&bar, 2e-3 / 100.0 + 1e-4, 2e-7);
     let [first, last] = h.pressed();

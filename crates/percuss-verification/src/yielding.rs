@@ -1,17 +1,16 @@
-//! What the cases of beams that yield share.
+//! Common parts of the cases of beams that yield.
 
 use percuss::*;
 
 use crate::check::Checks;
 
 /// A material that yields, perfectly plastic: Young's modulus \[Pa\], density \[kg/m^3\], yield stress \[Pa\].
-///
-/// Its strains are those of engineering, in which closed forms of the literature are written.
+/// It uses engineering strains, as the closed forms of the literature.
 pub fn perfect(young: f64, density: f64, stress: f64) -> Material {
     yields(young, density, vec![Hardening { from: 0.0, stress, modulus: 0.0 }], |_| {})
 }
 
-/// A material that yields along a hardening curve; `change` may add to it.
+/// A material with a hardening curve; `change` modifies it.
 pub fn yields(
     young: f64,
     density: f64,
@@ -28,7 +27,7 @@ pub fn yields(
     }
 }
 
-/// The run ended, and its balance of energy closes.
+/// Checks that the run is complete, and its energy balance.
 pub fn balances(c: &mut Checks, name: &str, summary: &RunSummary) {
     let residual = match summary.termination {
         Termination::Completed => summary.energy.residual_max,

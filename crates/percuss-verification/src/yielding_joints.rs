@@ -6,20 +6,20 @@ use crate::check::{Checks, Curve, Report};
 use crate::structure::{at, or_nan, run};
 use crate::yielding::balances;
 
-/// Yields at a force or moment, perfectly plastic.
+/// Perfectly plastic spring law with the given yield force or moment.
 fn perfect(limit: f64) -> Option<Plasticity> {
     let curve = vec![Hardening { from: 0.0, stress: limit, modulus: 0.0 }];
     Some(Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: None })
 }
 
-/// Joins the end of a beam to the start of another one by a hinge that yields.
+/// Connects the end of a beam to the start of another one by a hinge that yields.
 fn hinge(b: &mut ModelBuilder, name: &str, between: [PointRef; 2], stiffness: f64, limit: f64) {
     let kind = JointKind::ElasticHinge { stiffness, damping: 0.0 };
     b.joint(Joint { yielding: perfect(limit), ..Joint::new(name, kind, between) });
 }
 
-/// A stiff bar on a hinge that yields, thrown round it: of its energy `J w^2 / 2` the hinge stores `M^2 / 2k` and dissipates the rest,
-/// `M` times its plastic rotation. With rotations up to a turn the axial force of the rotation does nothing to it.
+/// A stiff rotating bar on a hinge that yields: of its energy `J w^2 / 2` the hinge stores `M^2 / 2k` and dissipates the rest, `M` times its
+/// plastic rotation. With rotations up to a full turn the axial force of the rotation has no effect on it.
 pub fn thrown_bar() -> Report {
     let mut c = Checks::new();
     let (length, side, density, young) = (1.0, 0.05, 7850.0, 2e14);
@@ -40,7 +40,7 @@ pub fn thrown_bar() -> Report {
         let model = b.build().expect("a verification case builds");
         let energy = 0.5 * inertia * spin * spin;
         let expected = (energy - 0.5 * limit * limit / stiffness) / limit;
-        // Under the full moment it comes to rest after J w / M.
+        // Under the full moment it is at rest after J w / M.
         let settings = Settings::new(1.5 * inertia * spin / limit, 5e-4);
         let summary = run(&model, &settings);
         let name = format!("thrown at {spin} rad/s");
@@ -60,17 +60,17 @@ pub fn thrown_bar() -> Report {
 const POUND: f64 = 4.448_221_615_260_5;
 const INCH: f64 = 0.0254;
 
-/// A mass on a rod that yields, under a force that acts at once: ANSYS VM80, after Biggs 1964, article 2.7: 0.0259 kip s^2/in, a rod
+/// A mass on a rod that yields, under a sudden force: ANSYS VM80, after Biggs 1964, article 2.7: 0.0259 kip s^2/in, a rod
 /// of 100 in and 0.278 in^2, 30e3 ksi, that yields at 162.9 ksi, 30 kip.
 ///
-/// Elastic, `x = F/k (1 - cos wt)`; from `R = k x` on uniformly slowed; then elastic again about the way that stays.
+/// Elastic, `x = F/k (1 - cos wt)`; from `R = k x` on uniformly decelerated; then elastic again about the permanent displacement.
 pub fn mass_on_a_rod() -> Report {
     let mut c = Checks::new();
     let per_inch = 1e3 * POUND / INCH;
     let (mass, stiffness) = (0.0259 * per_inch, 30e3 * 0.278 / 100.0 * per_inch);
     let (limit, force) = (162.9 * 0.278 * 1e3 * POUND, 30e3 * POUND);
     let mut b = ModelBuilder::new();
-    // It carries the mass and the load along its axis, and is next to nothing itself.
+    // It guides mass and load along its axis, and has negligible mass and stiffness.
     let light = b.material(Material::new("light", 2e11, 1e-3));
     let section = b.section(Section::rectangle("square", 0.1, 0.1));
     let slide = b.beam(Beam::new("slide", &[[0.0, 0.0], [0.1, 0.0]], 1, light, section));
@@ -142,8 +142,8 @@ const YOUNG: f64 = 2e11;
 const INERTIA: f64 = 1e-5;
 const MOMENT: f64 = 20.0;
 
-/// A portal with a force `p` sideways on its left corner and one down on the middle of its girder, hinges where moments are largest.
-/// The clamped stubs under its hinged feet are short; bars that hardly stretch are what slope-deflection is about.
+/// A portal with a force `p` sideways on its left corner and one downwards at the middle of its girder, with hinges at the largest moments.
+/// The clamped stubs under its hinged feet are short; the slope-deflection method assumes inextensible bars.
 fn portal(p: f64) -> Model {
     let mut b = ModelBuilder::new();
     let metal = b.material(Material::new("metal", YOUNG, 7850.0));
@@ -179,9 +179,9 @@ fn portal(p: f64) -> Model {
     b.build().expect("a verification case builds")
 }
 
-/// Pushover of a portal, small displacements: hinges one after the other, and a mechanism at last.
+/// Pushover of a portal, small displacements: a sequence of plastic hinges, and finally a mechanism.
 ///
-/// By hand, with the slope-deflection method in fractions: moments of the right foot, the right corner, the middle and the left foot
+/// Hand calculation with the slope-deflection method in fractions: moments of the right foot, the right corner, the middle and the left foot
 /// are 1.65, 1.55, 1.2 and 0.85 times p at first, so that the right foot yields at 20/33 of the moment; solved again with each hinge
 /// the others follow at 43/67, 17/23 and 3/4, the sway then 16/3 M/EI. The combined mechanism has `p (H + L/2) = 6 M`, which is the
 /// last of them, below those of the girder, `p L/2 = 4 M`, and of sway, `p H = 4 M`.
@@ -212,7 +212,7 @@ pub fn portal_pushover() -> Report {
     let last = points.iter().find(|point| point.factor > 0.9999);
     let found = or_nan(last.and_then(|point| point.displacements.first()).map(|u| u[0]));
     c.relative("sway as the last hinge yields (m)", found, sway, 1e-2);
-    // Loads short of the limit have an equilibrium, in which what has yielded bears its moment.
+    // Loads below the limit have an equilibrium, in which yielded hinges carry their plastic moment.
     let below = equilibrium(&portal(0.99 * limit)).ok();
     let moments = below.iter().flat_map(|found| &found.yielding).filter(|one| one.yielded);
     let largest =
@@ -223,7 +223,7 @@ pub fn portal_pushover() -> Report {
         .filter_map(|point| Some([point.displacements.first()?[0] / sway, point.factor]))
         .take_while(|point| point[0] < 2.0)
         .collect();
-    // Sway over that at the limit, from the same solutions.
+    // Ratio of the sway to that at the limit, from the same solutions.
     let sways = [280.0 / 99.0, 632.0 / 201.0, 328.0 / 69.0, 16.0 / 3.0];
     let by_hand = [[0.0; 2]].into_iter();
     let events = sways.iter().zip(&order).map(|(u, (_, load))| [u * 3.0 / 16.0, load / 0.75]);
@@ -231,7 +231,7 @@ pub fn portal_pushover() -> Report {
     c.figure(
         "Load over the limit and sway over that at the limit",
         ["sway (1)", "load (1)"],
-        [Curve::computed("Percuss", curve), Curve::reference("by hand", reference)],
+        [Curve::computed("Percuss", curve), Curve::reference("hand calculation", reference)],
     );
     c.into_report()
 }

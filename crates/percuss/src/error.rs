@@ -7,11 +7,11 @@ use percuss_codes::AnalysisCode;
 /// An error of a recorder, passed through the run to its caller.
 pub type RecorderError = Box<dyn std::error::Error + Send + Sync>;
 
-/// Why an analysis gave up.
+/// Reason why an analysis has no result.
 #[derive(Debug)]
 pub struct Error {
     kind: ErrorKind,
-    /// What has failed before, in words; empty where nothing has.
+    /// Previous failures, in words; empty without any.
     after: String,
 }
 
@@ -31,14 +31,14 @@ enum ErrorKind {
 }
 
 impl Error {
-    /// Newton's iteration failed down to the smallest step; `what` it was that did not converge.
+    /// Newton's iteration failed down to the smallest step; `what` did not converge.
     pub(crate) fn no_convergence(time: f64, step: f64, what: String) -> Self {
         Self::of(ErrorKind::NoConvergence { time, step, what, cure: "try a smaller step" })
     }
 
     /// The same where a compliant contact is pressed in so deep that its geometry may be why.
     pub(crate) fn pressed_through(time: f64, step: f64, what: String) -> Self {
-        let cure = "give its law more stiffness, or thicker outlines to both";
+        let cure = "use a stiffer contact law or larger depths";
         Self::of(ErrorKind::NoConvergence { time, step, what, cure })
     }
 
@@ -47,7 +47,7 @@ impl Error {
         Self::of(ErrorKind::NoEquilibrium { share })
     }
 
-    /// The same where rigid contacts are closed, whose forces may be what does not settle.
+    /// The same with closed rigid contacts, whose forces may be the part that does not converge.
     pub(crate) fn unsettled_contacts(share: f64) -> Self {
         Self::of(ErrorKind::UnsettledContacts { share })
     }
@@ -67,12 +67,12 @@ impl Error {
         Self::of(ErrorKind::Overlap { what })
     }
 
-    /// Without what failed at a share of the loads, in words, there is no equilibrium at it.
+    /// There is no equilibrium after a failure, given in words, at a share of the loads.
     pub(crate) fn nothing_left(share: f64, what: String) -> Self {
         Self::of(ErrorKind::NothingLeft { share, what })
     }
 
-    /// Forces from outside that do not balance in what was found: `left` \[N\] of `gross` \[N\].
+    /// Unbalanced external forces in the solution: `left` \[N\] of `gross` \[N\].
     pub(crate) fn unbalanced(left: f64, gross: f64) -> Self {
         Self::of(ErrorKind::Unbalanced { left, gross })
     }
@@ -81,7 +81,7 @@ impl Error {
         Self { kind, after: String::new() }
     }
 
-    /// The same after what has failed on the way, in words.
+    /// The same after failures during loading, given in words.
     pub(crate) fn after(mut self, failures: &str) -> Self {
         if !failures.is_empty() {
             self.after = format!("; before: {failures}");
@@ -94,7 +94,7 @@ impl Error {
         Self::of(ErrorKind::Singular { time, place })
     }
 
-    /// A scheme that does not conserve energy has made more of it than any result can have: `made` \[J\] beyond what `came` in \[J\].
+    /// Energy growth beyond any valid result in a scheme that does not conserve energy: `made` \[J\] more than the supplied energy `came` \[J\].
     pub(crate) fn grown(time: f64, made: f64, came: f64) -> Self {
         Self::of(ErrorKind::Grown { time, made, came })
     }
@@ -138,7 +138,7 @@ impl Error {
         matches!(self.kind, ErrorKind::Singular { .. })
     }
 
-    /// Whether energy grew out of nothing.
+    /// Whether the energy grew.
     pub fn is_growth(&self) -> bool {
         matches!(self.kind, ErrorKind::Grown { .. })
     }
@@ -158,43 +158,38 @@ impl fmt::Display for Error {
             ),
             ErrorKind::NoEquilibrium { share } => write!(
                 f,
-                "no equilibrium found beyond {:.4} of the loads: a limit point (which only arc length passes), \
-                 or a load that the structure cannot carry",
+                "no equilibrium beyond load factor {:.4}: limit point (see `percuss static --path`), or overload",
                 share
             ),
             ErrorKind::UnsettledContacts { share } => write!(
                 f,
-                "no equilibrium found beyond {share:.4} of the loads: the forces of rigid contacts did not settle (those that lie \
-                 side by side over a long stretch settle slowly: a compliant law does not), or a limit point, or a load that \
-                 the structure cannot carry"
+                "no equilibrium beyond load factor {share:.4}: rigid contact forces did not converge (use a compliant law), limit \
+                 point, or overload"
             ),
             ErrorKind::MomentBeyondLaw { share, beam, most } => write!(
                 f,
-                "no equilibrium found beyond {share:.4} of the loads: a section of beam `{beam}` in Green strains \
+                "no equilibrium beyond load factor {share:.4}: a section of beam `{beam}` in Green strains \
                  (strain = \"green\") carries a bending moment of at most {most:.6e} N m, \
                  2/3 EI / sqrt(6 I/A); engineering strains (strain = \"engineering\") have no such limit"
             ),
-            ErrorKind::NothingHolds { body } => write!(
-                f,
-                "no equilibrium: nothing holds `{body}`, which the loads carry away for good (in statics contacts have no friction)"
-            ),
+            ErrorKind::NothingHolds { body } => {
+                write!(f, "no equilibrium: `{body}` is not supported (no friction in statics)")
+            }
             ErrorKind::Overlap { what } => write!(f, "{what}"),
             ErrorKind::NothingLeft { share, what } => write!(
                 f,
-                "no equilibrium is left at the load factor {share:.6}: {what} there, and what remains does not carry the loads"
+                "no equilibrium at load factor {share:.6}: {what}, and the remaining structure cannot carry the loads"
             ),
-            ErrorKind::Unbalanced { left, gross } => write!(
-                f,
-                "no equilibrium: in the configuration found {left:.3e} N are left unbalanced of {gross:.3e} N that act"
-            ),
+            ErrorKind::Unbalanced { left, gross } => {
+                write!(f, "no equilibrium: unbalanced force {left:.3e} N of {gross:.3e} N")
+            }
             ErrorKind::Singular { time, place } => {
                 write!(f, "singular tangent at t = {time:.9e} s, at {place}")
             }
             ErrorKind::Grown { time, made, came } => write!(
                 f,
-                "energy grew out of nothing: at t = {time:.6e} s there are {made:.4e} J more than the {came:.4e} J that were there at the \
-                 start or were put in (the run ends at ten times as much): the scheme of this run does not conserve energy; \
-                 take integrator.scheme = \"energy-momentum\" or a smaller time.step"
+                "energy growth: at t = {time:.6e} s {made:.4e} J above the {came:.4e} J of the start and the loads (limit: ten times). This \
+                 scheme does not conserve energy; use integrator.scheme = \"energy-momentum\" or a smaller time.step"
             ),
             ErrorKind::Recorder(source) => write!(f, "the results could not be written: {source}"),
         }?;

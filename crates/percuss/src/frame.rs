@@ -1,4 +1,4 @@
-//! What is drawn of an instant: configuration and forces.
+//! State of a run at an instant, for drawings: configuration and forces.
 
 use crate::math::hermite::GAUSS;
 
@@ -24,8 +24,8 @@ pub struct Frame<'a> {
     pub displacement: &'a [[f64; 4]],
     /// Velocities of the same, shape (nodes, 4) \[m/s, 1/s, rad/s\].
     pub velocity: &'a [[f64; 4]],
-    /// Angular rates of the sections at the Gauss points of every element, shape (elements, 3) \[rad/s\]: with `velocity` they make up the
-    /// kinetic energy. Empty where nothing moves.
+    /// Angular rates of the sections at the Gauss points of every element, shape (elements, 3) \[rad/s\]: with `velocity` they determine the
+    /// kinetic energy. Empty for a structure at rest.
     pub spin: &'a [[f64; GAUSS]],
     /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an impact,
     /// shape (elements, 2, 3) \[N, N, N m\].

@@ -1,4 +1,4 @@
-//! Energies and momenta, and the ledger of what entered and left: of one run, of runs side by side, or with derivatives.
+//! Energies and momenta, and their ledger: of one run, of runs in lanes, or with derivatives.
 
 mod audit;
 mod measures;
@@ -16,7 +16,7 @@ pub use measures::Measures;
 use numbers::of_numbers;
 pub use step_work::StepWork;
 
-/// What entered and left since the start of the run.
+/// Energies and momenta supplied and dissipated since the start of the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Ledger<S = f64> {
     /// Total energy at the start \[J\].
@@ -55,10 +55,10 @@ pub struct Ledger<S = f64> {
     pub linear_scale: S,
     /// Scale of angular momentum: the largest so far \[kg m^2/s\].
     pub angular_scale: S,
-    /// Magnitudes of the works, the impulses and the angular impulses of loads and supports, step by step, shape (3) \[J, N s, N m s\]: what
-    /// passed through, however little of it stays.
+    /// Magnitudes of the works, the impulses and the angular impulses of loads and supports, summed over the steps, shape (3) \[J, N s, N m s\]:
+    /// total transfer, whatever the net value.
     pub passed: [S; 3],
-    /// What the sums above have lost by rounding, shape (15) \[J, N s, N m s\].
+    /// Rounding errors of the sums above, shape (15) \[J, N s, N m s\].
     rest: Flows<S>,
     /// Energy, momentum and angular momentum that are none, shape (3) \[J, kg m/s, kg m^2/s\].
     negligible: [S; 3],
@@ -73,17 +73,17 @@ pub type Flows<S> = [S; FLOWS];
 /// Strains that are none.
 const NEGLIGIBLE_STRAIN: f64 = 1e-12;
 
-/// What is nothing: energy and momentum of strains and displacements by the last five bits.
+/// Negligible values: energy and momentum of strains and displacements by the last five bits.
 #[derive(Clone, Copy, Debug)]
 pub struct RoundOff<S = f64> {
     /// Energy \[J\].
     pub energy: S,
     /// Linear momentum \[kg m/s\].
     pub momentum: S,
-    /// What positions are as large as \[m\].
+    /// Scale of positions \[m\].
     pub size: S,
-    /// Energy, momentum and angular momentum that no residual is held against, shape (3) \[J, kg m/s, kg m^2/s\]: what a strain of 1e-12
-    /// stores, and a velocity of as much energy carries.
+    /// Energy, momentum and angular momentum below which residuals are not judged, shape (3) \[J, kg m/s, kg m^2/s\]: the energy of a strain of
+    /// 1e-12, and the momentum of a velocity with the same energy.
     pub negligible: [S; 3],
 }
 
@@ -146,7 +146,7 @@ impl<S: Number> Ledger<S> {
         ledger
     }
 
-    /// Takes a new state into the scales.
+    /// Enters a new state into the scales.
     #[inline(always)]
     pub fn rescale(&mut self, m: &Measures<S>) {
         let impulse = |[j1, j2]: [S; 2]| j1.hypot(j2);
@@ -189,7 +189,7 @@ impl<S: Number> Ledger<S> {
         [work_l, work_s, impacts, damping, l1, l2, s1, s2, d1, d2, la, sa, da, plastic, failure]
     }
 
-    /// Takes the sums so far aside: what is entered next counts from nothing.
+    /// Sets the sums so far aside: the next entries start from zero.
     #[inline(always)]
     pub fn set_aside(&mut self) -> Flows<S> {
         let zero = self.energy_scale.constant(0.0);
@@ -200,8 +200,8 @@ impl<S: Number> Ledger<S> {
         so_far
     }
 
-    /// Adds what has been entered since to sums set aside, without loss by rounding (Kahan 1965, Neumaier 1974): over millions of
-    /// steps it would be that of the sums, each time.
+    /// Adds the entries since then to sums set aside, with compensated rounding (Kahan 1965, Neumaier 1974): over millions of steps each addition
+    /// would have the rounding error of the sums.
     #[inline(always)]
     pub fn put_on(&mut self, so_far: Flows<S>) {
         let mut rest = self.rest;
@@ -229,7 +229,7 @@ impl<S: Number> Ledger<S> {
         self.angular_impulse_supports += h * (cross(x, force) + moment);
     }
 
-    /// Enters what loads did.
+    /// Enters work and impulse of loads.
     #[inline(always)]
     pub fn load(&mut self, done: &StepWork<S>) {
         self.work_loads += done.work;
@@ -237,7 +237,7 @@ impl<S: Number> Ledger<S> {
         self.angular_impulse_loads += done.angular_impulse;
     }
 
-    /// Enters what damping forces against the ground did: their work is a loss.
+    /// Enters the damping forces against the ground: their work is a loss.
     #[inline(always)]
     pub fn damp(&mut self, done: &StepWork<S>) {
         self.loss_damping = self.loss_damping - done.work;
@@ -247,15 +247,15 @@ impl<S: Number> Ledger<S> {
 }
 
 impl<S: Number> Ledger<S> {
-    /// What residuals are relative to: energy \[J\], linear \[kg m/s\] and angular momentum \[kg m^2/s\].
+    /// Reference values of residuals: energy \[J\], linear \[kg m/s\] and angular momentum \[kg m^2/s\].
     ///
-    /// The largest so far, or what passed through if that is more; no less than what is negligible.
+    /// The largest value so far, or the total transfer if that is larger; no less than the negligible value.
     pub fn audit_scales(&self) -> [S; 3] {
         let scales = [self.energy_scale, self.linear_scale, self.angular_scale];
         array(|i| scales[i].max(self.passed[i]).max(self.negligible[i]))
     }
 
-    /// What is missing from the balance of energy \[J\].
+    /// Error of the energy balance \[J\].
     #[inline(always)]
     pub fn energy_residual(&self, m: &Measures<S>) -> S {
         let [loads, supports, impacts, damping, .., plastic, failure] = self.rest;
@@ -265,7 +265,7 @@ impl<S: Number> Ledger<S> {
         m.total() - entered + self.loss_impacts + self.loss_damping + inelastic - rest
     }
 
-    /// What is missing from the balance of linear momentum \[kg m/s\].
+    /// Error of the balance of linear momentum \[kg m/s\].
     #[inline(always)]
     pub fn linear_residual(&self, m: &Measures<S>) -> [S; 2] {
         array(|i| {
@@ -276,7 +276,7 @@ impl<S: Number> Ledger<S> {
         })
     }
 
-    /// What is missing from the balance of angular momentum \[kg m^2/s\].
+    /// Error of the balance of angular momentum \[kg m^2/s\].
     #[inline(always)]
     pub fn angular_residual(&self, m: &Measures<S>) -> S {
         let impulse = self.angular_impulse_loads

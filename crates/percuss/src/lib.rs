@@ -1,8 +1,8 @@
 //! Percuss: impact on geometrically exact beams, with balances that close.
 //!
-//! Define beams, supports, projectiles and loads with a [`ModelBuilder`], freeze them into a [`Model`], and [`simulate`] it under
-//! [`Settings`]: rows go to a [`Recorder`], the result is a [`RunSummary`]. [`Simulation`] steps by hand. The library knows no
-//! file and no terminal and prints nothing; all quantities are SI.
+//! Define beams, supports, projectiles and loads with a [`ModelBuilder`], freeze them into a [`Model`], and [`simulate`] it under [`Settings`]:
+//! rows go to a [`Recorder`], the result is a [`RunSummary`]. [`Simulation`] advances a run in single steps. The library has no file or terminal
+//! output; all quantities are SI.
 //!
 //! Conventions: primes are derivatives with respect to arc length of the reference, J turns by +90 degrees,
 //! `a x b = a1 b2 - a2 b1`, `g = x'`, `p = x''`. A node's degrees of freedom are (u1, u2, u1', u2').
@@ -30,15 +30,16 @@ mod state;
 mod step;
 mod summary;
 
-/// Version and a hash of the sources of this crate: results of two builds can be told apart even where the version is the same.
+/// Version and a hash of the sources of this crate, which distinguishes builds of the same version.
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use analysis::{
-    BucklingMode, BucklingOutcome, Equilibrium, FailureKind, FollowerStability, LinearBuckling,
-    Mode, ModeKind, Path, PathPoint, PathRecorder, PathYield, SlackMember, StaticBalance,
-    StaticContact, StaticFailure, StaticFirstYield, StaticYielding, StopState, buckling,
-    buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path, equilibrium_path_recorded,
-    mechanisms, modes_about, modes_about_equilibrium, natural_frequencies, slack_members, stops,
+    BucklingMode, BucklingOutcome, Equilibrium, FailureKind, FollowerStability,
+    LargestDisplacement, LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, PathYield,
+    SlackMember, StaticBalance, StaticContact, StaticFailure, StaticFirstYield, StaticYielding,
+    StopState, buckling, buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path,
+    equilibrium_path_recorded, mechanisms, modes_about, modes_about_equilibrium,
+    natural_frequencies, slack_members, stops,
 };
 pub use error::{Error, RecorderError};
 pub use frame::{Frame, FrameForce};
@@ -59,7 +60,7 @@ pub use step::effective_mass::EffectiveMass;
 pub use step::newton::Effort;
 pub use summary::*;
 
-/// What `percuss-batch` and tests step runs with, by the modules of this crate: no part of the interface, and free to change.
+/// Functions used by `percuss-batch` and tests, by the modules of this crate: not part of the interface, and subject to change.
 #[doc(hidden)]
 pub mod internals {
     /// The names of modules of this crate.

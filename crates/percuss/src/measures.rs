@@ -16,7 +16,7 @@ impl Measures {
     /// Measures the state of a model; only the pairs that are `awake` can be pressed together.
     pub(crate) fn of(model: &Model, state: &State, awake: &[usize], sweep: &mut Sweep) -> Self {
         let mut m = Self::default();
-        // Stored strains are looked at one by one.
+        // Stored strains are evaluated one by one.
         let swept = state.strain.is_empty();
         if swept {
             sweep.begin(model, state);
@@ -39,7 +39,7 @@ impl Measures {
         m
     }
 
-    /// Sums over a span, element by element, and what hardening has stored \[J\].
+    /// Sums over a span, element by element, and the energy stored in hardening \[J\].
     fn span(&mut self, model: &Model, state: &State, span: &Span) -> (ElementMeasures<f64>, f64) {
         let stored = !state.strain.is_empty();
         let (mut sums, mut hardening) = (ElementMeasures::zero(0.0), 0.0);
@@ -58,7 +58,7 @@ impl Measures {
                 &state.spin[e],
             );
             if state.has_parted(a) {
-                // Nothing turns its sections any more.
+                // Its sections no longer rotate.
                 own.rate_drift = 0.0;
             }
             let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);

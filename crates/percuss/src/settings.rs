@@ -34,7 +34,7 @@ pub enum Scheme {
 pub enum ImpactResolution {
     /// The instant of contact is located and the impulse acts in a very short step of its own.
     Event,
-    /// The gap is looked at once per step (the paper).
+    /// The gap is evaluated once per step (the paper).
     TimeStepping {
         /// A gap at or below this counts as closed \[m\].
         closed_tolerance: f64,
@@ -161,9 +161,9 @@ impl Settings {
         }
         let located = self.impacts == ImpactResolution::Event;
         if self.multiple_impacts == MultipleImpacts::Sequential && !located {
-            let found = "impacts one after another, with a gap that is looked at once per step";
+            let found = "sequential multiple impacts, with a gap that is evaluated once per step";
             let expected = "impacts = \"event\", or multiple_impacts = \"simultaneous\": \
-                            what is passed on at one instant needs the instant";
+                            a sequence of impacts needs its instant";
             add("time.multiple_impacts", found.into(), expected);
         }
         if let Scheme::GeneralizedAlpha { spectral_radius } = self.scheme
@@ -173,14 +173,14 @@ impl Settings {
             add("integrator.spectral_radius", found, "a radius from 0 to 1");
         }
         if self.scheme != Scheme::EnergyMomentum && model.is_inelastic() {
-            let found = "another scheme than energy-momentum, with what yields or bears no \
-                         stress of one sign, or a section of fibres";
-            let expected = "energy-momentum: the work of what yields is exact in no other";
+            let found = "a scheme other than energy-momentum, with yielding, tension-only, \
+                         compression-only or fibre sections";
+            let expected = "energy-momentum: the work of plastic flow is exact only in it";
             add("integrator.scheme", found.into(), expected);
         }
         if self.scheme != Scheme::EnergyMomentum && model.crushes() {
-            let found = "another scheme than energy-momentum, with a contact that crushes";
-            let expected = "energy-momentum: the work of crushing is exact in no other";
+            let found = "a scheme other than energy-momentum, with a contact that crushes";
+            let expected = "energy-momentum: the work of crushing is exact only in it";
             add("integrator.scheme", found.into(), expected);
         }
         if self.scheme.advances_accelerations() && model.has_rigid_contact() {
@@ -227,7 +227,7 @@ impl Settings {
             add(path, accuracy.to_string(), "an accuracy from 1e-6 to 0.2");
         }
         if self.impacts != ImpactResolution::Event {
-            let found = "an accuracy, with a gap that is looked at once per step";
+            let found = "an accuracy, with a gap that is evaluated once per step";
             let expected = "impacts = \"event\", or a step: the paper's impacts depend on its size";
             add(path, found.into(), expected);
         }

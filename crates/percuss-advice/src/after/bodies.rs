@@ -37,8 +37,7 @@ pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     if share < SHORTEST || struck.rear.is_some() {
         return Vec::new();
     }
-    let longer =
-        format!("the contact lasts longer than the lowest mode: {} periods", digits(share));
+    let longer = format!("contact longer than the lowest period: {} periods", digits(share));
     let formula = Formula {
         name: "two free rigid bodies",
         source: "conservation of momentum and energy, with the reduced mass",
@@ -67,7 +66,7 @@ pub fn impulse_of_struck(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison
     let on_limit = reduced_mass([struck.mass, mass.limit]);
     let limit = (1.0 + restitution) * on_limit * desk.speed;
     let mesh = format!(
-        "an effective mass that is not of this mesh alone: on ever finer ones the impulse is {}",
+        "effective mass independent of the mesh (impulse in the limit: {})",
         quantity(limit, "N s")
     );
     let formula = Formula {
@@ -112,7 +111,7 @@ pub fn two_bodies(desk: &Desk<'_>, two: &Bodies) -> Vec<Comparison> {
     if !two.simple {
         return Vec::new();
     }
-    let alone = Assumptions::default().and("neither has touched anything else", desk.is_alone());
+    let alone = Assumptions::default().and("no previous contact of either body", desk.is_alone());
     if let Some(restitution) = desk.restitution() {
         let formula = Formula {
             name: "two rigid bodies",
@@ -127,9 +126,9 @@ pub fn two_bodies(desk: &Desk<'_>, two: &Bodies) -> Vec<Comparison> {
     let alone = match pressed {
         Some(0.0) => alone,
         Some(weight) => {
-            alone.and(format!("a weight of {} in the blow", quantity(weight, "N")), true)
+            alone.and(format!("a weight of {} during the contact", quantity(weight, "N")), true)
         }
-        None => alone.and("no weight in the blow", false),
+        None => alone.and("no weight during the contact", false),
     };
     let Some(blow) = rigid_blow(desk.case.law, two.mass, desk.speed, weight) else {
         return Vec::new();
@@ -139,7 +138,7 @@ pub fn two_bodies(desk: &Desk<'_>, two: &Bodies) -> Vec<Comparison> {
         source: if weight == 0.0 {
             "half a period of mass and spring, or Hertz (Johnson 1985, eq. 11.24)"
         } else {
-            "energy and time of a mass that its weight presses on a rigid target"
+            "energy balance of a mass on a rigid target, with its weight"
         },
         assumptions: alone,
     };

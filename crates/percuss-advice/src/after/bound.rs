@@ -49,19 +49,20 @@ pub fn of_the_force(desk: &Desk<'_>, struck: &Struck<'_>, modes: &Modes<'_>) -> 
     let relaxed = around.is_relaxed(desk.model);
     let weighs = dot(gravity(desk.model).0, struck.direction) != 0.0 && around.held;
     let mut assumptions = lossless(desk, desk.at_rest(struck))
-        .and("nothing strained before the touch but by weights", relaxed)
+        .and("no strain before the contact except due to weights", relaxed)
         .and(
             "one point of contact",
             desk.model.contact(desk.index).is_some_and(|c| c.pairs().len() == 1),
         );
     if norm(gravity(desk.model).0) > 0.0 && around.held {
         let carries = desk.settings.start == Start::Static;
-        assumptions = assumptions.and("equilibrium under the own weight before the touch", carries);
+        assumptions =
+            assumptions.and("equilibrium under the own weight before the contact", carries);
     }
     let yielded = desk.inelastic().iter().any(Option::is_some);
     if weighs {
         let what = format!(
-            "a structure that stays linear under the weight, which makes {} % of the force",
+            "linear structure under the weight, which contributes {} % of the force",
             digits(100.0 * (1.0 - without / blow.peak_force))
         );
         assumptions = match yielded {
@@ -72,16 +73,16 @@ pub fn of_the_force(desk: &Desk<'_>, struck: &Struck<'_>, modes: &Modes<'_>) -> 
     // Energies that are dissipated leave less for the contact: what yields does not touch the bound itself. All of the run is compared
     // with it: whenever the contact closes again, there is no more energy than at first.
     if desk.model.contacts().len() > 1 {
-        let what = "nothing else touches before the force is largest";
+        let what = "no other contact before the peak force";
         assumptions = assumptions.and(what, desk.is_alone_until(peak.time));
     }
     let formula = Formula {
         name: if assumptions.hold() {
             "upper bound of the force"
         } else {
-            "all energy in the contact"
+            "all energy stored in the contact"
         },
-        source: "the contact stores at most what moves and falls: V(p) <= M v^2/2 + work of the weight; on a spring v sqrt(k M)",
+        source: "the contact stores at most the kinetic energy and the work of the weight: V(p) <= M v^2/2 + work; with a spring v sqrt(k M)",
         assumptions,
     };
     let force = Quantity {

@@ -13,7 +13,7 @@ use percuss::{
 };
 use percuss::{Settings, Start};
 
-/// The first touch of a contact.
+/// The first closing of a contact.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Touch<'a> {
     Interval(&'a ContactInterval),
@@ -89,7 +89,7 @@ pub(crate) struct Quantity {
     pub of_run: bool,
 }
 
-/// Assumptions, and whether each is met, shape (assumptions).
+/// Assumptions, and whether each is met, shape (assumptions). Their text is divided at semicolons, so that none contains one.
 #[derive(Clone, Default)]
 pub(crate) struct Assumptions(Vec<String>);
 
@@ -101,7 +101,7 @@ impl Assumptions {
         self
     }
 
-    /// Adds one that hand calculation cannot check.
+    /// Adds one that is not checked.
     pub fn and_unchecked(mut self, what: impl Into<String>) -> Self {
         self.0.push(format!("{} (not checked)", what.into()));
         self
@@ -187,7 +187,7 @@ impl Desk<'_> {
 
     /// The same where the formula knows the losses of the contact itself.
     pub fn undisturbed_but_for_contact(&self, struck: &Struck<'_>) -> Assumptions {
-        self.at_rest(struck).and("no damping but that of the contact", !self.is_damped())
+        self.at_rest(struck).and("no damping except in the contact", !self.is_damped())
     }
 
     pub(super) fn is_damped(&self) -> bool {
@@ -212,8 +212,8 @@ impl Desk<'_> {
         let driven = self.model.supports().any(|support| support.moves);
         let still = rests && !loads && !driven && self.is_alone();
         Assumptions::default().and(
-            "a beam at rest, or one that nothing holds and that flies without turning; nothing but weights and this contact \
-             acts on it until the contact ends",
+            "beam initially at rest, or unsupported and in pure translation, with only weights and this contact acting until the \
+             contact ends",
             still,
         )
     }
@@ -227,11 +227,11 @@ impl Desk<'_> {
         let share = (pull * duration / self.speed).abs();
         let sags = self.settings.start == Start::Static;
         let what = if sags {
-            "the beam hangs in equilibrium under its own weight before the touch".to_owned()
+            "beam in equilibrium under its own weight before the contact".to_owned()
         } else {
             format!(
-                "the beam's own weight at rest before the touch (start = \"static\"), or too short a contact for it to matter: \
-                 gravity makes {} % of the speed of approach within it",
+                "beam in equilibrium under its own weight before the contact (start = \"static\"), or negligible gravity: it adds {} % \
+                 to the approach speed during the contact",
                 digits(100.0 * share)
             )
         };
@@ -327,7 +327,7 @@ impl Desk<'_> {
     /// The rows every smooth contact has: largest force, duration.
     pub fn force_and_duration(&self, force: f64, duration: f64) -> Vec<Quantity> {
         let Some(interval) = self.interval() else { return Vec::new() };
-        // Formulas know one touch.
+        // Formulas hold for one contact.
         let [largest, lasts] = match self.intervals().len() {
             1 => ["largest contact force", "contact duration"],
             _ => ["largest force of the first contact", "duration of the first contact"],

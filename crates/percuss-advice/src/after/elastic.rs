@@ -21,7 +21,7 @@ impl Desk<'_> {
                 let what = format!("elastic: {what} at {}", quantity(time, "s"));
                 assumptions.and(what, false)
             }
-            _ => assumptions.and("elastic, with nothing that tears", true),
+            _ => assumptions.and("elastic, without failure", true),
         }
     }
 
@@ -38,16 +38,15 @@ impl Desk<'_> {
             beams.any(|b| self.model.beam(b).name() == name)
         };
         let beams = run.plastic.iter().filter(|one| own(&one.name)).map(|one| {
-            one.first_yield.map(|first| (format!("beam {} yields", one.name), first.time))
+            one.first_yield.map(|first| (format!("beam '{}' yields", one.name), first.time))
         });
         let springs = run.yielding.iter().map(|one| {
             let first = one.failed.into_iter().chain(one.first_yield).reduce(f64::min);
-            first.map(|time| (format!("{} yields", one.name), time))
+            first.map(|time| (format!("'{}' yields", one.name), time))
         });
-        let joints = run
-            .joints
-            .iter()
-            .map(|one| one.parted.map(|parted| (format!("joint {} tears", one.name), parted.time)));
+        let joints = run.joints.iter().map(|one| {
+            one.parted.map(|parted| (format!("joint '{}' fails", one.name), parted.time))
+        });
         beams.chain(springs).chain(joints).collect()
     }
 }

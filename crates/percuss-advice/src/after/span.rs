@@ -23,10 +23,10 @@ fn small(assumptions: Assumptions, struck: &Struck<'_>, deflection: f64) -> Assu
         let gyration = section.gyration();
         (
             SMALL * gyration,
-            "deflection so small that ends that cannot slide do not stiffen the span",
+            "deflection so small that axially restrained ends do not stiffen the span",
         )
     } else {
-        (SMALL_SLIDING * struck.place.beam.length(), "deflection small against the span")
+        (SMALL_SLIDING * struck.place.beam.length(), "deflection small relative to the span")
     };
     assumptions.and(format!("{what}: {}", against(deflection, limit, "m")), deflection < limit)
 }
@@ -58,7 +58,7 @@ fn hangs(desk: &Desk<'_>, assumptions: Assumptions, sag: f64, deflection: f64) -
         return assumptions;
     }
     let what = format!(
-        "at rest under its own weight before the blow (start = \"static\"): it swings by {}",
+        "equilibrium under its own weight before the impact (start = \"static\"), or small vibration under it: {}",
         against(2.0 * sag.abs(), deflection, "m")
     );
     assumptions.and(what, 2.0 * sag.abs() < LIGHT * deflection)
@@ -84,8 +84,10 @@ fn moment(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
 /// Adds that shear would let the span give way little more.
 fn stiff_in_shear(struck: &Struck<'_>, span: &Span, assumptions: Assumptions) -> Assumptions {
     let share = span.shear_share(shear_stiffness(struck.place.section().axial));
-    let what =
-        format!("shear, left out, would let the span give way {} % more", digits(100.0 * share));
+    let what = format!(
+        "shear deformation (neglected) would increase the static deflection by {} %",
+        digits(100.0 * share)
+    );
     assumptions.and(what, share < SHEAR)
 }
 
@@ -96,7 +98,7 @@ pub fn two_masses(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     };
     let share = blow.duration / span.period();
     let assumptions = desk.undisturbed(struck).and(
-        format!("the contact lasts longer than the lowest mode: {} periods", digits(share)),
+        format!("contact longer than the lowest period: {} periods", digits(share)),
         share >= 1.0,
     );
     let assumptions = small(assumptions, struck, blow.deflection);
@@ -104,7 +106,7 @@ pub fn two_masses(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let assumptions = hangs(desk, assumptions, sag, blow.deflection);
     let assumptions = stiff_in_shear(struck, &span, assumptions);
     let formula = Formula {
-        name: "two masses and two springs",
+        name: "two-degree-of-freedom model",
         source: "Shivakumar, Elber and Illg 1985, with the span's reduced mass",
         assumptions: weightless(desk, struck, assumptions, blow.peak_force),
     };
@@ -128,7 +130,7 @@ pub fn cox(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let sag = sag(desk, struck, &span);
     let formula = |assumptions| Formula {
         name: "Cox",
-        source: "Cox 1849: momentum of mass and reduced span, then their energy",
+        source: "Cox 1849: conservation of momentum of the mass and the reduced span, then of their energy",
         assumptions,
     };
     let assumptions = || {
@@ -145,9 +147,10 @@ pub fn cox(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
 }
 
 /// No span is bent so while waves of the blow run through it.
-const STATIC_SHAPE: &str = "bent as by a static force: waves of the blow add to the moment";
-const WITHIN: &str = "bent most within the first contact";
-const STAYS: &str = "the mass stays on the beam until it is bent most";
+const STATIC_SHAPE: &str =
+    "deflected shape of a static force (waves of the impact increase the moment)";
+const WITHIN: &str = "peak deflection during the first contact";
+const STAYS: &str = "mass in contact until the peak deflection";
 
 /// Whether the contact is closed when the deflection is largest; one under a smooth law, for the first time: a mass that comes back
 /// strikes a span that moves.
@@ -184,7 +187,7 @@ pub fn impact_factor(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
             let stays = desk.undisturbed(struck).and(STAYS, stays(desk, struck));
             let all = stiff_in_shear(struck, &span, hangs(desk, stays, sag, by_hand));
             let share =
-                format!("span light: its reduced mass is {} of the falling one", digits(ratio));
+                format!("light span: its reduced mass is {} of the falling mass", digits(ratio));
             small(if light { all.and(share, ratio < LIGHT) } else { all }, struck, by_hand)
         };
         let formula = |assumptions| Formula { name, source, assumptions };
@@ -195,7 +198,8 @@ pub fn impact_factor(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
         all.extend(desk.rows(&formula(bent), vec![moment(desk, struck, by_hand)]));
         all
     };
-    let plain = "1 + sqrt(1 + 2 h/d), d the static deflection: all energy bends the span";
+    let plain =
+        "1 + sqrt(1 + 2 h/d), d the static deflection: all energy goes into bending of the span";
     let reduced = "the same with the height over 1 + m/M, m the span's reduced mass (Cox 1849)";
     let mut all = row("impact factor", plain, height, true);
     all.extend(row("impact factor, heavy span", reduced, height / (1.0 + ratio), false));

@@ -30,8 +30,7 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let wave_number = section.wave_number(pulse_frequency(lasts));
     let slope = desk.speed * blow.peak_time * wave_number;
     let undisturbed = back >= lasts && blow.duration.is_some();
-    let returns =
-        format!("no wave comes back from ends or supports: {}", against(back, lasts, "s"));
+    let returns = format!("no reflected wave during the contact: {}", against(back, lasts, "s"));
     let slopes = format!("small slopes: up to {}", digits(slope));
     let mut assumptions = desk
         .undisturbed_but_for_contact(struck)
@@ -44,9 +43,9 @@ pub fn infinite_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let formula = Formula {
         name: "infinite beam",
         source: if linear_stiffness(desk.case.law).is_some() && struck.pull() == 0.0 {
-            "closed form for a mass behind a linear spring on a Bernoulli beam without end"
+            "closed form for a mass with a linear spring on an infinite Bernoulli beam"
         } else {
-            "Timoshenko's integral equation for a contact law on a Bernoulli beam without end"
+            "Timoshenko's integral equation for a contact law on an infinite Bernoulli beam"
         },
         assumptions,
     };
@@ -94,10 +93,10 @@ fn corrections(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<(String, f64)> {
         all.push((what, rotary.force.abs()));
     }
     let rebound = shear.rebound.map_or(String::new(), |share| {
-        format!(" and the velocity of rebound by {} %", digits(100.0 * share))
+        format!(" and the rebound velocity by {} %", digits(100.0 * share))
     });
     let what = format!(
-        "shear, left out here, negligible: of a full rectangle it would change the force by {} %{rebound}",
+        "shear deformation (neglected) small: for a solid rectangle it would change the force by {} %{rebound}",
         digits(100.0 * shear.force)
     );
     let most = shear.rebound.unwrap_or(0.0).abs().max(shear.force.abs());
@@ -124,7 +123,7 @@ pub fn bar_on_wall(desk: &Desk<'_>, beams: &Beams<'_>) -> Vec<Comparison> {
     let pull = dot(gravity(desk.model).0, tangent).abs();
     let mut assumptions = Assumptions::default()
         .and(format!("small strains: {}", digits(strain)), strain < SMALL)
-        .and("a wall at rest, met by the whole section at once, in one contact", one)
+        .and("wall at rest, hit by the whole section at once, in a single contact", one)
         .and(
             "no other contact before it ends, no load, no damping",
             desk.is_alone() && desk.is_bare(),
@@ -175,7 +174,7 @@ fn bar_blow(
     length: f64,
 ) -> Option<(BarBlow, &'static str)> {
     let Some(law) = desk.case.law.smooth() else {
-        let source = "Saint-Venant: one wave runs up and down the bar";
+        let source = "Saint-Venant: one wave travels along the bar and back";
         return Some((section.bar_blow(length, desk.speed), source));
     };
     if law.unloading.is_some() {
@@ -184,7 +183,7 @@ fn bar_blow(
     let points = points_of_end(desk.model, desk.index);
     match section.bar_on_wall(length, desk.speed, |p, rate| points * force(law, p, rate))? {
         BarOnWall::Waves(blow) => {
-            Some((blow, "waves of a bar whose end presses on the wall by the law of the contact"))
+            Some((blow, "waves in a bar whose end presses on the wall under the contact law"))
         }
         BarOnWall::OnePiece => {
             let mass = section.mass * length;
@@ -195,7 +194,8 @@ fn bar_blow(
                 duration: rigid.duration,
                 impulse: 2.0 * mass * desk.speed,
             };
-            let source = "a rigid bar: its contact lasts many times the wave that runs up and down";
+            let source =
+                "rigid bar: the contact lasts many times the wave transit along the bar and back";
             (law.dissipation == 0.0).then_some((blow, source))
         }
     }

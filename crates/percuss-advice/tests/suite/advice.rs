@@ -104,7 +104,7 @@ fn contacts_that_no_modes_describe_last_as_long_as_a_trial_says() {
         // That the modes say something else is said.
         let advice = advise(&freeze(b), settings);
         let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);
-        assert!(text.is_some_and(|t| t.contains("short trial")), "{text:?}");
+        assert!(text.is_some_and(|t| t.contains("trial computation")), "{text:?}");
     };
     let mut b = ModelBuilder::new();
     let thin = bar(&mut b, 2.0, 20, [0.1, 0.01]);
@@ -165,7 +165,7 @@ fn contacts_neither_linear_nor_tried_are_not_estimated() {
         found.map_or(String::new(), |a| a.text)
     };
     let far = of(5.0);
-    assert!(far.contains("not estimated: the struck point goes"), "{far}");
+    assert!(far.contains("not estimated: the struck point deflects"), "{far}");
     let near = of(1e-3);
     assert!(near.contains("lasts about"), "{near}");
 }
@@ -222,7 +222,10 @@ fn a_flat_end_presses_with_both_corners_on_any_mesh() {
         assert!((found / rigid - 1.0).abs() < 0.02, "{elements}: {found} found, {rigid}");
         let advice = advise(&freeze(&b), &settings);
         let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);
-        assert!(text.is_some_and(|t| t.contains("2 corners") && t.contains("k/2")), "{text:?}");
+        assert!(
+            text.is_some_and(|t| t.contains("2 contact points") && t.contains("k/2")),
+            "{text:?}"
+        );
         // It moves as one piece, and no wave brings its force to EA v/c.
         assert_eq!(verdict(&advice, Topic::ForceRise), None);
     }
@@ -247,7 +250,7 @@ fn shear_is_told_where_it_matters() {
     let soft = of(0.2, 0.8, 1e4);
     assert_eq!(verdict(&soft, Topic::Shear), Some(Verdict::Note));
     let text = soft.iter().find(|a| a.topic == Topic::Shear).map(|a| &a.text);
-    assert!(text.is_some_and(|t| t.contains("19.5 % more")), "{text:?}");
+    assert!(text.is_some_and(|t| t.contains("deflection by 19.5 %")), "{text:?}");
 }
 
 /// A strut under 0.5 and 2.8 times its Euler load at the start.
@@ -341,7 +344,7 @@ fn contacts_left_open_by_a_run_are_told_after_it() {
         "{soft:#?}"
     );
     let late = of(ProjectileKind::spring(1e4), 20.0, 1.0);
-    assert!(late.iter().any(|a| a.text.contains("nothing touched")), "{late:#?}");
+    assert!(late.iter().any(|a| a.text.contains("no contact up to the end")), "{late:#?}");
     assert!(of(ProjectileKind::spring(5e7), 0.5, 0.0).is_empty());
     let rigid = of(ProjectileKind::Rigid { restitution: 0.5 }, 20.0, 0.0);
     assert!(rigid.iter().any(|a| a.topic == Topic::Reactions), "{rigid:#?}");
@@ -539,7 +542,10 @@ fn a_static_start_far_from_the_drawing_is_told_with_place_and_distance() {
         if let Some(far) = advice.iter().find(|a| a.topic == Topic::StaticStart) {
             // From level to hanging: a quarter of a turn takes the end sqrt(2) m.
             assert!((far.value / 2.0_f64.sqrt() - 1.0).abs() < 0.01, "{far:?}");
-            assert!(far.text.contains("`beam` at s = 1 m is 1.4"), "{far:?}");
+            assert!(
+                far.text.contains("by 1.4") && far.text.contains("beam 'beam', s = 1 m"),
+                "{far:?}"
+            );
         }
     }
 }
@@ -739,7 +745,7 @@ fn ends_that_nothing_joins_are_told() {
     let faults = mechanisms(&none);
     let text = faults.iter().map(ToString::to_string).collect::<String>();
     assert!(
-        text.contains("`left.end` and `top.start`") && text.contains("[joint.left-top]"),
+        text.contains("'left.end' and 'top.start'") && text.contains("[joint.left-top]"),
         "{text}"
     );
     assert!(mechanisms(&of(2, false)).is_empty());

@@ -48,7 +48,7 @@ fn blow(model: &Model, end: f64, step: f64) -> [f64; 2] {
 
 /// The error in per cent that a text foretells.
 fn foretold(text: &str) -> Option<f64> {
-    let (_, rest) = text.split_once("off by some ")?;
+    let (_, rest) = text.split_once("error of the peak force ")?;
     rest.split_once(" %")?.0.parse::<f64>().ok().map(|percent| 0.01 * percent)
 }
 
@@ -112,7 +112,7 @@ fn durations_and_errors_are_those_that_refinement_shows() {
                         );
                     }
                     None if found.verdict == Verdict::Fine
-                        || found.text.contains("within a per cent") =>
+                        || found.text.contains("accurate to 1 %") =>
                     {
                         assert!(off < TOLD, "{name}, {steps}: {off} is told as fine");
                     }

@@ -387,7 +387,7 @@ fn cox_knows_when_the_mass_is_too_heavy_for_it() {
 fn two_masses_know_when_their_weight_counts() {
     for (speed, met) in [(8.0, true), (2.0, false)] {
         let all = on_a_hanging_span(ProjectileKind::spring(1e6), 100.0, speed, 0.12);
-        let c = row(&all, "two masses and two springs", "largest contact force");
+        let c = row(&all, "two-degree-of-freedom model", "largest contact force");
         assert_eq!(!c.holds_if.contains("not met"), met, "{c:#?}");
         if met {
             assert!(c.difference_percent.abs() < 3.0, "{c:#?}");
@@ -399,7 +399,7 @@ fn two_masses_know_when_their_weight_counts() {
 #[test]
 fn the_largest_deflection_of_a_later_contact_is_not_met() {
     let all = on_a_hanging_span(ProjectileKind::spring(1e6), 200.0, 0.2, 1.0);
-    for formula in ["two masses and two springs", "impact factor, heavy span"] {
+    for formula in ["two-degree-of-freedom model", "impact factor, heavy span"] {
         let c = row(&all, formula, "deflection");
         assert!(c.difference_percent.abs() < 4.0 || c.holds_if.contains("not met"), "{c:#?}");
     }

@@ -16,11 +16,11 @@ impl<S: Number> Engine<S> {
     pub(super) fn beams<const TANGENT: bool>(&mut self) {
         let mut element = 0;
         for i in 0..self.numbers.spans.len() {
-            // What has no damping has code of its own for each measure, without a branch at every Gauss point.
+            // Spans without damping have separate code for each measure, without a branch at every Gauss point.
             let span = &self.numbers.spans[i];
             match (span.measure, span.damped, span.fibres.is_some()) {
                 (measure, _, true) => self.span::<TANGENT, true, true>(i, element, measure),
-                // Derivatives need no speed of that kind, and are a third of the machine code.
+                // Derivatives do not need this speed; their code would be a third of the machine code.
                 (measure, damped, _) if damped || S::DERIVES => {
                     self.span::<TANGENT, true, false>(i, element, measure);
                 }
@@ -80,7 +80,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// An element over the step at hand: its table, first node and number, and what damps it.
+    /// An element over the current step: its table, first node and number, and its damping.
     #[inline(always)]
     fn invariant_step<'a>(
         &'a self,
@@ -104,8 +104,8 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Forces on the nodes of an element, of the given number in its span and among all, at the increment as it stands; inertia of its
-    /// motion apart, that of its rotation included.
+    /// Forces on the nodes of an element, of the given number in its span and among all, at the current increment; without translational inertia,
+    /// with rotary inertia.
     #[inline(always)]
     pub fn internal_force(&self, span: &SpanNumbers<S>, k: usize, element: usize) -> [[S; 4]; 2] {
         let rate = self.h.recip();
@@ -116,13 +116,13 @@ impl<S: Number> Engine<S> {
         step.sums::<false>(fibres.as_ref()).0.nodal_force()
     }
 
-    /// Acceleration of a node of a span in the equation of motion, with what mass-proportional damping adds.
+    /// Acceleration of a node of a span in the equation of motion, with the term of mass-proportional damping.
     #[inline(always)]
     pub fn inertia_in(&self, span: &SpanNumbers<S>, n: usize) -> [S; 4] {
         self.inertia::<true>(n, self.h.recip(), span.mass_damping)
     }
 
-    /// Acceleration of a node in the equation of motion, with what mass-proportional damping adds.
+    /// Acceleration of a node in the equation of motion, with the term of mass-proportional damping.
     #[inline(always)]
     fn inertia<const DAMPED: bool>(&self, n: usize, rate: S, damping: S) -> [S; 4] {
         let mean = array(|i| self.increment[n][i] * rate);

@@ -1,4 +1,4 @@
-//! What fibres take in a step, and what they store.
+//! Dissipation of the fibres in a step, and their stored energy.
 
 use super::Engine;
 use crate::numbers::SpanNumbers;
@@ -16,7 +16,7 @@ impl<S: Number> Engine<S> {
         self.numbers.spans.iter().filter(|span| span.fibres.is_some()).count()
     }
 
-    /// Moves the fibres to the end of the step at hand, where displacements are already.
+    /// Moves the fibres to the end of the current step, to which the displacements belong already.
     #[inline(always)]
     pub fn advance_fibres(&mut self) {
         if !self.fibres.is_empty() {
@@ -66,7 +66,7 @@ impl<S: Number> Engine<S> {
         ElementFibres { laws: &fibres.laws, fibres: fibres.of(k), states }
     }
 
-    /// What the fibres of an element store.
+    /// Energies of the fibres of an element.
     #[inline(always)]
     pub fn fibre_energies(
         &self,

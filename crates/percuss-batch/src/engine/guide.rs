@@ -1,4 +1,4 @@
-//! Guided projectiles of the runs in mid-flight.
+//! Guided projectiles of the runs in the current step.
 
 use crate::ground_springs::row;
 use crate::numbers::GuideNumbers;
@@ -6,22 +6,22 @@ use percuss::internals::model::frozen::combine;
 use percuss::internals::scalar::Number;
 use percuss::math::vec2::dot;
 
-/// A guided projectile on its way, and in the step at hand.
+/// State of a guided projectile, and its values in the current step.
 #[derive(Clone, Copy, Debug)]
 pub struct GuideState<S> {
-    /// Way along the line of flight \[m\], velocity \[m/s\].
+    /// Displacement along the line of flight \[m\], velocity \[m/s\].
     pub way: S,
     pub velocity: S,
     /// Gap \[m\] and its rate \[m/s\].
     pub gap: S,
     pub rate: S,
-    /// Increment of the way, residual and correction.
+    /// Increment of the displacement, residual and correction.
     pub increment: S,
     pub residual: S,
     pub correction: S,
     /// Change of the gap over the step \[m\].
     pub gap_change: S,
-    /// What the loads apply, shape (2) \[N\].
+    /// Force of the loads, shape (2) \[N\].
     pub applied: [S; 2],
     /// Force \[N\], its slope by the penetration at the end of the step \[N/m\].
     pub force: S,
@@ -41,7 +41,7 @@ impl<S: Number> GuideNumbers<S> {
         row(&self.shape, &self.direction)
     }
 
-    /// The same on given nodal values.
+    /// The form applied to given nodal values.
     #[inline(always)]
     pub fn along(&self, nodal: &[[S; 4]]) -> S {
         let w = self.value(nodal);
@@ -76,7 +76,7 @@ impl<S: Number> GuideState<S> {
         }
     }
 
-    /// What the contact takes of the projectile's residual when it is eliminated \[N\].
+    /// Contact force due to the residual of the projectile when its displacement is eliminated \[N\].
     #[inline(always)]
     pub fn left_over(&self) -> S {
         let [slope, inertia] = self.factored;

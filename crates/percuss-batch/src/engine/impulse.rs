@@ -1,4 +1,4 @@
-//! Impulses of a rigid projectile in a step: its gap's rate stays above a bound.
+//! Impulses of a rigid projectile in a step: the rate of its gap has a lower bound.
 
 use super::Engine;
 use crate::impact::Press;
@@ -13,7 +13,7 @@ impl<S: Number> Engine<S> {
         [state.gap + state.gap_change, state.gap_change * 2.0 / self.h - state.rate]
     }
 
-    /// The answer of the factored tangent to a unit force that opens a gap, left in the corrections; returns how far it opens.
+    /// Solution of the factored tangent for a unit force that opens a gap, stored in the corrections; returns the opening.
     #[inline(always)]
     fn answer(&mut self, k: usize) -> S {
         let zero = self.h.constant(0.0);
@@ -34,8 +34,8 @@ impl<S: Number> Engine<S> {
         guide.along(&self.correction) - self.guides[k].correction
     }
 
-    /// Adds to the corrections of lanes that seek what the impulse of the contact that presses changes: its gap's rate stays above
-    /// the bound, or is that where it presses.
+    /// Adds the effect of the contact impulse to the corrections of the lanes that iterate: the rate of the gap is not below the bound, and equals
+    /// it where the contact presses.
     #[inline(always)]
     pub fn press(&mut self, seeking: S::Mask) {
         let Some(mut press) = self.press.take() else { return };
@@ -49,7 +49,7 @@ impl<S: Number> Engine<S> {
         self.press = Some(press);
     }
 
-    /// The answer to a unit force by the factors in use; corrections stay as they are.
+    /// Response of the factors in use to a unit force; the corrections do not change.
     #[inline(always)]
     fn find_answer(&mut self, press: &mut Press<S>) {
         std::mem::swap(&mut self.correction, &mut press.nodal);
@@ -70,7 +70,7 @@ impl<S: Number> Engine<S> {
         press.known = true;
     }
 
-    /// There are other factors now.
+    /// Marks the response as outdated after a new factorisation.
     #[inline(always)]
     pub fn forget_answer(&mut self) {
         if let Some(press) = &mut self.press {

@@ -8,7 +8,7 @@ use percuss::internals::scalar::{Number, array};
 use percuss::internals::step::constraint::{ConstraintStep, NodalForm, point_nodes};
 
 impl<S: Number> Engine<S> {
-    /// Share of the constraints' round-off that the step at hand takes back: its share in a whole one.
+    /// Share of the constraints' round-off that is compensated in the current step: its size as a share of a whole step.
     #[inline(always)]
     fn taken_back(&self) -> S {
         let one = self.h.constant(1.0);
@@ -17,7 +17,7 @@ impl<S: Number> Engine<S> {
         S::choose(self.constraints.impulsive, one.constant(0.0), share)
     }
 
-    /// Begins a step: multipliers as the one before left them.
+    /// Begins a step with the multipliers of the previous one.
     #[inline(always)]
     pub fn predict_multipliers(&mut self) {
         if self.numbers.constraints.is_empty() {
@@ -31,14 +31,14 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// The step at hand as constraints see it.
+    /// The current step for the constraints.
     #[inline(always)]
     fn constraint_step(&self) -> ConstraintStep<'_, S> {
         let (start, increment) = (&self.displacement, &self.increment);
         ConstraintStep { start, increment, forcing: &self.constraints.still, share: 0.5 }
     }
 
-    /// Forces of the constraints at the increment as it stands, and by how much it misses them.
+    /// Forces of the constraints at the current increment, and their violation.
     #[inline(always)]
     pub fn constrain(&mut self) {
         for k in 0..self.numbers.constraints.len() {
@@ -48,7 +48,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Looks at a constraint at the increment as it stands.
+    /// Evaluates a constraint at the current increment.
     #[inline(always)]
     fn see_constraint(&mut self, k: usize) {
         let c = &self.numbers.constraints[k];
@@ -60,8 +60,8 @@ impl<S: Number> Engine<S> {
         (state.gradient, state.miss) = (gradient, change + state.taken_back);
     }
 
-    /// Lanes whose increments meet the constraints; `reach` is the size of the displacements, `look` says that the increments have changed
-    /// since forces were evaluated.
+    /// Lanes whose increments satisfy the constraints; `reach` is the size of the displacements, `look` is true if the increments have changed
+    /// since the last evaluation of forces.
     #[inline(always)]
     pub fn meet_constraints(&mut self, reach: S, look: bool) -> S::Mask {
         if self.numbers.constraints.is_empty() {
@@ -77,7 +77,7 @@ impl<S: Number> Engine<S> {
         self.constraints.met(step, reach, self.taken_back())
     }
 
-    /// Columns, rows and the Schur complement of the constraints for the factors in use, where they are new.
+    /// Columns, rows and the Schur complement of the constraints for the factors in use, in lanes with new factors.
     #[inline(always)]
     pub fn factor_constraints(&mut self, renew: S::Mask) {
         let n = self.numbers.constraints.len();
@@ -106,8 +106,7 @@ impl<S: Number> Engine<S> {
         gauss_jordan::invert(&mut self.constraints.inverse, n);
     }
 
-    /// Solves for the corrections with the factors in use and the constraints, which close what they miss or, if not `closing`, stay as
-    /// they are.
+    /// Solves for the corrections with the factors in use and the constraints, whose violation becomes zero or, if not `closing`, does not change.
     #[inline(always)]
     pub fn solve_constrained(&mut self, closing: bool) {
         self.factors.solve(&mut self.correction);
@@ -135,7 +134,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// What the correction taken last has changed of the constraints' force on a node.
+    /// Change of the constraints' force on a node by the last correction.
     #[inline(always)]
     pub fn add_constraint_change(&self, node: usize, change: &mut [S; 4]) {
         for (c, state) in self.numbers.constraints.iter().zip(&self.constraints.each) {

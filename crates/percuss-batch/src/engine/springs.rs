@@ -1,4 +1,4 @@
-//! Elastic supports and stops in a step: the difference quotient of the potential, as of single runs
+//! Elastic supports and stops in a step: the difference quotient of the potential, as in single runs
 //! ([`step::connectors`](percuss::internals::step::connectors)).
 
 use super::Engine;
@@ -8,7 +8,7 @@ use percuss::internals::scalar::Number;
 use percuss::math::vec2::scale;
 
 impl<S: Number> Engine<S> {
-    /// What a spring does at the increment as it stands.
+    /// Force of a spring at the current increment.
     #[inline(always)]
     fn see_spring(&self, k: usize) -> GroundSpringState<S> {
         let spring = &self.numbers.springs[k];
@@ -35,7 +35,7 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Takes the slopes of the tangent assembled last for those of the factors in use, in the given lanes.
+    /// Copies the slopes of the last assembled tangent to those of the factors in use, in the given lanes.
     #[inline(always)]
     pub fn factor_springs(&mut self, which: S::Mask) {
         for state in &mut self.springs {
@@ -43,8 +43,8 @@ impl<S: Number> Engine<S> {
         }
     }
 
-    /// Lanes in which no spring but for an impulse of `small` has another force than the factors foresaw when the correction was taken:
-    /// none has opened or closed.
+    /// Lanes in which the force of every spring agrees within an impulse of `small` with the one that the factors predicted for the correction: no
+    /// spring has opened or closed.
     #[inline(always)]
     pub fn springs_foreseen(&self, small: S) -> S::Mask {
         let mut all = !small.less(small);

@@ -1,4 +1,4 @@
-//! The record of a guided projectile: closed intervals of its contact, and what it gave.
+//! The record of a guided projectile: contact intervals, impulse and transferred energy.
 
 use percuss::internals::contact::free_gap::FreeGap;
 use percuss::internals::scalar::{Mask, Number};
@@ -10,7 +10,7 @@ pub struct Top<S> {
     pub time: S,
 }
 
-/// A closed interval of one lane's contact.
+/// A contact interval of one lane.
 #[derive(Clone, Copy, Debug)]
 pub struct Closed<S> {
     pub start: S,
@@ -18,38 +18,38 @@ pub struct Closed<S> {
     pub impulse: S,
     /// Work on beam and projectile, shape (2) \[J\].
     pub given: [S; 2],
-    /// Potential at its end, where it is still closed \[J\].
+    /// Potential at its end, if the contact is still closed there \[J\].
     pub stored: S,
     /// Deepest penetration \[m\].
     pub deepest: Top<S>,
     pub approach: S,
     pub separation: S,
-    /// Steps in which it was closed.
+    /// Number of steps with a closed contact.
     pub steps: S,
-    /// What the gap's rate changed by in the step before it and in the one after it, shape (2) \[m/s\].
+    /// Change of the gap's rate in the step before it and in the step after it, shape (2) \[m/s\].
     pub changes: [S; 2],
-    /// Where it closed, shape (2) \[m\].
+    /// Position at which the contact closed, shape (2) \[m\].
     pub place: [S; 2],
-    /// Where it was last, shape (2) \[m\].
+    /// Last position of the contact, shape (2) \[m\].
     pub place_end: [S; 2],
 }
 
 /// The record of a guided projectile.
 #[derive(Clone, Debug)]
 pub struct GuideLog<S: Number> {
-    /// The interval that is open in each lane, as it stands.
+    /// The current contact interval of each lane.
     pub open: Closed<S>,
-    /// Which lanes have one, shape (lanes).
+    /// Whether a lane has a current interval, shape (lanes).
     pub is_open: Vec<bool>,
-    /// Intervals that have ended, by lane, shape (lanes, intervals of one).
+    /// Intervals that have ended, for each lane, shape (lanes, intervals of one).
     pub closed: Vec<Vec<Closed<S>>>,
     /// Deepest penetration of the run \[m\].
     pub deepest: Top<S>,
-    /// Impulse and energy that the projectile gave, and work on what it struck, shape (3) \[N s, J, J\].
+    /// Impulse and energy transferred by the projectile, and work on the struck body, shape (3) \[N s, J, J\].
     pub given: [S; 3],
-    /// Acceleration of the gap in the last step in which it stood open \[m/s^2\].
+    /// Acceleration of the gap in the last step with an open gap \[m/s^2\].
     pub free: S,
-    /// Lanes whose last interval ended in the step before.
+    /// Lanes whose last interval ended in the previous step.
     pub released: S::Mask,
     /// Gap and rate at the end of that step.
     pub parted: FreeGap<S>,
@@ -76,8 +76,8 @@ impl<S: Number> Closed<S> {
         }
     }
 
-    /// Ends it, the gap's motion since followed backwards from the end of the step that began at `start` with size `h`; returns
-    /// how long that is.
+    /// Ends the interval at the instant that follows from the motion of the gap, traced back from the end of the step that began at `start` with
+    /// size `h`; returns the time from that instant to the end of the step.
     pub fn part(&mut self, back: &FreeGap<S>, [start, h]: [S; 2]) -> S {
         let [since, rate] = back.closes(h);
         self.end = start + (h - since);
@@ -98,7 +98,7 @@ impl<S: Number> Closed<S> {
         ]
     }
 
-    /// Takes over a lane of another one.
+    /// Copies a lane of another record.
     pub fn set_lane(&mut self, lane: usize, from: &Self, from_lane: usize) {
         for (mine, other) in self.numbers().into_iter().zip({ *from }.numbers()) {
             mine.set_lane(lane, *other, from_lane);
@@ -107,7 +107,7 @@ impl<S: Number> Closed<S> {
 }
 
 impl<S: Number> GuideLog<S> {
-    /// All its numbers but those of intervals that have ended.
+    /// All its numbers except those of intervals that have ended.
     pub fn numbers(&mut self) -> impl Iterator<Item = &mut S> {
         let FreeGap { gap, rate, acceleration } = &mut self.parted;
         let Top { value, time } = &mut self.deepest;
@@ -116,7 +116,7 @@ impl<S: Number> GuideLog<S> {
         self.open.numbers().into_iter().chain(others)
     }
 
-    /// Lanes whose gap stood open over a step: its acceleration tells with what velocity it parted in the step before.
+    /// Lanes with an open gap over a step: its acceleration gives the separation velocity in the previous step.
     #[inline(always)]
     pub fn open_throughout(&mut self, taken: S::Mask, open: S::Mask, acceleration: S) {
         let zero = acceleration.constant(0.0);
@@ -126,7 +126,7 @@ impl<S: Number> GuideLog<S> {
             return;
         }
         self.released = zero.less(zero);
-        // What closes again at once has not flown freely over a step.
+        // A contact that closes again at once has no free motion over a step.
         for lane in (0..S::LANES).filter(|i| released.lane(*i) && !freed.lane(*i)) {
             if let Some(last) = self.closed[lane].last_mut() {
                 last.changes[1] = zero.constant(f64::NAN);

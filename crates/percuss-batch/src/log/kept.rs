@@ -1,20 +1,20 @@
-//! Logs of lanes whose part of a step is not accepted stay as they are.
+//! Records of lanes whose part of a step is not accepted, which do not change.
 
 use super::guide::GuideLog;
 use crate::yield_log::YieldLog;
 use percuss::internals::run::crest::Crest;
 use percuss::internals::scalar::Number;
 
-/// What lanes keep whose step is not taken in.
+/// Saved records of the lanes whose step is not accepted.
 #[derive(Clone, Debug)]
 pub(super) struct Kept<S: Number> {
     /// Extremes of the recorded points, shape (recorded points, 2).
     points: Vec<[Crest<S>; 2]>,
-    /// Numbers that are noted of the projectiles, shape (such numbers) \[unit of each\].
+    /// Numbers recorded for the projectiles, shape (such numbers) \[unit of each\].
     guides: Vec<S>,
     /// Lanes whose last interval has just ended, shape (guided projectiles).
     released: Vec<S::Mask>,
-    /// Where spans have yielded, shape (spans with fibres).
+    /// Records of yielding, shape (spans with fibres).
     yields: Vec<YieldLog<S>>,
 }
 
@@ -30,7 +30,7 @@ pub(super) type Records<'a, S> =
     (&'a mut [[Crest<S>; 2]], &'a mut [GuideLog<S>], &'a mut [YieldLog<S>]);
 
 impl<S: Number> Kept<S> {
-    /// Keeps records as they stand.
+    /// Saves the current records.
     #[inline(always)]
     pub fn keep(&mut self, (points, guides, yields): Records<'_, S>) {
         self.points.clear();
@@ -45,7 +45,7 @@ impl<S: Number> Kept<S> {
         }
     }
 
-    /// Puts all lanes but those that `go` back to what was kept.
+    /// Restores the saved records of all lanes except those of the mask `go`.
     #[inline(always)]
     pub fn put_back(&self, (points, guides, yields): Records<'_, S>, go: S::Mask) {
         for (now, kept) in points.as_flattened_mut().iter_mut().zip(self.points.as_flattened()) {

@@ -1,4 +1,4 @@
-//! What a path over a step tells: where it closes, and its largest value.
+//! Closing instant and largest value of a path over a step.
 
 use super::guide::Top;
 use percuss::internals::contact::free_gap::FreeGap;
@@ -8,11 +8,11 @@ use percuss::math::interpolant::Interpolant;
 /// Time from the start of the step at which a lane's contact closes, and the velocity of approach.
 pub(super) fn touch_down<S: Number>(
     path: &Interpolant<S>,
-    flight: &FreeGap<S>,
+    free: &FreeGap<S>,
     lane: usize,
 ) -> [S; 2] {
-    if flight.gap.lane(lane) >= 0.0 {
-        let [time, rate] = flight.closes(path.h);
+    if free.gap.lane(lane) >= 0.0 {
+        let [time, rate] = free.closes(path.h);
         if rate.lane(lane) < 0.0 {
             return [time, -rate];
         }
@@ -22,14 +22,14 @@ pub(super) fn touch_down<S: Number>(
 }
 
 impl<S: Number> Top<S> {
-    /// Takes in a step: the largest value stays that is positive; a lane that stands open leaves no trace.
+    /// Updates the largest positive value with a step; lanes with an open gap do not change it.
     #[inline(always)]
     pub(super) fn take(&mut self, path: &Interpolant<S>, start: S, impulsive: S::Mask) {
         let ([u0, v0], [u1, v1]) = (path.start, path.end);
         self.time = Interpolant::at_event(start, impulsive, self.time);
         self.time = self.value.if_less(u1, path.at_end(start, impulsive), self.time);
         self.value = self.value.if_less(u1, u1, self.value);
-        // What lies between stays within the control points of the cubic.
+        // Values in between lie within the control points of the cubic.
         let third = path.h * (1.0 / 3.0);
         let (c0, c1) = (u0 + v0 * third, u1 - v1 * third);
         let inside = self.value.less(c0.max(c1));

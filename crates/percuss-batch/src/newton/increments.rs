@@ -1,4 +1,4 @@
-//! Increments of the runs of an ensemble: as predicted, what they leave unbalanced, and how corrections enter them.
+//! Increments of the runs of an ensemble: prediction, unbalanced work and impulse, and corrections.
 
 use super::search::LaneNewton;
 use crate::engine::Engine;
@@ -6,27 +6,27 @@ use crate::ledger::LaneLedger;
 use percuss::internals::scalar::Number;
 use percuss::internals::step::projection::project_held;
 
-/// What an increment leaves unbalanced.
+/// Unbalanced work and impulse of an increment.
 pub(super) struct Unbalanced<S> {
-    /// Work over the step, all taken with the same sign \[J\].
+    /// Work over the step, sum of magnitudes \[J\].
     pub work: S,
     /// Impulse \[N s\].
     pub impulse: S,
 }
 
 impl<S: Number> Engine<S> {
-    /// The increments if accelerations are those of the step before, of size `before`, times `ahead` by the square of the sizes, and change
-    /// by the share `trusted` of what they changed by then.
+    /// Increments for the accelerations of the previous step, of size `before`, times `ahead`, which includes the ratio of the squared sizes, plus
+    /// the share `trusted` of their last change.
     #[inline(always)]
     pub(super) fn predict(&mut self, before: S, ahead: S, trusted: S) {
-        let (zero, told) = (self.h.constant(0.0), !ahead.equals(self.h.constant(0.0)));
+        let (zero, extrapolated) = (self.h.constant(0.0), !ahead.equals(self.h.constant(0.0)));
         for n in 0..self.increment.len() {
             for i in 0..4 {
                 let v = self.velocity[n][i];
                 let last = (before * v - self.increment[n][i]) * ahead;
                 let change = last + (last - self.trend[n][i]) * trusted;
-                self.trend[n][i] = S::choose(told, last, zero);
-                self.increment[n][i] = self.h * v + S::choose(told, change, zero);
+                self.trend[n][i] = S::choose(extrapolated, last, zero);
+                self.increment[n][i] = self.h * v + S::choose(extrapolated, change, zero);
             }
         }
         project_held(&self.numbers.prescribed, &mut self.increment);
@@ -34,9 +34,9 @@ impl<S: Number> Engine<S> {
         for guide in &mut self.guides {
             let v = guide.velocity;
             let change = (before * v - guide.increment) * ahead;
-            guide.increment = self.h * v + S::choose(told, change, zero);
+            guide.increment = self.h * v + S::choose(extrapolated, change, zero);
             if self.press.is_some() {
-                guide.impulse = zero; // it is found anew
+                guide.impulse = zero; // determined again in this step
             }
         }
     }
@@ -65,7 +65,7 @@ impl<S: Number> Engine<S> {
         Unbalanced { work, impulse }
     }
 
-    /// Takes the correction into the increments of the lanes that seek.
+    /// Adds the correction to the increments of the lanes that iterate.
     #[inline(always)]
     pub(super) fn take(
         &mut self,
@@ -109,7 +109,7 @@ impl<S: Number> Engine<S> {
     }
 }
 
-/// The largest component \[m\], slopes times a length.
+/// The largest component \[m\], slopes multiplied by a length.
 #[inline(always)]
 pub(super) fn largest<S: Number>(nodal: &[[S; 4]], length: S) -> S {
     let mut most = length.constant(0.0);

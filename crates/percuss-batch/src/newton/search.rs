@@ -1,46 +1,46 @@
-//! Where the iterations of the runs stand, lane by lane: what is still to be corrected, and what the factors in use are good for.
+//! State of the iterations in all lanes: lanes still to be corrected, and the use of the factors.
 
 use percuss::internals::scalar::{Mask, Number};
 use percuss::internals::step::convergence::{ConvergenceMonitor, WORK_TOLERANCE};
 use percuss::internals::step::newton::{IMPULSE_TOLERANCE, MOST_IMPULSE};
 
-/// Factors of the tangent serve at most so many steps: masses dominate it, so it changes little, and renewing it costs as much as
-/// two corrections.
+/// Largest number of steps with the same factors of the tangent: masses dominate it, so it changes little, and a factorisation costs as much as two
+/// corrections.
 const MOST_SERVICE: f64 = 8.0;
 
-/// The same where lanes go by parts of their own: they seldom renew together, and every renewal costs all of them.
+/// The same for lanes with individual parts of steps: their factorisations seldom coincide, and each one costs all lanes.
 const MOST_SERVICE_APART: f64 = 32.0;
 
-/// So large a share of the size of a step, up to which it differs from the one that the tangent was factored for, costs no correction.
+/// Relative difference of the step size to that of the factored tangent that does not cost an additional correction.
 const NEARLY: f64 = 1e-3;
 
-/// The iterations of the runs, lane by lane.
+/// The iterations of all lanes.
 #[derive(Clone, Copy, Debug)]
 pub struct LaneNewton<S: Number> {
     /// Whether there is a run in the lane.
     pub live: S::Mask,
     /// Whether the step found no solution.
     pub failed: S::Mask,
-    /// Still to be corrected.
+    /// Whether the lane still iterates.
     pub seeking: S::Mask,
     pub convergence: ConvergenceMonitor<S>,
-    /// Impulse left unbalanced, relative to the momentum scale.
+    /// Unbalanced impulse, relative to the momentum scale.
     impulse: S,
-    /// Whether the last correction leaves nothing, by its contraction.
+    /// Whether the last correction leaves a negligible residual, as predicted from its contraction.
     pub foreseen: S::Mask,
-    /// The size of the step that the tangent was factored for \[s\], the steps it has served, and those it may serve.
+    /// Size of the step for which the tangent was factored \[s\], the number of steps with these factors, and its limit.
     factored_for: S,
     served: S,
     service: S,
-    /// Whether the tangent is to be factored anew.
+    /// Whether the tangent is to be factored again.
     pub renew: S::Mask,
     /// Size of the last step \[s\].
     pub size: S,
-    /// Accelerations, as a share of those of the step before, by the square of what this one is longer: if they stay, if none, if that
-    /// step was not accepted; and whether others say so than steps of the same size.
+    /// Accelerations relative to those of the previous step, times the ratio of the squared sizes (1 for a constant acceleration, 0 without
+    /// extrapolation, negative after a step that was not accepted); and whether the driver of lanes with parts of steps sets it.
     pub ahead: S,
-    pub told: bool,
-    /// Share of the last change of these additions that is expected again.
+    pub by_parts: bool,
+    /// Share of the last change of accelerations that is extrapolated.
     pub trusted: S,
     /// Corrections and factorisations of the run so far.
     pub iterations: S,
@@ -48,7 +48,7 @@ pub struct LaneNewton<S: Number> {
 }
 
 impl<S: Number> LaneNewton<S> {
-    /// No lane has a run yet.
+    /// State without a run in any lane.
     pub fn idle(like: S) -> Self {
         let (zero, never) = (like.constant(0.0), like.constant(f64::NAN));
         let no = zero.less(zero);
@@ -65,14 +65,14 @@ impl<S: Number> LaneNewton<S> {
             renew: no,
             size: never,
             ahead: zero,
-            told: false,
+            by_parts: false,
             trusted: zero,
             iterations: zero,
             factorizations: zero,
         }
     }
 
-    /// Begins with a run in a lane, or with none.
+    /// Begins a run in a lane, or leaves the lane without one.
     pub fn set_run(&mut self, lane: usize, live: bool) {
         let fresh = Self::idle(self.size);
         for (mine, new) in [
@@ -97,8 +97,8 @@ impl<S: Number> LaneNewton<S> {
         let no = h.less(h);
         self.convergence = ConvergenceMonitor::new(energy);
         (self.seeking, self.failed) = (self.live, no);
-        if !self.told {
-            // Derivatives need the tangent at the solution anyway.
+        if !self.by_parts {
+            // Derivatives need the tangent at the solution in any case.
             let steady = if S::DERIVES { no } else { h.equals(self.size) };
             self.ahead = S::choose(steady, h.constant(1.0), h.constant(0.0));
         }
@@ -106,21 +106,21 @@ impl<S: Number> LaneNewton<S> {
         self.served += h.constant(1.0);
         let due = if S::DERIVES { !no } else { self.service.at_most(self.served) };
         self.renew = self.live & (due | !self.fits(h));
-        let most = h.constant(if self.told { MOST_SERVICE_APART } else { MOST_SERVICE });
+        let most = h.constant(if self.by_parts { MOST_SERVICE_APART } else { MOST_SERVICE });
         let longer = self.service + h.constant(1.0);
         let longer = longer.if_less(most, longer, most);
         self.service = S::choose(due, longer, self.service);
         before
     }
 
-    /// Whether the factors are those of steps of size `h`, or of nearly that.
+    /// Whether the factors were computed for steps of about the size `h`.
     #[inline(always)]
     pub fn fits(&self, h: S) -> S::Mask {
-        let near = h * if self.told { NEARLY } else { 0.0 };
+        let near = h * if self.by_parts { NEARLY } else { 0.0 };
         (h - self.factored_for).abs().at_most(near)
     }
 
-    /// Wants the tangent renewed if the iteration no longer contracts well.
+    /// Requests new factors if the iteration no longer contracts well.
     #[inline(always)]
     pub fn judge(&mut self) {
         self.renew = self.seeking & !self.convergence.contracts();
@@ -128,7 +128,7 @@ impl<S: Number> LaneNewton<S> {
         self.service = S::choose(self.renew, shorter, self.service);
     }
 
-    /// Takes in new factors of the lanes that wanted them.
+    /// Records new factors in the lanes that requested them.
     #[inline(always)]
     pub fn renewed(&mut self, h: S) {
         let (renew, zero) = (self.renew, h.constant(0.0));
@@ -138,8 +138,8 @@ impl<S: Number> LaneNewton<S> {
         self.renew = h.less(h);
     }
 
-    /// Looks ahead after a correction: the work and the impulse left by one that contracted well are known from those before it,
-    /// round-off apart; not where something may begin to yield.
+    /// Predicts the work and impulse that remain after a correction that contracted well from the previous ones, except for round-off; not valid
+    /// where fibres may begin to yield.
     #[inline(always)]
     pub fn foresee(&mut self) {
         let small = self.impulse.constant(IMPULSE_TOLERANCE);
@@ -149,7 +149,7 @@ impl<S: Number> LaneNewton<S> {
             work.at_most(self.convergence.energy * WORK_TOLERANCE) & impulse.at_most(small);
     }
 
-    /// Looks at what is unbalanced: nothing, or nothing but round-off, and the lane is done.
+    /// Tests the unbalanced work and impulse: a lane whose values are zero or round-off has converged.
     #[inline(always)]
     pub fn weigh(&mut self, work: S, impulse: S, met: S::Mask, corrections: usize) {
         self.convergence.unbalanced(work);
@@ -158,7 +158,7 @@ impl<S: Number> LaneNewton<S> {
         self.seeking = self.seeking & work.finite();
         if corrections > 0 {
             let small = work.constant(IMPULSE_TOLERANCE);
-            // Where nothing moves the impulse is NaN, and passes.
+            // Without motion the impulse is NaN, and passes the test.
             let exact =
                 work.at_most(self.convergence.energy * WORK_TOLERANCE) & !small.less(impulse) & met;
             let passable = !work.constant(MOST_IMPULSE).less(impulse);

@@ -1,4 +1,4 @@
-//! Contacts that crush, side by side.
+//! Contacts with crushing, in lanes.
 
 use crate::common;
 
@@ -6,7 +6,7 @@ use common::*;
 use percuss::*;
 use percuss_batch::*;
 
-/// Loaded along `stiffness`, released along `unloading` \[N/m\].
+/// Stiffness of loading and of unloading \[N/m\].
 fn crushing(stiffness: f64, unloading: f64) -> SmoothLaw {
     let potential = Potential::Linear { stiffness };
     SmoothLaw { unloading: Some(unloading), ..SmoothLaw::elastic(potential) }

@@ -1,4 +1,4 @@
-//! Runs side by side: what a single run gives, and the same bits alone and in company.
+//! Runs in lanes: the results of single runs, and the same bits alone and beside others.
 
 use crate::common;
 
@@ -6,7 +6,7 @@ use common::{at, beam};
 use percuss::*;
 use percuss_batch::*;
 
-/// What varies between the runs.
+/// Values that differ between the runs.
 #[derive(Clone, Copy)]
 struct Variant {
     young: f64,
@@ -23,7 +23,7 @@ const USUAL: Variant = Variant {
     young: 2e9,
     speed: 20.0,
     mass: 500.0,
-    // No contact closes at the very end of a step, where it counts as closed in that step or not by round-off.
+    // No contact closes at the very end of a step, where round-off would decide whether it closes in that step.
     standoff: 0.200_3,
     step: 1e-4,
     along: 0.5,
@@ -60,7 +60,7 @@ fn loaded(
     b.build().unwrap()
 }
 
-/// Gravity across the line of flight, too, a push for a while, and a pressure that swings.
+/// Gravity, also across the line of flight, a force of limited duration, and an oscillating pressure.
 fn loads(b: &mut ModelBuilder, g: BeamId, k: usize) {
     let x = k as f64 / 20.0;
     let gravity = LoadKind::Gravity { acceleration: [-2.0 * x, -9.81] };
@@ -72,7 +72,7 @@ fn loads(b: &mut ModelBuilder, g: BeamId, k: usize) {
         follower: false,
     };
     let function = TimeFunction::HalfSine { duration: 7e-3 + 1e-3 * x };
-    // Neither begins nor ends with a step.
+    // It neither begins nor ends at the boundary of a step.
     let (from, until) = (3.33e-3, 9.97e-3);
     b.load(Load { function, from, until, ..Load::new("push", push) });
     let force = [[0.0, -1e4], [1e3, 3e4 * x]];
@@ -86,7 +86,7 @@ fn linear() -> SmoothLaw {
     SmoothLaw::elastic(Potential::Linear { stiffness: 7.5e5 })
 }
 
-/// All numbers of a summary that an ensemble tells.
+/// All numbers of a summary that an ensemble provides.
 fn numbers(s: &RunSummary) -> Vec<(&'static str, f64)> {
     let mut all = vec![
         ("steps", s.steps as f64),
@@ -112,7 +112,7 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64)> {
     }
     for p in &s.points {
         for top in &p.displacement_max {
-            // The instant of the largest round-off is none.
+            // The instant of the largest round-off is arbitrary.
             let time = if top.value.abs() > 1e-9 { top.time } else { 0.0 };
             all.extend([("displacement", top.value), ("displacement at", time)]);
         }
@@ -120,7 +120,7 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64)> {
     all
 }
 
-/// All that is counted in a run, but for what the solver counts of itself.
+/// All counts of a run except those of the solver.
 fn counts(s: &RunSummary) -> Vec<usize> {
     let mut all = vec![s.steps, s.solver_steps, s.step_cuts, s.accumulated_steps, s.rows];
     all.push(s.shared_blows.count);
@@ -132,7 +132,7 @@ fn counts(s: &RunSummary) -> Vec<usize> {
         all.extend(intervals.iter().map(|i| usize::from(i.restitution().is_ok())));
     }
     for p in &s.points {
-        // Round-off is resolved or not by chance.
+        // Whether round-off is resolved is arbitrary.
         let moves =
             p.displacement_max.iter().zip(p.resolved).filter(|(top, _)| top.value.abs() > 1e-9);
         all.extend(moves.map(|(_, resolved)| usize::from(resolved)));
@@ -192,7 +192,7 @@ fn an_ensemble_gives_what_single_runs_give_and_lanes_see_only_themselves() {
             |s: &RunSummary| numbers(s).into_iter().map(|(_, x)| x.to_bits()).collect::<Vec<_>>();
         assert_eq!(bits(&alone), bits(found), "run {k}");
         assert_eq!(alone.newton_iterations, found.newton_iterations);
-        // As text, in which every float is exact: sums of reactions, too, which once knew whether another lane went on.
+        // The text contains every float exactly, including sums of reactions, which must not depend on the iterations of other lanes.
         assert_eq!(format!("{alone:?}"), format!("{found:?}"), "run {k}");
     }
 }
@@ -202,7 +202,7 @@ fn dead_loads_act_by_the_time_of_each_lane() {
     let variants = variants();
     let model = |(k, v): (usize, &Variant)| loaded(*v, linear(), 0.4, 6, |b, g| loads(b, g, k));
     let models: Vec<Model> = variants.iter().enumerate().map(model).collect();
-    // Of different lengths: lanes are refilled while others are in mid-flight.
+    // Runs of different length: lanes are refilled while other runs continue.
     let settings = |(k, v): (usize, &Variant)| Settings::new(0.02 + 1e-3 * k as f64, v.step);
     let settings: Vec<Settings> = variants.iter().enumerate().map(settings).collect();
     let runs: Vec<(&Model, &Settings)> = models.iter().zip(&settings).collect();
@@ -217,12 +217,12 @@ fn dead_loads_act_by_the_time_of_each_lane() {
 fn materials_damp_in_lanes_as_they_do_alone() {
     let variant = |(k, v): (usize, Variant)| {
         let x = k as f64 / 20.0;
-        // The first has damping in proportion to mass only, the last by retardation only.
+        // The first run has only mass-proportional damping, the last only stiffness-proportional damping.
         Variant { retardation: 2e-5 * x, mass_damping: 10.0 * (1.0 - x), ..v }
     };
     let variants: Vec<Variant> = variants().into_iter().enumerate().map(variant).collect();
     let settings = Settings::new(0.03, 1e-4);
-    // Elements short and long against the radius of gyration.
+    // Elements that are short and long relative to the radius of gyration.
     for elements in [2, 6] {
         let models: Vec<Model> =
             variants.iter().map(|v| model(*v, linear(), 0.4, elements)).collect();
@@ -230,7 +230,7 @@ fn materials_damp_in_lanes_as_they_do_alone() {
         for ((model, settings), found) in runs.iter().zip(simulate_batch(&runs, Detail::Motion)) {
             let found = found.unwrap();
             assert!(found.energy.loss_damping > 10.0, "{}", found.energy.loss_damping);
-            // Instants at which a contact opens slowly are known less well: 1.6e-8 was seen.
+            // Instants at which a contact opens slowly are less accurate: the observed difference is 1.6e-8.
             agree(model, settings, &found, 1e-7);
         }
     }
@@ -243,7 +243,7 @@ fn laws_and_slender_inclined_beams_agree_too() {
         let model = model(USUAL, law, angle, elements);
         let settings = Settings::new(0.04, 1e-4);
         let found = simulate_batch(&[(&model, &settings)], Detail::Motion).pop().unwrap().unwrap();
-        // Contacts that close again and again make round-off grow.
+        // Repeated contacts magnify round-off.
         agree(&model, &settings, &found, 1e-6);
     }
 }
@@ -270,7 +270,7 @@ fn models_unknown_to_lanes_run_singly() {
     assert_eq!(full[0].as_ref().unwrap().supports.len(), 2);
 }
 
-/// A contact that never closes has no force, neither alone nor side by side: not one of zero at time zero.
+/// A contact that never closes has no peak force, in single runs and in lanes: not a force of zero at time zero.
 #[test]
 fn contacts_that_never_closed_have_no_peak() {
     let far = Variant { standoff: 5.0, ..USUAL };

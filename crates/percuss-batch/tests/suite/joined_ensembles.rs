@@ -1,4 +1,4 @@
-//! Beams that are joined, or stand on springs and strike stops, side by side: what a single run gives, and the same bits alone and in company.
+//! Beams with joints, spring supports and stops, in lanes: the results of single runs, and the same bits alone and beside others.
 
 use crate::common;
 
@@ -17,7 +17,7 @@ struct Portal {
     rigid: Option<f64>,
 }
 
-/// All kinds of it.
+/// All variants of the portal.
 fn portals() -> impl Iterator<Item = Portal> {
     let held = [(false, false), (true, false), (false, true)];
     let kinds = [false, true].into_iter().flat_map(move |hinged| held.map(|held| (hinged, held)));
@@ -90,8 +90,8 @@ fn batch(runs: &[(Model, Settings)]) -> Vec<RunSummary> {
     simulate_batch(&runs, Detail::Motion).into_iter().map(Result::unwrap).collect()
 }
 
-/// What a run tells of motion, impacts and balance, each with its size.
-fn told(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
+/// Results of motion, impacts and balance, each with its scale.
+fn scaled_results(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
     let energy = s.energy.scale;
     let mut all = vec![
         ("energy", s.energy.final_, energy),
@@ -122,7 +122,7 @@ fn told(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
     all
 }
 
-/// How well a run is known: each impact of many makes what is not known of the last one larger.
+/// Tolerance for a run: each of many impacts magnifies the error of the previous one.
 fn known(single: &RunSummary) -> f64 {
     match &single.contacts[0].record {
         ContactRecord::Nonsmooth { impacts, .. } if impacts.len() > 8 => 1e-5,
@@ -146,7 +146,7 @@ fn joined_beams_move_in_lanes_as_they_do_alone() {
             let worst = found.energy.residual_max.max(m.linear_residual_max);
             let worst = worst.max(m.angular_residual_max);
             assert!(worst < 1e-10, "run {k}: {worst:e}");
-            let (a, b) = (told(&single), told(&found));
+            let (a, b) = (scaled_results(&single), scaled_results(&found));
             assert_eq!(a.len(), b.len(), "run {k}");
             for ((what, a, scale), (_, b, _)) in a.iter().zip(&b) {
                 assert!((a - b).abs() <= known(&single) * scale, "run {k}: {what}: {a} {b}");
@@ -159,7 +159,7 @@ fn joined_beams_move_in_lanes_as_they_do_alone() {
 fn joined_beams_give_the_same_bits_alone_and_in_company() {
     for kind in portals() {
         let runs = runs(kind, 9);
-        let text = |s: &RunSummary| format!("{s:?}"); // in which every float is exact
+        let text = |s: &RunSummary| format!("{s:?}"); // contains every float exactly
         for (k, together) in batch(&runs).iter().enumerate() {
             let alone = batch(&runs[k..=k]);
             assert_eq!(text(&alone[0]), text(together), "run {k}");

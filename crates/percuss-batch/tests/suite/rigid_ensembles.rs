@@ -1,4 +1,4 @@
-//! Runs with a rigid projectile side by side: what a single run gives, and the same bits alone and in company.
+//! Runs with a rigid projectile in lanes: the results of single runs, and the same bits alone and beside others.
 
 use crate::common;
 
@@ -6,7 +6,7 @@ use common::{at, beam};
 use percuss::*;
 use percuss_batch::*;
 
-/// What varies between the runs.
+/// Values that differ between the runs.
 #[derive(Clone, Copy)]
 struct Variant {
     speed: f64,
@@ -17,7 +17,7 @@ struct Variant {
     end: f64,
 }
 
-/// A clamped plank struck amidst from above or, by `second`, once more beside.
+/// A clamped plank struck at midspan from above and, with `second`, also at another point.
 fn model(v: Variant, second: Option<ProjectileKind>, gravity: f64) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("m", 2e11, 3e3));
@@ -28,7 +28,7 @@ fn model(v: Variant, second: Option<ProjectileKind>, gravity: f64) -> Model {
     }
     let rigid = ProjectileKind::Rigid { restitution: v.restitution };
     let projectile = Projectile::new("mass", rigid, v.mass, [0.0, -v.speed], at("mid", g, 0.5));
-    let direction = Some([0.0, -1.0]); // one at rest has none by itself
+    let direction = Some([0.0, -1.0]); // a projectile at rest needs a direction
     b.projectile(Projectile { standoff: v.standoff, direction, ..projectile });
     if let Some(kind) = second {
         let velocity = [0.0, -0.5 * v.speed];
@@ -41,7 +41,7 @@ fn model(v: Variant, second: Option<ProjectileKind>, gravity: f64) -> Model {
     b.build().unwrap()
 }
 
-/// Numbers between 0 and 1 that look random.
+/// Pseudo-random numbers between 0 and 1.
 fn draws(seed: u64) -> impl FnMut() -> f64 {
     let mut state = seed;
     move || {
@@ -58,7 +58,7 @@ fn variants(count: usize, seed: u64) -> Vec<Variant> {
         restitution: [0.0, 1.0, 0.25, 0.5, 0.75][k % 5],
         standoff: 0.02 * draw(),
         step: if k % 7 == 3 { 1.3e-5 } else { 1e-5 },
-        // Lanes are refilled while others are in mid-flight.
+        // Lanes are refilled while other runs continue.
         end: 0.006 + 0.004 * draw(),
     };
     (0..count).map(variant).collect()
@@ -70,9 +70,9 @@ fn settings(variants: &[Variant]) -> Vec<Settings> {
         .collect()
 }
 
-type Told<'a> = (&'a [Impact], &'a [ContactInterval], f64);
+type RigidRecord<'a> = (&'a [Impact], &'a [ContactInterval], f64);
 
-fn told(summary: &RunSummary) -> Told<'_> {
+fn rigid_record(summary: &RunSummary) -> RigidRecord<'_> {
     match &summary.contacts[0].record {
         ContactRecord::Nonsmooth { impacts, intervals, impulse_total, .. } => {
             (impacts, intervals, *impulse_total)
@@ -81,10 +81,10 @@ fn told(summary: &RunSummary) -> Told<'_> {
     }
 }
 
-/// All numbers of impacts and intervals, of points and of the balance; those of the contact by what is largest of them.
+/// All numbers of impacts and intervals, of points and of the balance; those of the contact relative to the largest of them.
 fn numbers(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
-    let (impacts, intervals, total) = told(s);
-    // Approach under a millimetre a second is that of what lies on the beam.
+    let (impacts, intervals, total) = rigid_record(s);
+    // Approach velocities below a millimetre per second belong to a projectile that rests on the beam.
     let speed = impacts.iter().map(|i| i.approach_velocity).fold(1e-3, f64::max);
     let energy = s.energy.scale;
     let mut all = vec![
@@ -121,14 +121,14 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
     }
     for top in s.points.iter().flat_map(|p| p.displacement_max) {
         all.push(("peak", top.value, 1e-2));
-        // The instant of the largest round-off is none.
+        // The instant of the largest round-off is arbitrary.
         all.push(("peak at", if top.value.abs() > 1e-9 { top.time } else { 0.0 }, s.time));
     }
     all
 }
 
 fn counts(s: &RunSummary) -> Vec<usize> {
-    let (impacts, intervals, _) = told(s);
+    let (impacts, intervals, _) = rigid_record(s);
     let mut all = vec![s.steps, s.step_cuts, s.accumulated_steps, s.shared_blows.count];
     if impacts.len() <= FEW {
         all.extend([s.solver_steps, s.rows, impacts.len(), intervals.len()]);
@@ -137,7 +137,7 @@ fn counts(s: &RunSummary) -> Vec<usize> {
     all
 }
 
-/// Whether a run was stepped in a lane: it iterates otherwise than alone, and has no section forces.
+/// Whether a run was computed in a lane: its iterations differ from those of a single run, and it has no section forces.
 fn was_in_a_lane(single: &RunSummary, found: &RunSummary) -> bool {
     single.newton_iterations != found.newton_iterations
         || single.factorizations != found.factorizations
@@ -158,12 +158,12 @@ fn agree(single: &RunSummary, found: &RunSummary, tolerance: f64, run: usize) {
     }
 }
 
-/// Up to so many impacts a run is known nearly as well as without; later ones are, and are counted, as round-off has it.
+/// Number of impacts up to which a run is nearly as accurate as without impacts; times and number of later ones depend on round-off.
 const FEW: usize = 8;
 
-/// How well the runs are known: each impact of many makes what is not known of the last one larger.
+/// Tolerance for the runs: each of many impacts magnifies the error of the previous one.
 fn known(single: &RunSummary) -> f64 {
-    if told(single).0.len() <= FEW { 1e-9 } else { 1e-5 }
+    if rigid_record(single).0.len() <= FEW { 1e-9 } else { 1e-5 }
 }
 
 fn batch(models: &[Model], settings: &[Settings]) -> Vec<RunSummary> {
@@ -184,8 +184,8 @@ fn lanes_strike_as_single_runs_do() {
     for (k, found) in batch(&models, &settings).iter().enumerate() {
         let single = single(&models[k], &settings[k]);
         agree(&single, found, known(&single), k);
-        impacts += told(found).0.len();
-        rests += told(found).1.len();
+        impacts += rigid_record(found).0.len();
+        rests += rigid_record(found).1.len();
     }
     assert!(impacts > 80 && rests > 10, "{impacts} impacts, {rests} rests");
 }
@@ -195,7 +195,7 @@ fn lanes_see_only_themselves_in_whatever_order_and_company() {
     let variants = variants(25, 11);
     let rigid: Vec<Model> = variants.iter().map(|v| model(*v, None, 0.0)).collect();
     let settings = settings(&variants);
-    let text = |s: &RunSummary| format!("{s:?}"); // in which every float is exact
+    let text = |s: &RunSummary| format!("{s:?}"); // contains every float exactly
     let together: Vec<String> = batch(&rigid, &settings).iter().map(text).collect();
     let mut runs: Vec<(&Model, &Settings)> = rigid.iter().zip(&settings).collect();
     runs.reverse();
@@ -207,7 +207,7 @@ fn lanes_see_only_themselves_in_whatever_order_and_company() {
         let alone = batch(&rigid[k..=k], &settings[k..=k]);
         assert_eq!(text(&alone[0]), together[k], "run {k} alone");
     }
-    // With elastic ones between them, and some that run singly.
+    // With compliant contacts between them, and some models that are computed as single runs.
     let spring = ProjectileKind::spring(7.5e7);
     let others: Vec<Model> = variants
         .iter()
@@ -247,7 +247,7 @@ fn an_elastic_projectile_strikes_beside_a_rigid_one() {
     }
 }
 
-/// What rests under its weight is closed from the beginning, or settles on the beam.
+/// The contact of a projectile under its weight is closed from the start, or closes when it comes to rest on the beam.
 #[test]
 fn gravity_lays_projectiles_down_in_lanes_too() {
     let lies = Variant {
@@ -263,12 +263,12 @@ fn gravity_lays_projectiles_down_in_lanes_too() {
     let settings = [lies, falls].map(|v| Settings::new(v.end, v.step));
     for (k, found) in batch(&models, &settings).iter().enumerate() {
         let single = single(&models[k], &settings[k]);
-        assert!(!told(&single).1.is_empty(), "nothing rests");
+        assert!(!rigid_record(&single).1.is_empty(), "nothing rests");
         agree(&single, found, 1e-6, k);
     }
 }
 
-/// More impacts in a step than are followed one by one: such a run is that of a single run to the bit, and disturbs no other.
+/// A run that reaches the Zeno limit has the same bits as a single run, and does not affect other runs.
 #[test]
 fn events_unknown_to_lanes_run_singly() {
     let usual = variants(5, 3)[3];

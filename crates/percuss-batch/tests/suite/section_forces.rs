@@ -1,4 +1,4 @@
-//! Section forces of runs side by side: those of single runs, extremes and envelopes, and the same bits alone and in company.
+//! Section forces of runs in lanes: extremes and envelopes of single runs, and the same bits alone and beside others.
 
 use crate::common;
 
@@ -7,12 +7,12 @@ use common::{at, beam};
 use percuss::*;
 use percuss_batch::*;
 
-/// What a frame is made of, and what strikes it.
+/// Kind of a frame and of its projectile.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Elastic,
     Damped,
-    /// Under gravity, a push inside an element, and a pressure along a part of the girder.
+    /// With gravity, a force inside an element, and a pressure along a part of the girder.
     Loaded,
     Yielding,
     Rigid,
@@ -20,7 +20,7 @@ enum Kind {
 
 const KINDS: [Kind; 5] = [Kind::Elastic, Kind::Damped, Kind::Loaded, Kind::Yielding, Kind::Rigid];
 
-/// A post and a girder, joined in a corner, that a mass strikes between two nodes of the girder.
+/// A post and a girder, joined in a corner; a projectile strikes between two nodes of the girder.
 fn model(kind: Kind, draw: &mut Numbers) -> Model {
     let mut b = ModelBuilder::new();
     let young = draw.between(1.8e11, 2.2e11);
@@ -73,7 +73,7 @@ fn runs(kind: Kind) -> Vec<(Model, Settings)> {
         .collect()
 }
 
-/// All that runs of a kind tell of their forces side by side.
+/// Summaries with section forces of runs of a kind, computed in lanes.
 fn detail(kind: Kind) -> Detail {
     if kind == Kind::Yielding { Detail::Resultants } else { Detail::Stresses }
 }
@@ -93,7 +93,7 @@ fn envelopes(beam: &SectionForceSummary) -> [&[Vec<f64>; 2]; 4] {
     [&e.axial, &e.shear, &e.moment, &e.stress]
 }
 
-/// How well forces of single runs are known beside those of another iteration: impacts magnify what is not known of their instant.
+/// Tolerance between forces of single runs and those of another iteration: impacts magnify the error of their instant.
 fn known(kind: Kind) -> f64 {
     if kind == Kind::Rigid { 1e-5 } else { 1e-7 }
 }
@@ -118,12 +118,12 @@ fn section_forces_side_by_side_are_those_of_single_runs() {
 fn compare(kind: Kind, own: &SectionForceSummary, side: &SectionForceSummary, step: f64) {
     assert_eq!(own.name, side.name);
     assert!(side.strain.min.value.is_nan());
-    let told = if kind == Kind::Yielding { 3 } else { 4 };
-    for (peaks, envelope) in peaks(side).iter().zip(envelopes(side)).skip(told) {
+    let count = if kind == Kind::Yielding { 3 } else { 4 };
+    for (peaks, envelope) in peaks(side).iter().zip(envelopes(side)).skip(count) {
         assert!(peaks.iter().all(|peak| peak.value.is_nan()));
         assert!(envelope.iter().flatten().all(|x| x.is_nan()));
     }
-    let both = peaks(own).into_iter().zip(peaks(side)).take(told);
+    let both = peaks(own).into_iter().zip(peaks(side)).take(count);
     let envelopes = envelopes(own).into_iter().zip(envelopes(side));
     for ((a, b), envelope) in both.zip(envelopes) {
         let scale = a[0].value.abs().max(a[1].value.abs());
@@ -140,7 +140,7 @@ fn compare(kind: Kind, own: &SectionForceSummary, side: &SectionForceSummary, st
     }
 }
 
-/// Runs do not see each other, nor does what is asked for change what else is told.
+/// Runs are independent of each other, and the requested detail does not change the other results.
 #[test]
 fn section_forces_alone_and_in_company_have_the_same_bits() {
     for kind in KINDS {

@@ -1,4 +1,4 @@
-//! Derivatives of results through a run against differences of whole runs, impacts included.
+//! Derivatives of results compared with finite differences of whole runs, including impacts.
 
 use crate::common;
 
@@ -16,12 +16,12 @@ const PARAMETERS: [(&str, f64); 13] = [
     ("height of the far end", 0.1),
     ("mass", 200.0),
     ("speed", 20.0),
-    // So that the first impact lies within a step: at its very end the run is not differentiable.
+    // The first impact lies within a step: at its very end the run is not differentiable.
     ("standoff", 0.0207),
     ("where it strikes", 0.52),
     ("stiffness", 7.5e5),
     ("restitution", 0.7),
-    // Neither of the model nor of the grid of steps.
+    // Parameters neither of the model nor of the grid of steps.
     ("end", 0.109_97),
 ];
 
@@ -39,8 +39,8 @@ fn scene(p: &[f64; 13], law: Law) -> Model {
 /// The beam between clamps or, `framed`, between a rigid corner with a column on springs and a clamp, on a roller between nodes, with a stop.
 fn built(p: &[f64; 13], law: Law, framed: bool) -> Model {
     let mut b = ModelBuilder::new();
-    // Damping is a number like any other. So little of it that impacts stay apart, and none within a change of the end of a step,
-    // where the run is not differentiable.
+    // Damping is a parameter. It is so small that impacts remain separate, and none of them is within a change of the end of a step, where the run
+    // is not differentiable.
     let (retardation, mass_damping) = (3e-9 * p[1], 1e-2 * p[6]);
     let material = Material { retardation, mass_damping, ..Material::new("m", p[0], p[1]) };
     let material = b.material(material);
@@ -76,9 +76,9 @@ fn built(p: &[f64; 13], law: Law, framed: bool) -> Model {
     };
     let projectile = Projectile::new("mass", kind, p[6], [0.0, p[7]], at("struck", g, p[9]));
     b.projectile(Projectile { standoff: p[8], ..projectile });
-    // Loads are numbers like any other: weight, and a push that grows with the first parameters.
+    // Loads are parameters: weight, and a force that grows with the first parameters.
     b.load(Load::new("weight", LoadKind::Gravity { acceleration: [3.0 * p[4], -9.81] }));
-    // Across the beam: a force along it would part its spans, which derivatives do not know.
+    // Across the beam: a force along it would separate its spans, which derivatives do not support.
     let push = p[3] * 3e7 + p[0] * 1e-6;
     let force = [-p[5] * push, p[4] * push];
     let kind = LoadKind::Point { at: at("pushed", g, 0.3), force, moment: 0.0, follower: false };
@@ -86,7 +86,7 @@ fn built(p: &[f64; 13], law: Law, framed: bool) -> Model {
     b.build().unwrap()
 }
 
-/// What a run tells, with what its derivatives are to be asked for.
+/// Names of the results that are differentiated.
 const RESULTS: [&str; 12] = [
     "peak displacement",
     "time of peak displacement",
@@ -107,10 +107,10 @@ fn results(s: &RunSummary) -> [f64; 12] {
         ContactRecord::Smooth { intervals, .. } => intervals[0].restitution(),
         ContactRecord::Nonsmooth { impacts, .. } => impacts.last().unwrap().restitution(),
     };
-    told(s, restitution.unwrap())
+    values(s, restitution.unwrap())
 }
 
-/// The same of derivatives: a coefficient of restitution is a quotient.
+/// The derivatives of these results; a coefficient of restitution is a quotient.
 fn derived(s: &RunSummary, by: &RunSummary) -> [f64; 12] {
     let restitution = match (&s.contacts[0].record, &by.contacts[0].record) {
         (
@@ -123,10 +123,10 @@ fn derived(s: &RunSummary, by: &RunSummary) -> [f64; 12] {
         ) => own.last().unwrap().restitution_derivative(by.last().unwrap()),
         _ => unreachable!(),
     };
-    told(by, restitution.unwrap())
+    values(by, restitution.unwrap())
 }
 
-fn told(s: &RunSummary, restitution: f64) -> [f64; 12] {
+fn values(s: &RunSummary, restitution: f64) -> [f64; 12] {
     let contact = &s.contacts[0];
     let [force, peak, impulse, start, end, place] = match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {
@@ -183,8 +183,8 @@ fn check(law: Law, framed: bool, end: f64, tolerance: f64) {
     let (single, mut off) = (run(&base), Vec::new());
     assert_eq!(results(&found.summary), single);
     for (i, (name, value)) in PARAMETERS.iter().enumerate() {
-        // Differences of fourth order: over changes so small that results still are quartics, least where it strikes, and large
-        // enough for the digits that instants of impact are located to.
+        // Differences of fourth order: the changes are small enough that results are quartics, smallest for the struck point, and large enough for
+        // the accuracy of located instants of impact.
         let share = match *name {
             "young" | "height of the far end" | "speed" => 2e-4,
             "standoff" if law == Law::Rigid => 1e-3,
@@ -198,7 +198,7 @@ fn check(law: Law, framed: bool, end: f64, tolerance: f64) {
             std::array::from_fn(|k| (8.0 * (c[k] - b[k]) - (d[k] - a[k])) / (12.0 * change))
         };
         let all = differences(share);
-        // At the end of a step the cubics to either side bend differently: over the larger changes a crest passes one.
+        // At the end of a step the cubics of both sides have different curvatures: within the larger changes a crest passes such an instant.
         let near = match share {
             1e-6 => all,
             _ if framed => differences(5e-6),
@@ -208,7 +208,7 @@ fn check(law: Law, framed: bool, end: f64, tolerance: f64) {
         let derivative = derived(&found.summary, &found.derivatives[i]);
         for (k, what) in RESULTS.iter().enumerate() {
             let difference = if what.starts_with("time of peak") { near[k] } else { all[k] };
-            // Times of peaks are known to a few units in the last place, which differences over a change of 5e-6 divide by that.
+            // Times of peaks are accurate to a few units in the last place, which a difference over a change of 5e-6 magnifies.
             let known = if framed && what.starts_with("time of peak") { 1e-2 } else { 1e-3 };
             let scale = difference.abs().max(known * (single[k] / value).abs());
             if (derivative[k] - difference).abs() > tolerance * scale {
@@ -227,7 +227,7 @@ fn derivatives_through_elastic_contact() {
 
 #[test]
 fn derivatives_through_impacts_jump_where_these_move() {
-    // The differences are no better: instants of impact are located to a thousandth of a pulse in every run.
+    // The accuracy of the differences: instants of impact are located to a thousandth of a pulse in every run.
     check(Law::Rigid, false, 0.029_97, 3e-6);
 }
 
@@ -257,7 +257,7 @@ fn models_without_derivatives_say_why() {
     assert!(refused.to_string().contains("scheme"), "{refused}");
     let other = {
         let mut p = base;
-        p[9] = 0.9; // strikes another element
+        p[9] = 0.9; // a point of another element
         scene(&p, Law::Linear)
     };
     let variation =
@@ -266,7 +266,7 @@ fn models_without_derivatives_say_why() {
     assert!(refused.to_string().contains("mesh"), "{refused}");
 }
 
-/// An arm that a ball strikes again and again until it rests on it; mass, standoff and restitution of the ball.
+/// An arm on which a ball bounces until it rests; mass, standoff and restitution of the ball.
 fn chatter([mass, standoff, restitution]: [f64; 3]) -> Model {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("alu", 70e9, 2700.0));
@@ -280,7 +280,8 @@ fn chatter([mass, standoff, restitution]: [f64; 3]) -> Model {
     b.build().unwrap()
 }
 
-/// Impulses and velocities of a run with a rigid contact: impulse in all and at rest, velocity, energy, and what impacts took.
+/// Impulses and velocities of a run with a rigid contact: total impulse and impulse of resting contact, velocity, energy, and dissipation of the
+/// impacts.
 fn momentum(s: &RunSummary) -> [f64; 5] {
     let ContactRecord::Nonsmooth { impulse_total, impulse_resting, .. } = s.contacts[0].record
     else {
@@ -297,8 +298,8 @@ fn impacts(s: &RunSummary) -> &[Impact] {
     }
 }
 
-/// Where impacts accumulate until the contact stays closed derivatives go on: of what follows, and of all but the slightest impacts, of
-/// which round-off makes one more or less.
+/// Derivatives are valid beyond accumulated impacts and resting contact: for the following motion, and for all except the slightest impacts, whose
+/// number depends on round-off.
 #[test]
 fn derivatives_go_on_through_accumulated_impacts_and_rest() {
     let base = [3.1, 7.3e-3, 0.3];
@@ -346,7 +347,7 @@ fn derivatives_go_on_through_accumulated_impacts_and_rest() {
             }
         }
     }
-    // What sticks, a millionth of the fastest approach, is noise to differences, of the impulse at rest above all.
+    // The threshold of resting contact, a millionth of the fastest approach, is noise in the differences, mainly in the impulse of resting contact.
     for (i, derivative) in found.derivatives.iter().enumerate() {
         let change = 1e-4 * base[i];
         let ends = [-change, change].map(|by| momentum(&run(&moved(i, by))));
@@ -360,8 +361,8 @@ fn derivatives_go_on_through_accumulated_impacts_and_rest() {
     }
 }
 
-/// A contact lets go at the end of a step. Where it bounces afterwards, the total impulse over the standoff is a sawtooth of which a derivative
-/// tells nothing: there derivatives end.
+/// A resting contact ends at the end of a step. If the projectile bounces afterwards, the total impulse as a function of the standoff is a
+/// sawtooth, whose derivative is meaningless: derivatives end there.
 #[test]
 fn derivatives_end_where_a_contact_bounces_after_it_let_go() {
     let base = [3.1, 7.3e-3, 0.3];
@@ -384,11 +385,11 @@ fn derivatives_end_where_a_contact_bounces_after_it_let_go() {
     assert!(known.len() == before && known[0].impulse.is_finite(), "{before} {known:?}");
 }
 
-/// The time of a largest value that lies at the end of a step, and not between, is one of the grid.
+/// The time of a peak at the end of a step, not within it, is a time of the grid.
 #[test]
 fn times_that_steps_do_not_resolve_have_no_derivative() {
     let base = PARAMETERS.map(|(_, value)| value);
-    // A quarter of a millisecond a step does not follow the stiffest waves of a stiffer beam.
+    // A step of a quarter of a millisecond does not resolve the fastest waves of a stiffer beam.
     let scene = |speed: f64| {
         let mut p = base;
         (p[0], p[7]) = (2e13, speed);

@@ -1,4 +1,4 @@
-//! Beams that yield, side by side: what a single run gives, the same bits alone and in company, and derivatives through the flow.
+//! Beams that yield, in lanes: the results of single runs, the same bits alone and beside others, and derivatives through plastic flow.
 
 use crate::common;
 
@@ -7,7 +7,7 @@ use common::{at, beam};
 use percuss::*;
 use percuss_batch::*;
 
-/// By what a beam yields.
+/// Material law of a beam that yields.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Perfect,
@@ -57,10 +57,10 @@ fn inelasticity(kind: Kind, young: f64) -> Inelasticity {
     Inelasticity::Plastic(law)
 }
 
-/// Numbers of a scene: Young's modulus, density, width, depth, mass, speed, where it strikes, stiffness of the contact.
+/// Numbers of a scene: Young's modulus, density, width, depth, mass, speed, struck point, stiffness of the contact.
 const BASE: [f64; 8] = [205e9, 7850.0, 0.04, 0.02, 2.0, 30.0, 0.52, 1e8];
 
-/// A clamped bar that a mass strikes across, elastic or rigid.
+/// A clamped bar struck transversely by a projectile, with compliant or rigid contact.
 fn scene(kind: Kind, rigid: Option<f64>, p: &[f64; 8]) -> Model {
     let mut b = ModelBuilder::new();
     let law = inelasticity(kind, p[0]);
@@ -132,8 +132,8 @@ fn impulse(record: &ContactRecord) -> f64 {
     }
 }
 
-/// What a run tells of motion, flow and balance, each with its size.
-fn told(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
+/// Results of motion, plastic flow and balance, each with its scale.
+fn scaled_results(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
     let energy = s.energy.scale;
     let mut all = vec![
         ("energy", s.energy.final_, energy),
@@ -183,9 +183,9 @@ fn beams_that_yield_move_in_lanes_as_they_do_alone() {
             let worst = found.energy.residual_max.max(m.linear_residual_max);
             let worst = worst.max(m.angular_residual_max);
             assert!(worst < 1e-10, "{name}: run {k}: {worst:e}");
-            let (mut a, mut b) = (told(&single), told(&found));
+            let (mut a, mut b) = (scaled_results(&single), scaled_results(&found));
             if kind == Kind::Crushing {
-                // Sections that bear no tension stand open here and there once unloaded: round-off decides which equilibrium is found, if any.
+                // No-tension sections are partly open after unloading: round-off decides which equilibrium is found, if any.
                 a.retain(|(what, ..)| *what != "set");
                 b.retain(|(what, ..)| *what != "set");
             }
@@ -211,7 +211,7 @@ fn beams_that_yield_move_in_lanes_as_they_do_alone() {
 fn beams_that_yield_give_the_same_bits_alone_and_in_company() {
     for (kind, rigid) in all() {
         let runs = runs(kind, rigid);
-        let text = |s: &RunSummary| format!("{s:?}"); // in which every float is exact
+        let text = |s: &RunSummary| format!("{s:?}"); // contains every float exactly
         for (k, together) in batch(&runs).iter().enumerate() {
             let alone = batch(&runs[k..=k]);
             assert_eq!(text(&alone[0]), text(together), "{kind:?}, {rigid:?}: run {k}");
@@ -219,7 +219,7 @@ fn beams_that_yield_give_the_same_bits_alone_and_in_company() {
     }
 }
 
-/// Numbers of a scene and its end, of which derivatives are told.
+/// Numbers of a scene and its end, with respect to which results are differentiated.
 const NAMES: [&str; 9] =
     ["young", "density", "width", "depth", "mass", "speed", "where it strikes", "stiffness", "end"];
 
@@ -248,11 +248,11 @@ fn results(s: &RunSummary) -> [f64; 8] {
     ]
 }
 
-/// Changes of a parameter, as shares of it, over which differences are taken: a fibre that begins to flow, or ceases to, in between makes
-/// a kink, and what it makes of a difference vanishes with the change, while round-off grows.
+/// Relative changes of a parameter for differences: a fibre that begins or ceases to yield within a change causes a kink, whose effect on the
+/// difference vanishes with the change, while round-off grows.
 const SHARES: [f64; 3] = [1e-5, 1e-6, 1e-7];
 
-/// Derivatives against differences of fourth order of whole runs.
+/// Derivatives compared with fourth-order differences of whole runs.
 fn check(kind: Kind, end: f64) {
     let base: [f64; 9] = std::array::from_fn(|i| if i < 8 { BASE[i] } else { end });
     let moved = |i: usize, by: f64| {
@@ -309,7 +309,7 @@ fn derivatives_through_plastic_flow() {
     }
 }
 
-/// Struck so gently that the bar nearly yields, or so that it only just does.
+/// Impacts in which the bar nearly yields, or only just yields.
 #[test]
 fn a_beam_that_is_about_to_yield_says_so() {
     let of = |speed: f64| {
@@ -340,7 +340,7 @@ fn a_beam_that_is_about_to_yield_says_so() {
     }
 }
 
-/// What fails is left to single runs, and derivatives end there.
+/// Runs with failing fibres are computed as single runs, and their derivatives end at the failure.
 #[test]
 fn a_fibre_that_fails_leaves_its_lane_and_ends_derivatives() {
     let weak = |speed: f64| {

@@ -4,6 +4,7 @@ mod fragments;
 mod gallery;
 mod mutations;
 mod paper;
+mod plain_words;
 mod release;
 mod scenario;
 

@@ -1,13 +1,13 @@
-//! What stands below the options in the help of a command: exit status, remarks, examples.
+//! Text below the options in the help of a command: exit status, remarks, examples. Paragraphs have no line breaks: clap wraps them.
 
 pub(super) const EXIT_STATUS: &str = "\
 Exit status:
   0    done
-  1    the system refused (disk full, no permission)
-  2    the input is wrong; nothing is written
-  3    the solver gave up; everything up to the last step is written
-  4    the balances did not close (--strict)
-  130  interrupted; everything up to the last step is written";
+  1    I/O error (disk full, no permission)
+  2    invalid input; nothing is written
+  3    no convergence; results up to the last step are written
+  4    balance error above the limit (--strict), or a denied warning
+  130  interrupted; results up to the last step are written";
 
 pub(super) const BEGIN: &str = "\
 To begin:
@@ -16,13 +16,11 @@ To begin:
 and open runs/my/report.html in a browser.";
 
 pub(super) const STATIC: &str = "\
-Prints displacements of the recorded points, reactions of the supports (on the structure, signed),
-smallest and largest section forces of every beam, and the factor at which the loads buckle the
-linearised structure, if they do.
+Prints displacements of the recorded points, reactions of the supports (on the structure, signed), smallest and largest section \
+forces of every beam, and the linear buckling factor.
 
-With --path all loads grow with one factor, and the path is followed by arc length: past limit
-points, where a search in load steps ends. Where it begins and ends is set by [path] in the scenario;
-without it the path ends at the factor 1. Prescribed motions take no part in it.
+With --path all loads grow with one factor, and the equilibrium path is followed by arc length, past limit points. [path] in the \
+scenario sets its start and end; the default end is load factor 1. Prescribed motions are ignored.
 
 Examples:
   percuss static frame.toml
@@ -31,14 +29,14 @@ Examples:
   percuss static arch.toml --path --set path.factor=2";
 
 pub(super) const SENSITIVITY: &str = "\
-Every operation of the run is differentiated, the instants of impacts included (forward mode): the derivatives are those of \
-the computed run, not differences of runs. Beams and frames struck by guided projectiles can be differentiated, on fixed supports, \
-springs to the ground and before stops, with rigid joints and hinges, by the energy-momentum scheme, with damping of the material and dead loads that do not change in time.";
+Derivatives of the computed run by forward-mode automatic differentiation, instants of impacts included; no difference quotients. \
+Supported: beams and frames struck by guided projectiles, on fixed supports, springs to ground and stops, with rigid joints and hinges, \
+under the energy-momentum scheme, with material damping and dead loads that are constant in time.";
 
 pub(super) const CONVERGE: &str = "\
-The run is repeated with halved steps on the given mesh, and with doubled elements under the given step. The limit is Richardson's
-extrapolation in both; where values do not close in on one steadily no order is told, and the uncertainty is what they still move.
-Files are not written.
+The run is repeated with halved steps on the given mesh, and with doubled elements at the given step. The limit is the Richardson \
+extrapolation in both; where values do not converge monotonically no order is given and the uncertainty is the last change. No files are \
+written.
 
 Examples:
   percuss converge plank.toml
@@ -46,8 +44,8 @@ Examples:
   percuss converge plank.toml --levels 5 --json | jq '.results[].limit'";
 
 pub(super) const MODES: &str = "\
-A frequency of zero is a motion of a rigid body or of a mechanism. About a static equilibrium stresses
-count; a mode that grows says that the equilibrium is unstable.
+A mode of zero frequency is a rigid-body mode or a mechanism. About a static equilibrium the geometric stiffness is included; a \
+growing mode means that the equilibrium is unstable.
 
 Examples:
   percuss modes frame.toml
@@ -55,11 +53,10 @@ Examples:
   percuss modes frame.toml --json | jq '.modes[].frequency'";
 
 pub(super) const SWEEP: &str = "\
-A run that fails is a row with the reason. Every run follows from the study and its own number alone, so
-the same study gives the same results.parquet on any number of threads.
+A failed run is a row with the reason. Results do not depend on the number of threads.
 
-Ctrl-C ends the sweep after the runs under way; a second one ends it at once. Interrupted or killed, here or
-moved to another machine, the same command goes on where it was.
+Ctrl-C stops the sweep after the current runs; a second Ctrl-C stops it immediately. After an interruption the same command \
+continues, also on another machine.
 
 Examples:
   percuss sweep fragility.toml
@@ -67,15 +64,15 @@ Examples:
   percuss sweep fragility.toml --shard $SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT";
 
 pub(super) const VERIFY: &str = "\
-Exit status: 0 if every case holds, 3 if one does not, 2 for an unknown case.
+Exit status: 0 if all cases pass, 3 if one fails, 2 for an unknown case.
 
 Examples:
   percuss verify
   percuss verify rigid-rod bouncing-ball --all-checks";
 
 pub(super) const EXPORT: &str = "\
-Open all files together in ParaView, colour beams by stress or moment, and put a Glyph filter on contacts (orientation and scale:
-force or impulse). All numbers are SI.
+Open all files together in ParaView, colour beams by stress or moment, and apply a Glyph filter to contacts (orientation and scale: \
+force or impulse). All values are in SI units.
 
 Examples:
   percuss export runs/plank

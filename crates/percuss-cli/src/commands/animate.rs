@@ -5,14 +5,14 @@ use std::path::Path;
 use percuss_codes::{FileCode, RequestCode};
 use percuss_output::fields;
 use percuss_pictures::{
-    Error, Film, Format, Look, Plan, PrintFormat, Told, animate, ffmpeg, is_ours, picture,
+    Error, Film, FilmOutcome, Format, Look, Plan, PrintFormat, animate, ffmpeg, is_ours, picture,
     unfinished,
 };
 
 use super::report::refuse_what_is_no_run;
 use crate::interrupt;
 use crate::kept;
-use crate::number::number;
+use crate::number::{number, quantity};
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Animate;
 use crate::progress::Progress;
@@ -60,26 +60,26 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
     interrupt::protect([&unfinished(out)]);
     let progress = Progress::of_frames(frames, !arguments.quiet);
     let may_go = |there: &Path| arguments.force || is_ours(there);
-    let told = animate(&film, &plan, (out, &may_go), &mut |done| {
+    let outcome = animate(&film, &plan, (out, &may_go), &mut |done| {
         progress.reach(done as u64);
         !interrupt::requested()
     });
     progress.clear();
-    match told? {
-        Told::Stopped => {
+    match outcome? {
+        FilmOutcome::Stopped => {
             terminal::tell("interrupted; nothing is written");
             Ok(Status::Interrupted)
         }
-        Told::Done { kept } => {
+        FilmOutcome::Done { kept } => {
             kept.iter().for_each(|kept| kept::tell(out, kept));
             if !arguments.quiet {
                 let [width, height] = film.size;
                 let what = format!(
-                    "{}: {frames} frames of {width} x {height}, {} s to {} s in {} s",
+                    "{}: {frames} frames of {width} x {height}, t = {} to {}, duration {}",
                     out.display(),
-                    number(span[0]),
-                    number(span[1]),
-                    number(seconds),
+                    quantity(span[0], "s"),
+                    quantity(span[1], "s"),
+                    quantity(seconds, "s"),
                 );
                 terminal::tell(&what);
             }
@@ -106,7 +106,7 @@ fn still(arguments: &Animate, time: f64) -> Result<Status, Failure> {
     };
     replacing::put(out, &bytes, &|there| arguments.force || is_ours(there))?;
     if !arguments.quiet {
-        terminal::tell(&format!("{}: the scene at {} s", out.display(), number(time)));
+        terminal::tell(&format!("{}: the scene at t = {}", out.display(), quantity(time, "s")));
     }
     Ok(Status::Done)
 }
@@ -127,7 +127,7 @@ fn open(arguments: &Animate) -> Result<Film, Failure> {
         return Err(Failure::input(
             FileCode::NoShapes,
             format!(
-                "{}: no shapes were kept of this run (it has no fields/); run its scenario again with record.shapes above 0",
+                "{}: the run has no recorded shapes (no fields/); run the scenario with record.shapes > 0",
                 dir.display()
             ),
         ));
@@ -147,8 +147,7 @@ fn open(arguments: &Animate) -> Result<Film, Failure> {
 fn span(arguments: &Animate, film: &Film) -> Result<[f64; 2], Failure> {
     if arguments.impact {
         return film.impact.ok_or_else(|| {
-            let reason =
-                "nothing touches in this run, or something does all the time; leave --impact out";
+            let reason = "this run has no contact, or permanent contact; omit --impact";
             Failure::input(RequestCode::Instant, format!("{}: {reason}", arguments.dir.display()))
         });
     }
@@ -199,7 +198,7 @@ pub fn refuse_foreign(out: &Path, force: bool) -> Result<(), Failure> {
     Err(Failure::input(
         FileCode::Foreign,
         format!(
-            "{}: stands there already and percuss did not write it; give another name, or --force to replace it",
+            "{}: exists and was not written by percuss; choose another name or use --force",
             out.display()
         ),
     ))

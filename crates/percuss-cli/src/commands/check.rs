@@ -2,29 +2,30 @@
 
 use std::time::{Duration, Instant};
 
-use percuss::{EffectiveMass, Flow, Recorder, Simulation, massless};
+use percuss::{EffectiveMass, Flow, Model, Recorder, Simulation, massless};
 use percuss_advice::{Topic, advise};
 use percuss_codes::{Caution, Code, RequestCode};
+use percuss_scenario::content::LoadKind;
 use percuss_study::Study;
 
 use crate::arguments::Check;
 use crate::going_on::GoingOn;
-use crate::number::{count, duration, number};
+use crate::number::{count, duration, number, quantity};
 use crate::outcome::{Failure, Status};
 use crate::scenario::{self, Ready};
 use crate::{advisor, effective_mass, terminal};
 
 /// Runs of a study that are looked at.
 const SAMPLE: u64 = 1000;
-/// Time for which a run is tried out, and how long one takes that is told of [s].
+/// Time for which a run is tried out, and the estimated run time from which on it is printed [s].
 const TRIAL: Duration = Duration::from_millis(200);
 const LONG: f64 = 60.0;
-/// Reasons told why runs of a study are no sound scenarios.
+/// Reasons printed why runs of a study are invalid.
 const REASONS: usize = 5;
 
-/// Says what is wrong with a scenario or a study, or what is in it.
+/// Validates a scenario or a study, and prints what it contains.
 pub fn run(arguments: &Check) -> Result<Status, Failure> {
-    // What cannot be read is told of below, where a scenario is read.
+    // A file that cannot be read is reported below, where a scenario is read.
     let text = scenario::text(&arguments.file);
     if text.as_deref().is_ok_and(percuss_scenario::is_study) {
         if scenario::is_input(&arguments.file) {
@@ -36,23 +37,23 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     let going_on = GoingOn::new("the file and its model");
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     let name = scenario::name(&arguments.file);
-    terminal::print(&format!("{name}: sound: {}\n", contents(&ready)))?;
+    terminal::print(&format!("{name}: no errors; {}\n", contents(&ready)))?;
     let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
     let mut denied = Vec::new();
     for fault in massless(model) {
-        let text = format!("`percuss run` refuses it: {fault}");
+        let text = format!("not valid for `percuss run`: {fault}");
         denied.extend(advisor::warn(Caution::NotForRuns, &text, &arguments.deny));
     }
-    going_on.stage("what is to be expected of its contacts");
+    going_on.stage("estimating the contacts");
     let mut advice = advise(model, settings);
-    going_on.stage("how long a run takes");
+    going_on.stage("estimating the run time");
     let lasts = running_time(&ready);
     drop(going_on);
     advisor::judge(&mut advice, ready.scenario.content());
     for one in advice.iter().filter(|one| one.topic == Topic::EffectiveMass) {
         let mass = EffectiveMass { on_mesh: one.value, limit: one.reference };
         let line = effective_mass::line(&mass);
-        terminal::tell(&format!("projectile `{}`: {line}", one.contact));
+        terminal::tell(&format!("projectile '{}': {line}", one.contact));
     }
     advisor::tell(&advice);
     if let Some(text) = lasts {
@@ -65,7 +66,7 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     refuse(denied)
 }
 
-/// Says what is wrong with a study, and which of its runs are no sound scenarios as far as a sample shows.
+/// Validates a study, and a sample of its runs.
 fn study(arguments: &Check) -> Result<Status, Failure> {
     if !arguments.set.is_empty() {
         let text = "--set changes scenarios; give the values in the study";
@@ -76,7 +77,7 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
     let contents =
         [runs(study.run_count()), count(parameters, "parameter"), count(results, "result")];
     let file = arguments.file.display();
-    terminal::print(&format!("{file}: sound: {}\n", contents.join(", ")))?;
+    terminal::print(&format!("{file}: no errors; {}\n", contents.join(", ")))?;
     terminal::print(&format!("{}\n", study.how_runs_go()))?;
     let going_on = GoingOn::new("a sample of its runs");
     let (invalid, looked_at) = study.check_sample(SAMPLE);
@@ -86,20 +87,20 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
         let of = if looked_at < study.run_count() { "a sample of " } else { "" };
         let bad = runs(invalid.len() as u64);
         let text =
-            format!("{bad} of {of}{looked_at} will be rows with a reason instead of results:");
+            format!("{bad} of {of}{looked_at} are invalid and have a reason instead of results:");
         denied.extend(advisor::warn(Caution::UnsoundRuns, &text, &arguments.deny));
     }
-    let mut told: Vec<&str> = Vec::new();
+    let mut printed: Vec<&str> = Vec::new();
     for one in &invalid {
-        if told.len() < REASONS && !told.contains(&one.reason.as_str()) {
+        if printed.len() < REASONS && !printed.contains(&one.reason.as_str()) {
             terminal::warning(Caution::UnsoundRuns, &format!("run {}: {}", one.run, one.reason));
-            told.push(&one.reason);
+            printed.push(&one.reason);
         }
     }
     refuse(denied)
 }
 
-/// How long a run takes, from its first steps, if that is long enough to be told.
+/// The estimated run time from the first steps, if it is long.
 fn running_time(ready: &Ready) -> Option<String> {
     let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
     let mut run = Simulation::new(model, settings).ok()?;
@@ -111,7 +112,7 @@ fn running_time(ready: &Ready) -> Option<String> {
     let all = seconds * settings.end / run.state().time;
     (all > LONG).then(|| {
         let how_long = if all.is_finite() { duration(all) } else { "very long".to_owned() };
-        format!("a run takes about {how_long}, as its first {} go", duration(seconds))
+        format!("estimated run time {how_long} (from the first {})", duration(seconds))
     })
 }
 
@@ -134,7 +135,7 @@ impl Recorder for Watch {
     }
 }
 
-/// What was found and is denied fails the command.
+/// Warnings that are denied fail the command.
 fn refuse(denied: Vec<String>) -> Result<Status, Failure> {
     match denied.is_empty() {
         true => Ok(Status::Done),
@@ -155,12 +156,51 @@ fn contents(ready: &Ready) -> String {
         Some(accuracy) => format!("steps for an accuracy of {} %", number(100.0 * accuracy)),
         None => count(settings.step_count(), "step"),
     };
-    [
+    let mut parts = vec![
         count(content.beam.len(), "beam"),
         count(model.element_count(), "element"),
         count(nodes, "node"),
-        count(content.projectile.len(), "projectile"),
-        steps,
-    ]
-    .join(", ")
+    ];
+    let present = |n: usize, noun: &str| (n > 0).then(|| count(n, noun));
+    parts.extend(present(content.joint.len(), "joint"));
+    parts.push(count(content.support.len(), "support"));
+    parts.extend(present(content.spring.len(), "spring"));
+    match content.mass.len() {
+        0 => {}
+        1 => parts.push("1 point mass".to_owned()),
+        masses => parts.push(format!("{masses} point masses")),
+    }
+    parts.push(count(content.projectile.len(), "projectile"));
+    parts.extend(present(content.obstacle.len(), "obstacle"));
+    parts.extend(loads(ready));
+    if model.beam_count() > 0 {
+        parts.push(format!("mass of the beams {}", quantity(beam_mass(model), "kg")));
+    }
+    parts.push(steps);
+    parts.join(", ")
+}
+
+/// Loads by their kind, in the order of the kinds.
+fn loads(ready: &Ready) -> Vec<String> {
+    let mut counts = [0; 3];
+    for load in &ready.scenario.content().load {
+        let kind = match load.table.kind {
+            LoadKind::Gravity { .. } => 0,
+            LoadKind::Point { .. } => 1,
+            LoadKind::Distributed { .. } => 2,
+        };
+        counts[kind] += 1;
+    }
+    let [gravity, point, distributed] = counts;
+    let each = [(point, "point load"), (distributed, "distributed load")];
+    let each = each.into_iter().filter(|(n, _)| *n > 0).map(|(n, noun)| count(n, noun));
+    (gravity > 0).then(|| "gravity".to_owned()).into_iter().chain(each).collect()
+}
+
+/// Mass of all beams, without point masses \[kg\].
+fn beam_mass(model: &Model) -> f64 {
+    let spans = (0..model.beam_count()).flat_map(|beam| model.beam(beam).spans());
+    let elements =
+        spans.flat_map(|span| (0..span.element_count()).map(move |k| span.gauss_points(k)));
+    elements.flatten().map(|point| point.weight * point.section.mass).sum()
 }

@@ -11,7 +11,7 @@ use crate::outcome::{Failure, Status};
 use crate::progress::Progress;
 use crate::{scenario, terminal};
 
-/// Repeats a run on finer steps and meshes and says what its results converge to.
+/// Repeats a run with smaller steps and finer meshes, and prints the limits of its results.
 pub fn run(arguments: &Converge) -> Result<Status, Failure> {
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     interrupt::end_between_steps();
@@ -38,11 +38,12 @@ pub fn run(arguments: &Converge) -> Result<Status, Failure> {
             return Err(Failure::input(RequestCode::Levels, reason));
         }
         Err(ConvergeError::Run(code, reason)) => {
-            terminal::error(code, &format!("a finer run gave up {reason}"));
+            terminal::error(code, &format!("a finer run did not converge: {reason}"));
             return Ok(Status::GaveUp);
         }
         Err(ConvergeError::Interrupted) => {
-            terminal::warning(Caution::Interrupted, "interrupted; the levels done say nothing yet");
+            let text = "interrupted; too few levels for an estimate";
+            terminal::warning(Caution::Interrupted, text);
             return Ok(Status::Interrupted);
         }
     };
@@ -145,7 +146,7 @@ fn advice(cheapest: &Cheapest, results: usize) -> String {
         more => format!(" of {} of {results} results", results.saturating_sub(more)),
     };
     let mut text = match cheapest.step.is_nan() {
-        true => format!("no settings are known to give {percent} %\n"),
+        true => format!("no settings found for {percent} %\n"),
         false => format!(
             "cheapest for {percent} %{of}: time.step = {}, {} times the elements ({}), {fibres}{} times the work\n",
             number(cheapest.step),
@@ -164,9 +165,9 @@ fn advice(cheapest: &Cheapest, results: usize) -> String {
 mod tests {
     use super::*;
 
-    /// What is cheapest for one result is not told as if it were for all.
+    /// Settings for some of the results are not given as if they held for all.
     #[test]
-    fn settings_are_told_of_the_results_they_serve() {
+    fn settings_name_how_many_results_they_hold_for() {
         let cheapest = |out_of_reach: Vec<String>| Cheapest {
             accuracy: 0.02,
             step: 1e-4,

@@ -8,7 +8,7 @@ use percuss_output::{Extent, ModesInfo, Results, modes_value, write_modes};
 
 use crate::arguments::{About, Modes};
 use crate::interrupt;
-use crate::number::number;
+use crate::number::{number, quantity};
 use crate::outcome::{Failure, Status};
 use crate::scenario;
 use crate::terminal;
@@ -42,7 +42,7 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         }
     };
     if modes.is_empty() {
-        let text = "no modes: nothing has mass, or the tangent is singular";
+        let text = "no modes: the model has no mass, or the tangent is singular";
         return Ok(gave_up(AnalysisCode::NoModes, text));
     }
     let info = ModesInfo {
@@ -73,26 +73,25 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         terminal::print(&table(about, loaded.as_ref().is_some_and(presses), &modes))?;
         for member in slack_members(model, &state) {
             terminal::tell(&format!(
-                "slack    {}, {} m of {} m: no stiffness there, its mass alone takes part",
+                "slack    '{}': {} of {} (mass only, no stiffness)",
                 member.beam,
-                number(member.slack),
-                number(member.length)
+                quantity(member.slack, "m"),
+                quantity(member.length, "m")
             ));
         }
         for stop in stops(model, &state) {
-            let (stands, takes) = if stop.closed {
-                ("closed", "its stiffness takes part")
-            } else {
-                ("open", "no stiffness there")
+            let state = match stop.closed {
+                true => "closed, included as a spring",
+                false => "open, no stiffness",
             };
-            terminal::tell(&format!("stop     {}, {stands}: {takes}", stop.name));
+            terminal::tell(&format!("stop     '{}': {state}", stop.name));
         }
         terminal::tell(&format!("results  {}", out.display()));
     }
     let unstable = modes.iter().filter(|m| m.growth() > 0.0).count();
     if unstable > 0 {
-        let grow = if unstable == 1 { "1 mode grows" } else { &format!("{unstable} modes grow") };
-        terminal::warning(Caution::Unstable, &format!("the equilibrium is unstable: {grow}"));
+        let modes = crate::number::count(unstable, "unstable mode");
+        terminal::warning(Caution::Unstable, &format!("unstable equilibrium: {modes}"));
     }
     Ok(Status::Done)
 }
@@ -113,27 +112,22 @@ fn table(about: About, pressed: bool, modes: &[Mode]) -> String {
     let about = match about {
         About::Reference => "the reference configuration",
         About::Static if pressed => {
-            "static equilibrium, contacts that press held closed, those of discs left out"
+            "static equilibrium; active contacts closed, contacts of discs omitted"
         }
         About::Static => "static equilibrium",
     };
     let mut text = format!("natural modes about {about}\n  mode  frequency [Hz]    period [s]\n");
     for (k, mode) in modes.iter().enumerate() {
-        let told = || (number(mode.frequency()), number(1.0 / mode.frequency()));
+        let values = || (number(mode.frequency()), number(1.0 / mode.frequency()));
         let ((frequency, period), note) = match mode.kind() {
-            ModeKind::Vibration => (told(), String::new()),
+            ModeKind::Vibration => (values(), String::new()),
             ModeKind::RigidBody => {
-                (("0".into(), "-".into()), "motion of a rigid body, or of a mechanism".to_owned())
+                (("0".into(), "-".into()), "rigid-body mode or mechanism".to_owned())
             }
-            ModeKind::Unstable => {
-                (("-".into(), "-".into()), "grows: the equilibrium is unstable".to_owned())
-            }
+            ModeKind::Unstable => (("-".into(), "-".into()), "unstable mode".to_owned()),
             ModeKind::Flutter => (
-                told(),
-                format!(
-                    "flutter: grows at {} 1/s, fed by loads that follow",
-                    number(mode.growth())
-                ),
+                values(),
+                format!("flutter: growth rate {} 1/s (follower loads)", number(mode.growth())),
             ),
         };
         let line = format!("  {:>4}  {frequency:>14}  {period:>12}  {note}", k + 1);

@@ -16,7 +16,7 @@ use crate::outcome::{Failure, Status};
 use crate::replacing;
 use crate::terminal;
 
-/// Rebuilds the report of a finished run, or lays several over each other.
+/// Rebuilds the report of a finished run, or compares several runs.
 pub fn run(arguments: &Report) -> Result<Status, Failure> {
     arguments.dirs.iter().try_for_each(|dir| refuse_what_is_no_run(dir))?;
     match arguments.dirs.as_slice() {
@@ -31,11 +31,7 @@ fn compare(dirs: &[PathBuf], arguments: &Report) -> Result<Status, Failure> {
     if dirs.len() > side_by_side::MOST_RUNS {
         return Err(Failure::input(
             RequestCode::TooManyRuns,
-            format!(
-                "{} runs are more than a page can tell apart; give {} at most",
-                dirs.len(),
-                side_by_side::MOST_RUNS
-            ),
+            format!("{} runs: a comparison shows at most {}", dirs.len(), side_by_side::MOST_RUNS),
         ));
     }
     refuse_foreign_page(out)?;
@@ -77,7 +73,7 @@ fn refuse_foreign_page(out: &Path) -> Result<(), Failure> {
         false => Err(Failure::input(
             FileCode::Foreign,
             format!(
-                "{}: stands there already and is no comparison that percuss wrote; give another --out",
+                "{}: exists and is not a percuss comparison; choose another --out",
                 out.display()
             ),
         )),
@@ -109,7 +105,7 @@ fn rebuild(dir: &Path, arguments: &Report) -> Result<Status, Failure> {
     Ok(Status::Done)
 }
 
-/// Refuses a path at which no run stands.
+/// Refuses a path that is not the directory of a run.
 pub fn refuse_what_is_no_run(dir: &Path) -> Result<(), Failure> {
     let what = if !dir.exists() {
         "no such directory"

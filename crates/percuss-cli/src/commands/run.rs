@@ -98,8 +98,8 @@ pub fn extend(arguments: &Extend) -> Result<Status, Failure> {
     let out = arguments.out.as_deref().unwrap_or(&arguments.dir);
     if again && is_whole(out, arguments.end) {
         if !arguments.quiet {
-            let end = crate::number::number(arguments.end);
-            terminal::tell(&format!("{}: reached {end} s; nothing to do", out.display()));
+            let end = crate::number::quantity(arguments.end, "s");
+            terminal::tell(&format!("{}: reached t = {end}; nothing to do", out.display()));
         }
         return Ok(Status::Done);
     }
@@ -107,9 +107,9 @@ pub fn extend(arguments: &Extend) -> Result<Status, Failure> {
         return Err(Failure::input(
             RequestCode::EndReached,
             format!(
-                "--end: the run in {} reaches {} s already; give a later time",
+                "--end: the run in {} already reaches t = {}; choose a later time",
                 arguments.dir.display(),
-                crate::number::number(before)
+                crate::number::quantity(before, "s")
             ),
         ));
     }
@@ -180,7 +180,7 @@ fn go(
     }
     let (place, earlier) = (shown(&place), out.display());
     let text = format!(
-        "the results are not complete and stand in {}; {earlier} keeps the complete ones it had",
+        "the incomplete results are in {}; the complete ones in {earlier} are unchanged",
         place.display()
     );
     ended.denied.extend(advisor::warn(Caution::Incomplete, &text, &arguments.deny));
@@ -195,7 +195,7 @@ fn refuse_own_input(file: &Path, out: &Path) -> Result<(), Failure> {
         true => Err(Failure::input(
             FileCode::OwnInput,
             format!(
-                "{}: the scenario lies in it, and the results would replace it; give another --out",
+                "{}: this directory contains the scenario; choose another --out",
                 out.display()
             ),
         )),
@@ -313,7 +313,7 @@ fn begin<'a>(
         ResumeError::Faults(faults) => ready.refuse(faults, &arguments.set),
         ResumeError::Foreign => Failure::input(
             FileCode::OtherCheckpoint,
-            "the checkpoint does not fit the scenario, or lies beyond its end; run it from the beginning",
+            "the checkpoint does not match the scenario, or is later than its end; run from the start",
         ),
     })
 }

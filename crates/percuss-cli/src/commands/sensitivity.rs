@@ -101,7 +101,7 @@ fn known(
     let told = format!("{:>13} +- {:<9}", number(*derivative), uncertain(*uncertainty));
     // Of nothing there is no per cent, nor of what one per cent of a parameter turns into its opposite or doubles.
     if share.abs() < 100.0 {
-        format!("{told} {unit:<14} 1 % more: {share:+.3} %")
+        format!("{told} {unit:<14} effect of +1 %: {share:+.3} %")
     } else {
         format!("{told} {unit}")
     }

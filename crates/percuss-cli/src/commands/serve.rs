@@ -73,14 +73,13 @@ fn token(arguments: &Serve) -> Result<Option<String>, Failure> {
         return match plain && !token.is_empty() {
             true => Ok(Some(token.clone())),
             false => {
-                let text = "--token: expected letters, digits and -_.~, as stand in an address";
+                let text = "--token: expected letters, digits and -_.~";
                 Err(Failure::input(RequestCode::NoValue, text))
             }
         };
     }
     if arguments.quiet {
-        let text =
-            "with --quiet nobody learns the token of this server; give --token or --no-token";
+        let text = "--quiet hides the token; use --token or --no-token";
         return Err(Failure::input(RequestCode::NoValue, text));
     }
     let mut bytes = [0; 16];
@@ -149,7 +148,7 @@ fn answer_all(
 fn answer(model: &mut Model<'_>, request: &Request) -> Answer {
     let work = || protocol::answer(model, request.posted, &request.path, &request.body);
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|_| {
-        let text = Code::from(AnalysisCode::Broken).behind("the solver broke down");
+        let text = Code::from(AnalysisCode::Broken).behind("internal error in the solver");
         Answer::failure(Kind::Model, text)
     })
 }

@@ -15,7 +15,7 @@ use percuss_scenario::one_of;
 
 use super::animate::refuse_foreign;
 use super::report::refuse_what_is_no_run;
-use crate::number::number;
+use crate::number::quantity;
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Spectrum;
 use crate::replacing;
@@ -110,23 +110,23 @@ fn told(signal: &Signal, spectrum: &ShockSpectrum, class: Option<Cfc>) -> String
     let mut text = String::new();
     if signal.resampled {
         text += &format!(
-            "rows are not evenly spaced: velocities interpolated linearly to steps of {} s\n",
-            number(signal.step)
+            "non-uniform output interval: velocities interpolated linearly, step {}\n",
+            quantity(signal.step, "s")
         );
     }
     if let Some((peak, time)) = signal.peak() {
-        let (peak, time) = (number(peak), number(time));
-        text += &format!("peak acceleration {peak} m/s^2 at {time} s{}\n", suffix(class));
+        let (peak, time) = (quantity(peak, "m/s^2"), quantity(time, "s"));
+        text += &format!("peak acceleration {peak} at t = {time}{}\n", suffix(class));
     }
     let answers = spectrum.frequency.iter().zip(&spectrum.acceleration);
     let largest = answers.max_by(|a, b| a.1.maximax().total_cmp(&b.1.maximax()));
     if let Some((frequency, answer)) = largest {
         text += &format!(
-            "peak of the spectrum {} m/s^2 at {} Hz, from {} Hz to {} Hz with damping {}{}\n",
-            number(answer.maximax()),
-            number(*frequency),
-            number(spectrum.frequency[0]),
-            number(spectrum.frequency[spectrum.frequency.len() - 1]),
+            "peak of the spectrum {} at {} (range {} to {}, damping {}){}\n",
+            quantity(answer.maximax(), "m/s^2"),
+            quantity(*frequency, "Hz"),
+            quantity(spectrum.frequency[0], "Hz"),
+            quantity(spectrum.frequency[spectrum.frequency.len() - 1], "Hz"),
             spectrum.damping,
             suffix(class),
         );

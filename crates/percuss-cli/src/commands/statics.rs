@@ -114,11 +114,11 @@ fn follow(arguments: &Static, ready: &Ready) -> Result<Status, Failure> {
     }
     let factor = path.points.last().map_or(0.0, |p| p.factor);
     let why = match &path.torn {
-        Some(what) => format!("beyond it `{what}` would fail"),
-        None => "[path] in the scenario sets first arc, end and number of points".to_owned(),
+        Some(what) => format!("'{what}' would fail beyond it"),
+        None => "see [path] in the scenario for its first arc, end and number of points".to_owned(),
     };
     let text = format!(
-        "the path ends at the load factor {}, after {} points, before the end asked for: {why}",
+        "the path stopped at load factor {}, after {} points: {why}",
         number(factor),
         path.points.len() - 1,
     );

@@ -41,14 +41,13 @@ pub fn run(arguments: &Sweep) -> Result<Status, Failure> {
     drop(bar);
     match done {
         Done::Stopped => {
-            let again = "the same command goes on where it was";
-            let text = format!("interrupted; what is done is kept, {again}");
-            terminal::warning(Caution::Interrupted, &text);
+            let text = "interrupted; finished runs are kept, and the same command continues";
+            terminal::warning(Caution::Interrupted, text);
             return Ok(Status::Interrupted);
         }
         Done::Part => {
             if !arguments.quiet {
-                terminal::tell("this part is done; others are not yet");
+                terminal::tell("this shard is finished; others are not");
             }
             return Ok(Status::Done);
         }

@@ -244,9 +244,7 @@ fn an_obstacle_stands_for_something_to_touch() {
     let wall = "[obstacle.wall]\nkind = \"wall\"\nends = [[0, 2], [3, 2]]\n";
     let desk = Desk::empty();
     desk.put("bad.toml", format!("{ELASTIC}\n{wall}"));
-    desk.percuss(&["run", "bad.toml"])
-        .ends_with(2)
-        .tells("obstacle.wall: found nothing that touches it");
+    desk.percuss(&["run", "bad.toml"]).ends_with(2).tells("obstacle.wall: found no contact");
     let contact = "[contact.c]\nbetween = [\"mass\", \"wall\"]\nstiffness = 1\n";
     desk.put("bad.toml", format!("{ELASTIC}\n{wall}{contact}"));
     let run = desk.percuss(&["run", "bad.toml"]);

@@ -99,7 +99,9 @@ fn a_run_is_extended_in_its_place_or_beside_it_once_and_again() {
     extend(&["--end", "15 ms"]).ends_with(0);
     extend(&["--end", "20 ms"]).ends_with(0);
     assert_eq!(differences(&desk.path("whole"), &desk.path("run")), Vec::<String>::new());
-    extend(&["--end", "20 ms"]).ends_with(2).tells("reaches 0.02 s already; give a later time");
+    extend(&["--end", "20 ms"])
+        .ends_with(2)
+        .tells("already reaches t = 20 ms; choose a later time");
     let without = desk.percuss(&["extend", "whole", "--end", "1 s"]);
     without.ends_with(2).tells("only a complete run that was given --checkpoint has one");
 }
@@ -122,14 +124,14 @@ fn an_extension_that_was_killed_goes_on_where_it_was() {
     child.kill().unwrap();
     child.wait().unwrap();
     assert_eq!(desk.summary("out")["time"], 0.01, "the run before is not whole");
-    desk.percuss(&extend[..extend.len() - 1]).ends_with(2).tells("go on from it with --resume");
+    desk.percuss(&extend[..extend.len() - 1]).ends_with(2).tells("continue with --resume");
     desk.percuss(&extend).ends_with(0);
     assert_eq!(differences(&desk.path("whole"), &desk.path("out")), Vec::<String>::new());
     assert!(!desk.path("out.checkpoint").exists());
     // A queue that starts the job once more finds nothing to do.
     desk.percuss(&extend).ends_with(0);
     let told: Vec<&str> = extend.iter().copied().filter(|word| *word != "--quiet").collect();
-    desk.percuss(&told).ends_with(0).tells("reached 0.03 s; nothing to do");
+    desk.percuss(&told).ends_with(0).tells("reached t = 30 ms; nothing to do");
 }
 
 #[test]
@@ -137,7 +139,7 @@ fn files_that_are_no_checkpoint_of_the_run_are_refused_and_left_alone() {
     let desk = Desk::new();
     let resume =
         |more: &[&str]| desk.percuss(&arguments(&[&["--out", "out", "--resume"], more].concat()));
-    resume(&[]).ends_with(2).tells("there is no checkpoint to go on from");
+    resume(&[]).ends_with(2).tells("no checkpoint: a run writes one with --checkpoint");
     // One that a killed run left, made by one that cannot write its results.
     let mut child = desk
         .command(&arguments(&["--set", "time.end=10", "--out", "out", "--checkpoint", "10 steps"]))
@@ -152,9 +154,9 @@ fn files_that_are_no_checkpoint_of_the_run_are_refused_and_left_alone() {
     child.wait().unwrap();
     let kept = fs::read(&state).unwrap();
     let again = desk.percuss(&arguments(&["--out", "out", "--checkpoint", "1 s"]));
-    again.ends_with(2).tells("go on from it with --resume, or remove it");
+    again.ends_with(2).tells("continue with --resume, or remove it");
     desk.put("rigid.toml", RIGID.replace("restitution = ", "restitution = 0.25 # "));
-    resume(&[]).ends_with(2).tells("another scenario, or of this one before it was changed");
+    resume(&[]).ends_with(2).tells("belongs to a different scenario");
     desk.put("rigid.toml", RIGID);
     for (cut, word) in
         [(kept.len() - 9, "damaged"), (10, "not a checkpoint"), (0, "not a checkpoint")]

@@ -85,7 +85,7 @@ fn warnings_of_the_audit_are_denied_and_allowed_like_findings() {
     desk.put("midpoint.toml", format!("{text}{midpoint}"));
     let run =
         |file: &str, more: &[&str]| desk.percuss(&[&["run", file, "--out", "out"], more].concat());
-    run("midpoint.toml", &[]).ends_with(0).tells("warning: the balance of energy does not close");
+    run("midpoint.toml", &[]).ends_with(0).tells("warning: energy balance error ");
     assert_eq!(desk.summary("out")["warnings"][0]["code"], "W105");
     assert_eq!(desk.summary("out")["warnings"][0]["verdict"], "warning");
     run("midpoint.toml", &["--deny", "W105", "-q"]).ends_with(4).tells("[W105] is denied [E308]");
@@ -93,14 +93,16 @@ fn warnings_of_the_audit_are_denied_and_allowed_like_findings() {
     desk.put("allowed.toml", format!("{text}{midpoint}{allow}"));
     let told = run("allowed.toml", &["--deny", "w105"]);
     told.ends_with(0).tells("(reason: the midpoint rule is what I look at) [W105]");
-    told.tells("[allow] W103: nothing of this kind was found");
+    told.tells("[allow] W103: no such warning (");
     assert!(!told.stderr.contains("warning: the balance"), "{}", told.stderr);
     let summary = desk.summary("out");
     assert_eq!(summary["warnings"][0]["verdict"], "allowed");
     let found: Vec<_> = summary["allow"].as_array().unwrap().iter().map(|a| &a["found"]).collect();
     assert_eq!(found, [true, false]);
     let page = std::fs::read_to_string(desk.path("out/report.html")).unwrap();
-    assert!(page.contains("allowed: the midpoint rule is what I look at (found: the balance of"));
+    assert!(
+        page.contains("accepted: the midpoint rule is what I look at (found: energy balance error")
+    );
     // Before a run nothing is known of its audit.
     let check = desk.percuss(&["check", "allowed.toml"]);
     assert!(!check.stderr.contains("W10"), "{}", check.stderr);
@@ -113,8 +115,8 @@ fn codes_of_how_a_command_went_cannot_be_allowed() {
     for caution in Caution::ALL.into_iter().filter(|one| !one.is_of_the_audit()) {
         desk.put("f.toml", format!("{text}\n[allow]\n{} = \"why\"\n", caution.code()));
         let check = desk.percuss(&["check", "f.toml"]);
-        check.ends_with(2).tells("which tells how a command went: it cannot be allowed");
-        check.tells("expected a finding of the advisor, W001 to W023, or of the audit of a run, W101 to W105 [E008]");
+        check.ends_with(2).tells("which reports on a command and cannot be accepted in a scenario");
+        check.tells("expected a warning of the model and result checks, W001 to W023, or of the audit of a run, W101 to W105 [E008]");
     }
     desk.put("f.toml", format!("{text}\n[allow]\nW15 = \"why\"\n"));
     desk.percuss(&["check", "f.toml"]).ends_with(2).tells("[E007]");

@@ -125,7 +125,7 @@ fn failed_evaluations_are_told_and_nothing_is_lost() {
         (r#"{"speed": 20}"#.to_owned(), "no value for `mass`"),
         ("nothing".to_owned(), "a count of `variables`"),
         (DAKOTA.replace("DVV_1:mass", "DVV_1:mas"), "derivatives by `mas`, which is no parameter"),
-        (r#"{"speed": 20, "mass": 1, "speed": 21}"#.to_owned(), "the key `speed` stands twice"),
+        (r#"{"speed": 20, "mass": 1, "speed": 21}"#.to_owned(), "duplicate key `speed`"),
         (r#"{"speed": 20, "mass""#.to_owned(), "EOF"),
         (DAKOTA.replace("500 mass", "500 speed"), "two values for `speed`"),
         (
@@ -171,17 +171,18 @@ fn checks_say_whether_runs_go_side_by_side() {
     let [moment, stress] = ["moment_max.value", "stress.max.value"]
         .map(|force| asking(&format!("section_forces.girder.{force}")));
     for study in [STUDY.to_owned(), rigid, moment, stress] {
-        assert_eq!(told(study), "runs go side by side in vector registers");
+        assert_eq!(told(study), "runs are computed in SIMD batches");
     }
     for alone in ["section_forces.girder.strain.max.value", "support.left.moment.max.value"] {
-        let why = format!("runs go one by one: `asked` is asked for ({alone})");
+        let why = format!("runs are computed one at a time: `asked` is asked for ({alone})");
         assert_eq!(told(asking(alone)), why);
     }
     let stayed = common::ELASTIC.to_owned()
         + "\n[spring.stay]\nbetween = [\"girder.mid\", [0, 1]]\nstiffness = 1e3\n";
     desk.put("stayed.toml", stayed);
     let springs = STUDY.replace("elastic.toml", "stayed.toml");
-    assert_eq!(told(springs), "runs go one by one: springs between points, and rotational springs");
+    let why = "runs are computed one at a time: springs between points, and rotational springs";
+    assert_eq!(told(springs), why);
 }
 
 /// A request over HTTP: status and answer.

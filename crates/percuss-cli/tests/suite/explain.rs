@@ -206,13 +206,13 @@ fn allowed_findings_are_told_with_their_reason_and_not_denied() {
     desk.put("allowed.toml", text + allow);
     let check = desk.percuss(&["check", "allowed.toml", "--deny", "W007"]);
     check.ends_with(0).tells("(reason: a short <beam>) [W007]");
-    check.tells("[allow] W012: nothing of this kind was found");
+    check.tells("[allow] W012: no such warning (");
     assert!(!check.stderr.contains("W013"), "only a run can tell: {}", check.stderr);
     for line in check.stderr.lines().filter(|line| line.contains("[W007]")) {
         assert!(line.starts_with("allowed: "), "{line}");
     }
     let run = desk.percuss(&["run", "allowed.toml", "--deny", "W007", "--out", "out"]);
-    run.ends_with(0).tells("[allow] W013: nothing of this kind was found");
+    run.ends_with(0).tells("[allow] W013: no such warning (");
     let summary = desk.summary("out");
     let advice = summary["advice"].as_array().unwrap();
     let one = advice.iter().find(|a| a["code"] == "W007").unwrap();
@@ -221,8 +221,8 @@ fn allowed_findings_are_told_with_their_reason_and_not_denied() {
         summary["allow"].as_array().unwrap().iter().map(|a| a["found"] == true).collect();
     assert_eq!(found, [true, false, false]);
     let page = std::fs::read_to_string(desk.path("out/report.html")).unwrap();
-    assert!(page.contains("allowed: a short &lt;beam&gt; (found: "));
-    assert!(page.contains("Allowed by the scenario, and not found: W012, W013"));
+    assert!(page.contains("accepted: a short &lt;beam&gt; ("));
+    assert!(page.contains("Allowed in the scenario but not raised: W012, W013"));
     // The results keep what was allowed, so that they can be run again.
     desk.percuss(&["check", "out/scenario.toml"]).ends_with(0).tells("a short <beam>");
     desk.percuss(&["check", "elastic.toml", "--deny", "W007"]).ends_with(2);

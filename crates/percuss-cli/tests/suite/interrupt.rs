@@ -90,7 +90,7 @@ fn a_signal_of_a_batch_system_leaves_a_checkpoint_of_what_was_reached() {
         let run = [&run[..], &["--out", "out", "--checkpoint", "1 h", "--no-report"]].concat();
         let child = begun(&desk, &mut desk.command(&run));
         signal(&child, name);
-        end_of(child).ends_with(130).tells("the same command with --resume goes on from t = ");
+        end_of(child).ends_with(130).tells("the same command with --resume continues from t = ");
         let reached = desk.summary("out")["time"].clone();
         let state = std::fs::read(desk.path("out.checkpoint/state")).expect("a checkpoint");
         let head = state.split(|byte| *byte == b'\n').find(|line| line.starts_with(b"{"));

@@ -69,7 +69,7 @@ fn a_run_does_not_go_on_with_another_table() {
     child.wait().unwrap();
     desk.put("in/pull.csv", table(2));
     let resume = desk.percuss(&[&run[..], &["--resume"]].concat());
-    resume.ends_with(2).tells("pull.csv has changed since the checkpoint was written");
+    resume.ends_with(2).tells("pull.csv was modified after the checkpoint was written");
     desk.put("in/pull.csv", table(1));
     desk.percuss(&[&run[..], &["--resume"]].concat()).ends_with(0);
 }

@@ -23,10 +23,10 @@ fn the_elastic_example_leaves_every_file_and_number_promised() {
     let desk = Desk::new();
     desk.percuss(&["run", "elastic.toml", "--out", "out", "--strict"])
         .ends_with(0)
-        .tells("completed at t = 0.15 s")
+        .tells("completed at t = 150 ms")
         .tells("contact mass")
         .tells("peak force")
-        .tells("two masses and two springs, largest contact force");
+        .tells("two-degree-of-freedom model, largest contact force");
     assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
     for file in FILES.iter().chain(&["history.parquet"]) {
         assert!(desk.path("out").join(file).exists(), "no {file}");
@@ -80,7 +80,7 @@ fn the_rigid_example_leaves_impacts_and_a_comparison() {
     let desk = Desk::new();
     desk.percuss(&["run", "rigid.toml"])
         .ends_with(0)
-        .tells("at 5e-4 s: impulse")
+        .tells("t = 500 \u{b5}s: impulse")
         .tells("effective mass")
         .tells("warning: ");
     let summary = desk.summary("runs/rigid");
@@ -122,9 +122,9 @@ fn the_advisor_speaks_before_the_run_and_in_the_report() {
     let advice = &desk.summary("runs/elastic")["advice"];
     let topics: Vec<&str> =
         advice.as_array().expect("a list").iter().filter_map(|a| a["topic"].as_str()).collect();
-    assert!(topics.contains(&"first touch") && topics.contains(&"minimum span"), "{topics:?}");
+    assert!(topics.contains(&"first contact") && topics.contains(&"minimum span"), "{topics:?}");
     let page = std::fs::read_to_string(desk.path("runs/elastic/report.html")).expect("a page");
-    assert!(page.contains("<h2>Advisor</h2>") && page.contains("<h2>Impact log</h2>"));
+    assert!(page.contains(">Model and result checks</h2>") && page.contains("<h2>Impact log</h2>"));
     let check = desk.percuss(&["check", "elastic.toml", "--set", "time.step=0.02 s"]);
     check.ends_with(0).tells("mass, contact duration: ");
     let quiet = desk.percuss(&[&coarse[..], &["--quiet", "--no-report"]].concat());
@@ -212,7 +212,7 @@ fn a_directory_that_is_no_run_is_refused() {
     std::fs::create_dir(desk.path("thesis")).expect("a directory");
     desk.put("thesis/chapter.txt", "years of work");
     let run = desk.percuss(&["run", "elastic.toml", "--out", "thesis"]);
-    run.ends_with(2).tells("thesis").tells("does not hold a run");
+    run.ends_with(2).tells("thesis").tells("not empty and not the directory of a run");
     assert_eq!(names(&desk.path("thesis")), ["chapter.txt"]);
     assert_eq!(desk.names(), ["elastic.toml", "rigid.toml", "thesis"]);
     desk.percuss(&["run", "elastic.toml", "--out", "rigid.toml"]).ends_with(2).tells("rigid.toml");
@@ -238,7 +238,7 @@ fn open_balances_fail_a_strict_run_and_say_which() {
     desk.percuss(&["run", "elastic.toml", "--no-report", "--set", set]).ends_with(0);
     desk.percuss(&["run", "elastic.toml", "--no-report", "--set", set, "--strict"])
         .ends_with(4)
-        .tells("the balance of energy does not close");
+        .tells("energy balance error");
     assert_eq!(desk.summary("runs/elastic")["status"], "completed");
 }
 
@@ -248,7 +248,7 @@ fn a_solver_that_gives_up_leaves_what_it_has() {
     // A force far beyond anything a beam withstands.
     let text = common::ELASTIC.replace("time]", "load.x]\nkind = \"point\"\nat = \"girder.mid\"\nforce = [-1e300, 1e300]\nfrom = 0.01\n\n[time]");
     desk.put("hopeless.toml", text);
-    desk.percuss(&["run", "hopeless.toml"]).ends_with(3).tells("the solver gave up: ");
+    desk.percuss(&["run", "hopeless.toml"]).ends_with(3).tells("error: no convergence at t = ");
     let summary = desk.summary("runs/hopeless");
     assert_eq!(summary["status"], "failed");
     assert!(summary["error"].is_string());
@@ -260,12 +260,12 @@ fn a_solver_that_gives_up_leaves_what_it_has() {
 #[test]
 fn the_first_thing_told_is_what_happened() {
     let desk = Desk::new();
-    let said = "mass struck girder.mid at 20 m/s, 10 ms after the start.";
+    let said = "'girder.mid' was struck by projectile 'mass' at 20 m/s, t = 10 ms.";
     desk.percuss(&["run", "elastic.toml", "--out", "out"]).ends_with(0).tells(said);
     let page = std::fs::read_to_string(desk.path("out/report.html")).expect("a page");
     let first = page.find("<canvas").expect("a scene");
     assert!(first < page.find("Key results").expect("results"), "the scene comes first");
-    assert!(page.replace('\u{a0}', " ").contains(said));
+    assert!(page.replace('\u{a0}', " ").replace("&#39;", "'").contains(said));
     let fields = percuss_output::fields::read(desk.path("out")).expect("whole").expect("fields");
     let (first, last) = (&fields.frames[0], &fields.frames[fields.frames.len() - 1]);
     assert_eq!((first.time, last.time), (0.0, 0.15));
@@ -302,7 +302,7 @@ fn a_report_needs_a_run() {
     desk.percuss(&["report", "."]).ends_with(2).tells("not the directory of a run");
     desk.percuss(&["run", "elastic.toml", "--no-report", "-q"]).ends_with(0);
     std::fs::remove_file(desk.path("runs/elastic/history.parquet")).expect("a file");
-    desk.percuss(&["report", "runs/elastic"]).ends_with(2).tells("holds no history");
+    desk.percuss(&["report", "runs/elastic"]).ends_with(2).tells("contains no history");
 }
 
 #[test]
@@ -323,10 +323,12 @@ fn a_scenario_in_the_directory_of_results_is_never_replaced() {
     desk.percuss(&["run", "rigid.toml", "--out", "out", "-q"]).ends_with(0);
     let echo = std::fs::read_to_string(desk.path("out/scenario.toml")).expect("a scenario");
     let again = ["run", "out/scenario.toml", "--out", "out"];
-    desk.percuss(&again).ends_with(2).tells("the scenario lies in it");
+    desk.percuss(&again).ends_with(2).tells("this directory contains the scenario");
     // A comment of the user's makes it his own, whatever is run.
     desk.put("out/scenario.toml", format!("# mine\n{echo}"));
-    desk.percuss(&["run", "rigid.toml", "--out", "out"]).ends_with(2).tells("was changed since");
+    desk.percuss(&["run", "rigid.toml", "--out", "out"])
+        .ends_with(2)
+        .tells("was modified after percuss wrote it");
     let kept = std::fs::read_to_string(desk.path("out/scenario.toml")).expect("a scenario");
     assert!(kept.starts_with("# mine"));
 }
@@ -338,7 +340,7 @@ fn a_run_that_gives_up_leaves_the_complete_one_before_it() {
     let text = common::ELASTIC.replace("time]", "load.x]\nkind = \"point\"\nat = \"girder.mid\"\nforce = [-1e300, 1e300]\nfrom = 0.01\n\n[time]");
     desk.put("hopeless.toml", text);
     let run = desk.percuss(&["run", "hopeless.toml", "--out", "out", "--no-report"]);
-    run.ends_with(3).tells("out.incomplete").tells("keeps the complete ones");
+    run.ends_with(3).tells("out.incomplete").tells("the complete ones in out are unchanged");
     assert_eq!(desk.summary("out")["status"], "completed");
     assert_eq!(desk.summary("out.incomplete")["status"], "failed");
 }
@@ -354,7 +356,7 @@ fn energy_out_of_nothing_ends_the_run_in_words() {
     };
     let grown = run("midpoint", "m");
     grown.ends_with(3);
-    for words in ["energy grew out of nothing", "does not conserve energy", "energy-momentum"] {
+    for words in ["energy growth: ", "does not conserve energy", "energy-momentum"] {
         assert!(grown.stderr.contains(words), "{}", grown.stderr);
     }
     assert!(!grown.stderr.contains("NaN"), "{}", grown.stderr);

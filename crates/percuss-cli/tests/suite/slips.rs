@@ -146,15 +146,15 @@ fn slips_of_units_are_told_with_what_they_contradict() {
         shipped().into_iter().find(|file| file.ends_with("paper/elastic-pinned.toml")).unwrap();
     let text = std::fs::read_to_string(file).unwrap();
     let cases = [
-        ("[[0, 0], [\"3 m\", 0]]", "[[0, 0], [\"3 mm\", 0]]", "3 mm long?"),
+        ("[[0, 0], [\"3 m\", 0]]", "[[0, 0], [\"3 mm\", 0]]", "length 3 mm, and"),
         ("\"8330 cm^4\"", "8330e4", "km deep"),
-        ("\"500 kg\"", "0xffffffffffff", "a mass of 2.81e14 kg on beam girder of 900 kg"),
-        ("\"7.5e5 N/m\"", "\"1e-6 N/m\"", "times softer than beam girder"),
-        ("\"7.5e5 N/m\"", "\"1e16 N/m\"", "times stiffer than beam girder"),
+        ("\"500 kg\"", "0xffffffffffff", "a mass of 2.81e14 kg on beam 'girder' of 900 kg"),
+        ("\"7.5e5 N/m\"", "\"1e-6 N/m\"", "times softer than beam 'girder'"),
+        ("\"7.5e5 N/m\"", "\"1e16 N/m\"", "times stiffer than beam 'girder'"),
         ("\"3000 kg/m^3\"", "3e-9", "in t/mm^3 it would be 3000 kg/m^3"),
-        ("\"3000 kg/m^3\"", "3e6", "3.00e6 kg/m^3, where solids have"),
+        ("\"3000 kg/m^3\"", "3e6", "density 3.00e6 kg/m^3, solids have"),
         ("\"0.2e10 Pa\"", "2", "in GPa it would be 2.00e9 Pa"),
-        ("\"20 m/s\"", "\"20 km/s\"", "faster than waves run through beam girder"),
+        ("\"20 m/s\"", "\"20 km/s\"", "exceeds the wave speed of beam 'girder'"),
         ("\"0.15 s\"", "\"1e7 s\"", "take days"),
     ];
     for (right, wrong, words) in cases {

@@ -109,19 +109,19 @@ fn a_changed_study_does_not_mix_with_an_old_one() {
     std::fs::write(desk.path("study.toml"), changed).expect("a study");
     desk.percuss(&["sweep", "study.toml", "--out", "out"])
         .ends_with(2)
-        .tells("holds another study")
+        .tells("belongs to another study")
         .tells("--out");
 }
 
 #[test]
-fn check_warns_of_runs_that_are_no_sound_scenarios() {
+fn check_warns_of_invalid_runs() {
     let desk = desk();
     desk.percuss(&["check", "study.toml"]).ends_with(0);
     let bad = STUDY.replace("from = \"400 kg\"", "from = \"-100 kg\"");
     std::fs::write(desk.path("bad.toml"), bad).expect("a study");
     desk.percuss(&["check", "bad.toml"])
         .ends_with(0)
-        .tells("will be rows with a reason instead of results")
+        .tells("have a reason instead of results")
         .tells("projectile.mass.mass");
     desk.percuss(&["sweep", "bad.toml", "--out", "bad"]).ends_with(0).tells("warning: 1 run: ");
 }

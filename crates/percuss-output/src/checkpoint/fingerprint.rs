@@ -26,11 +26,9 @@ pub(super) fn difference(kept: &Value, scenario: &str) -> Option<String> {
     let same = kept["without_tables"] == now["without_tables"];
     Some(match changed.next().filter(|_| same) {
         Some((file, _)) => format!(
-            "the table {file} has changed since the checkpoint was written (its SHA-256 is another); put the file back as it was, or \
-             run from the beginning"
+            "the table {file} was modified after the checkpoint was written (different SHA-256); restore the file, or run from the start"
         ),
-        None => "the checkpoint belongs to a run of another scenario, or of this one before it was changed (only time.end may \
-                 change); run it from the beginning"
+        None => "the checkpoint belongs to a different scenario (only time.end may differ); run from the start"
             .into(),
     })
 }

@@ -55,7 +55,7 @@ impl CheckpointFolder {
         self.refuse_what_is_not_ours()?;
         if let Some(time) = self.time() {
             let reason = format!(
-                "holds a checkpoint of an earlier run at t = {} s: go on from it with --resume, or remove it",
+                "contains a checkpoint at t = {} s: continue with --resume, or remove it",
                 number(time)
             );
             return Err(Error::refused(&self.path, reason));
@@ -72,7 +72,7 @@ impl CheckpointFolder {
     pub fn resume(&mut self) -> Result<(Saved, Rows), Error> {
         let state = self.path.join(STATE);
         if !state.is_file() {
-            let reason = "there is no checkpoint to go on from: a run writes one with --checkpoint, and removes it when it is complete";
+            let reason = "no checkpoint: a run writes one with --checkpoint, and removes it when it is complete";
             return Err(Error::of(FileCode::NoCheckpoint, &self.path, reason));
         }
         self.refuse_what_is_not_ours()?;
@@ -127,8 +127,8 @@ impl CheckpointFolder {
     pub fn kept(dir: &Path, scenario: &str) -> Result<(Saved, Rows), Error> {
         let path = dir.join(KEPT);
         if !path.is_file() {
-            let reason = "holds no checkpoint to go on from: only a complete run that was given --checkpoint has one; run it from the \
-                          beginning with a later time.end";
+            let reason = "contains no checkpoint: only a complete run with --checkpoint has one; run it from the start with a later \
+                          time.end";
             return Err(Error::of(FileCode::NoCheckpoint, dir, reason));
         }
         let saved = format::read(&path, scenario)?;
@@ -152,15 +152,12 @@ impl CheckpointFolder {
     fn refuse_what_is_not_ours(&self) -> Result<(), Error> {
         // Its name can be foreseen by whoever writes in the same folder.
         if fs::symlink_metadata(&self.path).is_ok_and(|found| found.is_symlink()) {
-            let reason = "is a link, which is not followed; it is the place of checkpoints";
+            let reason = "is the checkpoint directory but a link, which is not followed";
             return Err(Error::refused(&self.path, reason));
         }
         let Ok(entries) = fs::read_dir(&self.path) else {
             return match fs::symlink_metadata(&self.path) {
-                Ok(_) => Err(Error::refused(
-                    &self.path,
-                    "is not a directory; it is the place of checkpoints",
-                )),
+                Ok(_) => Err(Error::refused(&self.path, "is the checkpoint directory but a file")),
                 Err(_) => Ok(()),
             };
         };
@@ -169,9 +166,8 @@ impl CheckpointFolder {
             let name = entry.map_err(|e| Error::io(&self.path, "list", e))?.file_name();
             if ![STATE.as_ref(), ROWS.as_ref(), temporary.as_os_str()].contains(&name.as_os_str()) {
                 let name = name.to_string_lossy();
-                let reason = format!(
-                    "is the place of checkpoints, but holds {name}, which is none; move it away"
-                );
+                let reason =
+                    format!("is the checkpoint directory but contains {name}; move this file");
                 return Err(Error::refused(&self.path, reason));
             }
         }

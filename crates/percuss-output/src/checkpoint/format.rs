@@ -89,8 +89,7 @@ pub(super) fn read(path: &Path, scenario: &str) -> Result<Saved, Error> {
     if head["build"] != percuss::BUILD {
         let build = head["build"].as_str().unwrap_or("unknown");
         let reason = format!(
-            "the checkpoint was written by another build of Percuss ({build}), and this one ({}) would not end in the same bits; \
-             go on with that one, or run from the beginning",
+            "written by another build ({build}, this is {}); results would not be bitwise identical. Use that build, or run from the start",
             percuss::BUILD
         );
         return Err(Error::of(FileCode::OtherCheckpoint, path, reason));

@@ -67,7 +67,7 @@ fn taken(given: &Path, file: &mut File) -> Error {
     let mut who = String::new();
     let _ = file.rewind().and_then(|()| file.take(200).read_to_string(&mut who));
     let who = if who.is_empty() { "another process".to_owned() } else { who };
-    let reason = format!("is being written by {who}; wait for it, or give another --out");
+    let reason = format!("locked by {who}; wait, or choose another --out");
     Error::of(FileCode::Busy, given, reason)
 }
 

@@ -230,13 +230,13 @@ fn resolve(path: &Path) -> Result<PathBuf, Error> {
     let resolved = match path.try_exists() {
         Ok(true) => path.canonicalize(),
         _ if fs::symlink_metadata(path).is_ok() => {
-            return Err(Error::refused(path, "is a link that leads nowhere"));
+            return Err(Error::refused(path, "broken link"));
         }
         _ => std::path::absolute(path),
     };
     let resolved = resolved.map_err(|e| Error::io(path, "resolve", e))?;
     if resolved.file_name().is_none() {
-        return Err(Error::refused(path, "this cannot be the directory of a run"));
+        return Err(Error::refused(path, "not a valid directory for a run"));
     }
     Ok(resolved)
 }
@@ -246,7 +246,7 @@ fn refuse_what_is_not_ours(results: Results, given: &Path, target: &Path) -> Res
         return Ok(());
     }
     if !target.is_dir() {
-        return Err(Error::refused(given, "exists and is not a directory; give another --out"));
+        return Err(Error::refused(given, "exists and is not a directory; choose another --out"));
     }
     let Some(manifest) = Manifest::read(target)? else {
         let words = results.words();
@@ -255,15 +255,14 @@ fn refuse_what_is_not_ours(results: Results, given: &Path, target: &Path) -> Res
             false => Err(Error::refused(
                 given,
                 format!(
-                    "is not empty and does not hold {words} (it has no {}), so it is left alone; \
-                     give another --out or remove it yourself",
+                    "not empty and not {words} (no {}); choose another --out or remove it",
                     manifest::NAME
                 ),
             )),
         };
     };
     if manifest.kind != results.kind() {
-        let reason = format!("holds other results ({}); give another --out", manifest.kind);
+        let reason = format!("contains other results ({}); choose another --out", manifest.kind);
         return Err(Error::refused(given, reason));
     }
     refuse_detours(&manifest, given, target)?;
@@ -271,9 +270,7 @@ fn refuse_what_is_not_ours(results: Results, given: &Path, target: &Path) -> Res
         Some(file) => Err(Error::of(
             FileCode::Changed,
             given,
-            format!(
-                "{file} was changed since it was written there, so it is left alone; give another --out"
-            ),
+            format!("{file} was modified after percuss wrote it; choose another --out"),
         )),
         None => Ok(()),
     }
@@ -284,7 +281,7 @@ fn refuse_detours(manifest: &Manifest, given: &Path, target: &Path) -> Result<()
     let Some(folder) = names::in_the_way(target, manifest.listed()) else { return Ok(()) };
     let folder = folder.display();
     let reason = format!(
-        "{folder} there is a link, or lies on another disk, and the results would replace it, so it is left alone; give another --out"
+        "{folder} in it is a link or on another disk, and the results would replace it; choose another --out"
     );
     Err(Error::refused(given, reason))
 }

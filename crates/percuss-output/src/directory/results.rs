@@ -30,11 +30,11 @@ impl Results {
     /// What it looks like, in words.
     pub(super) fn words(self) -> &'static str {
         match self {
-            Self::Run => "a run",
-            Self::Modes => "the modes of a scenario",
-            Self::Static => "a static equilibrium",
-            Self::Path => "an equilibrium path",
-            Self::Export => "files exported for another program",
+            Self::Run => "the directory of a run",
+            Self::Modes => "a directory of modes",
+            Self::Static => "a directory of a static equilibrium",
+            Self::Path => "a directory of an equilibrium path",
+            Self::Export => "a directory of exported files",
         }
     }
 }

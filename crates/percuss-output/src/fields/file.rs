@@ -115,7 +115,7 @@ pub fn read(dir: impl AsRef<Path>) -> std::result::Result<Option<Fields>, Error>
     let file = File::open(&path).map_err(|e| Error::io(&path, "read", e))?;
     // The decoder of the parquet crate indexes past the end of some damaged pages instead of refusing them.
     let frames = catch_unwind(AssertUnwindSafe(|| read_frames(file)))
-        .map_err(|_| Error::content(&path, "cannot be read: it is damaged"))?
+        .map_err(|_| Error::content(&path, "damaged file"))?
         .map_err(|e| Error::content(&path, format!("cannot be read: {e}")))?;
     Ok(Some(Fields { scene: value, frames }))
 }

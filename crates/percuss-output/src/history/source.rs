@@ -100,7 +100,7 @@ impl HistoryReader {
         } else if csv.is_file() {
             (csv, HistoryFormat::Csv)
         } else {
-            let reason = "holds no history (neither history.parquet nor history.csv)";
+            let reason = "contains no history (neither history.parquet nor history.csv)";
             return Err(Error::content(dir, reason));
         };
         let (channels, rows) = match format {

@@ -1,4 +1,4 @@
-//! The advisor's findings, and the results beside hand formulas.
+//! Model and result checks, and the results beside closed-form estimates.
 
 use serde_json::Value;
 
@@ -8,12 +8,28 @@ use super::quantity::{number, quantity};
 /// Findings and formulas shown; all of them are in `summary.json`.
 const LISTED: usize = 60;
 
-/// What the advisor said before the run and after it.
-pub(super) fn findings(summary: &Value) -> String {
-    let list = summary["advice"].as_array().map_or(&[][..], Vec::as_slice);
-    if list.is_empty() {
-        return in_vain(summary);
+/// All checks of the model and the results, with their heading; nothing where there are none.
+pub(super) fn checks(summary: &Value) -> String {
+    let tables = format!("{}{}{}", warnings(summary), findings(summary), in_vain(summary));
+    if tables.is_empty() {
+        return String::new();
     }
+    format!("<h2 id=\"checks\">Model and result checks</h2>\n{tables}")
+}
+
+/// Place of an entry in a list, the weightiest first.
+fn weight(entry: &Value) -> usize {
+    let order = ["warning", "note", "allowed"];
+    order.iter().position(|verdict| entry["verdict"] == *verdict).unwrap_or(order.len())
+}
+
+/// Checks of the model before the run and of its results, the weightiest first.
+fn findings(summary: &Value) -> String {
+    let mut list: Vec<&Value> = summary["advice"].as_array().into_iter().flatten().collect();
+    if list.is_empty() {
+        return String::new();
+    }
+    list.sort_by_key(|entry| weight(entry));
     let row = |entry: &Value| -> Vec<Cell> {
         let value = |key: &str| quantity(entry[key].as_f64(), &unit(entry));
         vec![
@@ -25,18 +41,14 @@ pub(super) fn findings(summary: &Value) -> String {
             Cell::Text(meaning(entry)),
         ]
     };
-    let rows: Vec<Vec<Cell>> = list.iter().take(LISTED).map(row).collect();
-    let header = ["contact", "topic", "", "found", "against", "what it means"];
-    let caption =
-        "By hand calculation from the model alone, and what the results must not be taken for";
-    let mut out = "<h2>Advisor</h2>\n<div class=\"prose\">\n".to_owned();
-    out += &table_of_cells(caption, &header, &rows);
-    out += "</div>\n";
-    out + &more(list.len(), rows.len()) + &in_vain(summary)
+    let rows: Vec<Vec<Cell>> = list.iter().take(LISTED).map(|entry| row(entry)).collect();
+    let header = ["contact", "topic", "verdict", "value", "limit", "comment"];
+    let table = table_of_cells("Checks", &header, &rows);
+    format!("<div class=\"prose\">\n{table}</div>\n{}", more(list.len(), rows.len()))
 }
 
-/// What the audit of the run warns of.
-pub(super) fn warnings(summary: &Value) -> String {
+/// Warnings of the finished run.
+fn warnings(summary: &Value) -> String {
     let list = summary["warnings"].as_array().map_or(&[][..], Vec::as_slice);
     if list.is_empty() {
         return String::new();
@@ -46,9 +58,9 @@ pub(super) fn warnings(summary: &Value) -> String {
         vec![Cell::Text(about), badge(&text(entry, "verdict")), Cell::Text(meaning(entry))]
     };
     let rows: Vec<Vec<Cell>> = list.iter().map(row).collect();
-    let header = ["", "", "what it means"];
-    let table = table_of_cells("What the audit of the run found", &header, &rows);
-    format!("<h2>Warnings</h2>\n<div class=\"prose\">\n{table}</div>\n")
+    let header = ["topic", "verdict", "comment"];
+    let table = table_of_cells("Warnings of the finished run", &header, &rows);
+    format!("<div class=\"prose\">\n{table}</div>\n")
 }
 
 fn text(entry: &Value, key: &str) -> String {
@@ -67,7 +79,7 @@ fn badge(verdict: &str) -> Cell {
 fn meaning(entry: &Value) -> String {
     match text(entry, "reason") {
         reason if reason.is_empty() => text(entry, "text"),
-        reason => format!("allowed: {reason} (found: {})", text(entry, "text")),
+        reason => format!("accepted: {reason} ({})", text(entry, "text")),
     }
 }
 
@@ -79,7 +91,7 @@ fn in_vain(summary: &Value) -> String {
     match codes.is_empty() {
         true => String::new(),
         false => format!(
-            "<p class=\"more\">Allowed by the scenario, and not found: {}</p>\n",
+            "<p class=\"more\">Allowed in the scenario but not raised: {}</p>\n",
             escape(&codes.join(", "))
         ),
     }
@@ -93,7 +105,7 @@ pub(super) fn hand_formulas(summary: &Value) -> String {
     }
     let shown = &list[..list.len().min(LISTED)];
     let mut out =
-        "<h2>Hand formulas beside the simulation</h2>\n<div class=\"tables\">\n".to_owned();
+        "<h2>Comparison with closed-form estimates</h2>\n<div class=\"tables\">\n".to_owned();
     let same = |a: &Value, b: &Value| {
         ["contact", "formula", "holds_if"].iter().all(|key| a[*key] == b[*key])
     };
@@ -130,7 +142,7 @@ fn formula(group: &[Value]) -> String {
     };
     let rows: Vec<Vec<String>> = group.iter().map(row).collect();
     let caption = format!("{}: {}", text("contact"), text("formula"));
-    let header = ["", "by hand", "simulated", "difference"];
+    let header = ["quantity", "estimate", "simulation", "difference"];
     let assumption = |text: &str| {
         let class = if text.ends_with("(not met)") { " class=\"unmet\"" } else { "" };
         format!("<li{class}>{}</li>", escape(text))
@@ -138,7 +150,7 @@ fn formula(group: &[Value]) -> String {
     let assumptions: String =
         text("holds_if").split("; ").filter(|t| !t.is_empty()).map(assumption).collect();
     format!(
-        "<div class=\"formula\">\n{}<p class=\"note\">{}. It assumes:</p>\n<ul>{assumptions}</ul>\n</div>\n",
+        "<div class=\"formula\">\n{}<p class=\"note\">{}. Assumptions:</p>\n<ul>{assumptions}</ul>\n</div>\n",
         table(&caption, &header, &rows),
         escape(text("source")),
     )

@@ -1,4 +1,4 @@
-//! The audit in words: what was conserved, what was not, and whether that was to be expected.
+//! Balance errors and convergence in words: what is conserved, what is not, and whether the scheme explains it.
 
 use percuss::AuditSummary;
 use serde_json::Value;
@@ -45,51 +45,43 @@ pub(super) fn render(summary: &Value, scenario: &str) -> String {
     rows.extend(accumulated_steps(summary));
     rows.extend(shared_blows(summary));
     let rows: Vec<Vec<String>> = rows.into_iter().map(Vec::from).collect();
-    table("Audit: largest over the run", &["", "value", "verdict"], &rows)
+    table("Maximum over the run", &["quantity", "value", "comment"], &rows)
 }
 
 fn verdict(value: Option<f64>, what: &str, scheme: &str, midpoint_force: bool) -> String {
     let Some(value) = value else { return "not known".to_owned() };
     if value.abs() <= CLOSED {
-        return "closes: below 1e-10".to_owned();
+        return "satisfied (below 1e-10)".to_owned();
     }
     let by_design = match (scheme, what) {
-        ("generalized-alpha", "energy") => {
-            Some("the scheme dissipates energy by design; this is how much is missing")
+        ("generalized-alpha", "energy") => Some("numerical dissipation of the scheme"),
+        ("newmark" | "generalized-alpha", _) => Some("not conserved by this scheme"),
+        ("midpoint", "energy") => Some("not conserved by the midpoint rule where a beam rotates"),
+        (_, "energy") if midpoint_force => {
+            Some("not conserved by the midpoint force in steps in which a contact opens or closes")
         }
-        ("newmark" | "generalized-alpha", _) => {
-            Some("the scheme does not conserve it; this is its error")
-        }
-        ("midpoint", "energy") => Some(
-            "the midpoint rule does not conserve the energy of a beam that turns; this is its error",
-        ),
-        (_, "energy") if midpoint_force => Some(
-            "the midpoint force does not conserve energy in the steps in which contact opens or \
-             closes; this is its error",
-        ),
         _ => None,
     };
-    by_design.unwrap_or("does not close: above 1e-10").to_owned()
+    by_design.unwrap_or("exceeds 1e-10").to_owned()
 }
 
 fn drift_verdict(drift: Option<f64>) -> String {
     match drift {
         None => "not known",
-        Some(0.0) => "none: strains are those of the configuration",
-        Some(_) => "stored strains and configuration have come apart by so much",
+        Some(0.0) => "none",
+        Some(_) => "difference between stored strains and configuration",
     }
     .to_owned()
 }
 
-/// Whether angular rates of sections and velocities of slopes, two accounts of one motion, agree.
+/// Whether section rotation rates and nodal velocities, two accounts of one motion, agree.
 fn rate_verdict(drift: Option<f64>) -> String {
     match drift {
         None => "not known",
         Some(drift) if drift > AuditSummary::UNRESOLVED => {
-            "kinetic energy by the slopes' velocities differs by so much of the energy from that by the sections' angular rates, which is \
-             conserved: the step does not resolve the motion; take a smaller one"
+            "difference of the kinetic energies from nodal velocities and section rotation rates; use a smaller step"
         }
-        Some(_) => "angular rates are those of the slopes: the step resolves the motion",
+        Some(_) => "below the limit: the step resolves the motion",
     }
     .to_owned()
 }
@@ -100,7 +92,7 @@ fn newton(summary: &Value) -> [String; 3] {
     let average = iterations.zip(steps).filter(|(_, steps)| *steps > 0);
     let verdict = average.map_or(String::new(), |(iterations, steps)| {
         format!(
-            "{} a step on average",
+            "{} per step on average",
             number((iterations as f64 / steps as f64 * 100.0).round() / 100.0)
         )
     });
@@ -112,10 +104,8 @@ fn step_cuts(summary: &Value) -> [String; 3] {
     let cuts = summary["step_cuts"].as_u64();
     let verdict = match cuts {
         None => "not known",
-        Some(0) => "none: every step converged at its size",
-        Some(_) => {
-            "Newton's iteration failed so often and the step was cut; consider a smaller one"
-        }
+        Some(0) => "none",
+        Some(_) => "steps halved after failed Newton iterations; consider a smaller step",
     };
     let count = cuts.map_or("\u{2013}".to_owned(), |n| n.to_string());
     ["step cuts".to_owned(), count, verdict.to_owned()]
@@ -124,23 +114,23 @@ fn step_cuts(summary: &Value) -> [String; 3] {
 /// Steps with more impacts than are followed, where there are any.
 fn accumulated_steps(summary: &Value) -> Option<[String; 3]> {
     let steps = summary["accumulated_steps"].as_u64().filter(|steps| *steps > 0)?;
-    let verdict = "more impacts than are followed one by one: without restitution in the rest of the step; consider a smaller one";
+    let verdict = "Zeno limit reached: remaining impacts in the step treated as plastic; consider a smaller step";
     Some(["steps with accumulated impacts".to_owned(), steps.to_string(), verdict.to_owned()])
 }
 
-/// Impacts that several touching bodies shared, where there are any.
+/// Impacts on several touching bodies at once, where there are any.
 fn shared_blows(summary: &Value) -> Option<[String; 3]> {
     let shared = &summary["shared_blows"];
     let count = shared["count"].as_u64().filter(|count| *count > 0)?;
     let name = |k: usize| shared["contacts"][k].as_str().unwrap_or("?").to_owned();
     let verdict = format!(
-        "several touching bodies were struck at once, first at {} by contacts {} and {}: the impact law shared the blow among them; \
-         time.multiple_impacts = \"sequential\" passes it on from one to the next",
+        "multiple impact, first at {} in contacts '{}' and '{}': the result depends on the impact law; \
+         time.multiple_impacts = \"sequential\" resolves one impact after another",
         quantity(shared["first"].as_f64(), "s"),
         name(0),
         name(1)
     );
-    Some(["blows that several bodies shared".to_owned(), count.to_string(), verdict])
+    Some(["multiple impacts".to_owned(), count.to_string(), verdict])
 }
 
 /// The step given, or those chosen for an accuracy.
@@ -152,7 +142,7 @@ fn step(summary: &Value) -> String {
     let [smallest, largest, mean] =
         ["smallest", "largest", "mean"].map(|key| quantity(control[key].as_f64(), "s"));
     let percent = number(100.0 * accuracy);
-    format!("chosen for an accuracy of {percent} %: {smallest} to {largest}, {mean} in the mean")
+    format!("chosen for an accuracy of {percent} %: {smallest} to {largest}, mean {mean}")
 }
 
 /// The settings of the run and its cost.
@@ -169,7 +159,7 @@ pub(super) fn settings(summary: &Value) -> String {
         impacts = format!("{impacts}, closed below {}", quantity(Some(tolerance), "m"));
     }
     if settings["multiple_impacts"] == "sequential" {
-        impacts += ", several at once settled one after another";
+        impacts += ", multiple impacts resolved one after another";
     }
     let start = match settings["start"].as_str() {
         Some("static") => "static equilibrium under the loads at time zero",
@@ -181,10 +171,10 @@ pub(super) fn settings(summary: &Value) -> String {
         ("impacts of rigid projectiles", impacts),
         ("start", start.to_owned()),
         ("step", step(summary)),
-        ("end asked for", quantity(settings["end"].as_f64(), "s")),
+        ("end time requested", quantity(settings["end"].as_f64(), "s")),
         ("time reached", quantity(summary["time"].as_f64(), "s")),
         ("steps", count(&summary["steps"])),
-        ("steps of the solver, trials included", count(&summary["solver_steps"])),
+        ("solver steps, including trials", count(&summary["solver_steps"])),
         ("factorisations", count(&summary["factorizations"])),
         ("rows recorded", count(&summary["rows"])),
         ("wall time", quantity(summary["wall_seconds"].as_f64(), "s")),

@@ -42,16 +42,20 @@ pub(super) fn discs(canvas: &Canvas<'_>) -> Vec<Entry> {
         let both = |what: &str| -> Vec<Curve> {
             let curve = |i: usize| {
                 let channel = format!("projectile.{name}.{what}_{i}");
-                Some(Curve::new(format!("along e{i}"), i, canvas.history.position(&channel)?))
+                Some(Curve::new(
+                    format!("along {}", ["x", "y"][i - 1]),
+                    i,
+                    canvas.history.position(&channel)?,
+                ))
             };
             (1..=2).filter_map(curve).collect()
         };
         let spin = canvas.history.position(&format!("projectile.{name}.spin"));
-        let spin = spin.map(|channel| Curve::new("spin", 4, channel));
+        let spin = spin.map(|channel| Curve::new("angular velocity", 4, channel));
         let figures = [
             ("position", "Position", "position", "m", both("position")),
             ("velocity", "Velocity", "velocity", "m/s", both("velocity")),
-            ("spin", "Spin", "angular velocity", "rad/s", spin.into_iter().collect()),
+            ("spin", "Angular velocity", "angular velocity", "rad/s", spin.into_iter().collect()),
         ];
         for (id, title, label, unit, curves) in figures {
             let (id, title) = (format!("{id}-{name}"), format!("{title} of {name}"));
@@ -81,7 +85,7 @@ pub(super) fn between(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
         all.extend(place(canvas, name));
     }
     if let Some(Entry::Draft(first)) = all.first_mut().filter(|_| found.len() > SHOWN) {
-        first.figure.note += &format!(" Shown are the first {SHOWN} of {} contacts.", found.len());
+        first.figure.note += &format!(" First {SHOWN} of {} contacts shown.", found.len());
     }
     all
 }
@@ -91,7 +95,7 @@ type Quantity = (&'static str, &'static str, &'static str, &'static str, usize);
 
 const GAP: Quantity = ("gap", "Gap", "gap", "m", 5);
 const FORCE: Quantity = ("force", "Contact force", "contact force", "N", 2);
-const PLACE: Quantity = ("place", "Place of contact", "arc length", "m", 6);
+const PLACE: Quantity = ("place", "Contact location", "arc length", "m", 6);
 /// The place is drawn where the gap is below this share of its largest value.
 const NEAR: f64 = 0.05;
 
@@ -105,7 +109,7 @@ fn curve(canvas: &Canvas<'_>, name: &str, what: Quantity, contact: &Value) -> Op
     draft.omit = Omit::Nothing;
     let partner = |k: usize| contact["between"][k].as_str();
     if let (GAP, Some(first), Some(second)) = (what, partner(0), partner(1)) {
-        draft.figure.note = format!("Between {first} and {second}, where they are nearest.");
+        draft.figure.note = format!("Between '{first}' and '{second}', at their closest points.");
     }
     Some(Entry::Draft(Draft { floor: 0.0, ..draft }))
 }
@@ -117,7 +121,6 @@ fn place(canvas: &Canvas<'_>, name: &str) -> Option<Entry> {
     let Entry::Draft(mut draft) = curve(canvas, name, PLACE, &Value::Null)? else { return None };
     draft.curves.iter_mut().for_each(|curve| curve.where_below = Some((gap, near)));
     let within = quantity((near > 0.0).then_some(near), "m");
-    draft.figure.note =
-        format!("Where the two are nearest, drawn where the gap is below {within}.");
+    draft.figure.note = format!("Closest point, shown where the gap is below {within}.");
     Some(Entry::Draft(draft))
 }

@@ -10,11 +10,14 @@ const LISTED: usize = 400;
 /// Impulses below this share of the largest are round-off.
 const ROUND_OFF: f64 = 1e-12;
 
-/// All tables.
-pub(super) fn render(summary: &Value) -> String {
-    let (supports, impulses) = (reactions(summary), impulses(summary));
-    let parted = format!("{}{}", joints(summary), partings(summary));
-    format!("{parted}{supports}{impulses}{}", section_forces(summary))
+/// Joints with a strength, fractures, and impulses of supports.
+pub(super) fn failures_and_impulses(summary: &Value) -> String {
+    [joints(summary), partings(summary), impulses(summary)].concat()
+}
+
+/// Smallest and largest reactions and section forces.
+pub(super) fn ranges(summary: &Value) -> String {
+    reactions(summary) + &section_forces(summary)
 }
 
 /// What joints of a given strength carried, and when they parted.
@@ -28,21 +31,26 @@ fn joints(summary: &Value) -> String {
         let most = |key: &str, unit: &str| quantity(joint[key]["value"].as_f64(), unit);
         let parted = match joint["parted"]["time"].as_f64() {
             Some(time) => quantity(Some(time), "s"),
-            None => "held".to_owned(),
+            None => "not failed".to_owned(),
         };
         vec![name.clone(), most("force_max", "N"), most("moment_max", "N*m"), parted]
     };
     let more = all.len().saturating_sub(LISTED);
     let rows: Vec<Vec<String>> = all.iter().take(LISTED).map(row).collect();
-    let header = ["joint", "largest force", "largest moment", "parted at"];
-    first_rows("Joints of a given strength", &header, &rows, more)
+    let header = ["joint", "largest force", "largest moment", "failed at"];
+    first_rows("Joints with breakaway strength", &header, &rows, more)
 }
 
 /// A table of the first rows, and how many more there are.
-fn first_rows(title: &str, header: &[&str], rows: &[Vec<String>], more: usize) -> String {
+pub(super) fn first_rows(
+    title: &str,
+    header: &[&str],
+    rows: &[Vec<String>],
+    more: usize,
+) -> String {
     let mut out = table(title, header, rows);
     if more > 0 {
-        out.push_str(&format!("<p class=\"more\">and {more} more rows, in summary.json</p>\n"));
+        out.push_str(&format!("<p class=\"more\">and {more} more rows in summary.json</p>\n"));
     }
     out
 }
@@ -66,7 +74,7 @@ fn partings(summary: &Value) -> String {
     let more = all.len().saturating_sub(LISTED);
     let rows: Vec<Vec<String>> = all.into_iter().take(LISTED).map(|(_, row)| row).collect();
     let header = ["beam", "at arc length", "at time", "energy released"];
-    first_rows("Where beams parted", &header, &rows, more)
+    first_rows("Fractures", &header, &rows, more)
 }
 
 /// Impulses that supports and obstacles gave beyond their forces, where impacts or jumps of prescribed velocities asked for any.
@@ -100,16 +108,21 @@ fn impulses(summary: &Value) -> String {
     let more = rows.len().saturating_sub(LISTED);
     rows.truncate(LISTED);
     let caption =
-        "Impulses of supports and obstacles in impacts, on the structure, apart from their forces";
-    let header = ["support", "impulse 1", "impulse 2", "impulse of moment"];
+        "Support impulses in impacts (on the structure; not included in the force history)";
+    let header = ["support", "impulse x", "impulse y", "angular impulse"];
     first_rows(caption, &header, &rows, more)
 }
 
 fn reactions(summary: &Value) -> String {
-    let quantities =
-        [("force 1", "force_1", "N"), ("force 2", "force_2", "N"), ("moment", "moment", "N*m")];
+    let quantities = [("Fx", "force_1", "N"), ("Fy", "force_2", "N"), ("M", "moment", "N*m")];
     let header = ["support", "reaction", "smallest", "at time", "largest", "at time"];
-    listing("Reactions, on the structure", &header, &summary["support"], &quantities, false)
+    listing(
+        "Reactions (of the supports on the structure)",
+        &header,
+        &summary["support"],
+        &quantities,
+        false,
+    )
 }
 
 fn section_forces(summary: &Value) -> String {
@@ -144,14 +157,12 @@ fn listing(
     let empty = Map::new();
     let mut rows = Vec::new();
     for (name, entry) in of.as_object().unwrap_or(&empty) {
-        let mut first = true;
         for (label, key, unit) in quantities {
             let range = &entry[key];
             if !range["min"]["value"].is_number() && !range["max"]["value"].is_number() {
                 continue;
             }
-            let shown = if std::mem::take(&mut first) { name.clone() } else { String::new() };
-            let mut row = vec![shown, (*label).to_owned()];
+            let mut row = vec![name.clone(), (*label).to_owned()];
             let scale = scale_of(of, key);
             for end in ["min", "max"] {
                 let value = range[end]["value"].as_f64().map(|v| without_round_off(v, scale));
@@ -183,7 +194,7 @@ fn scale_of(of: &Value, key: &str) -> f64 {
 }
 
 /// An arc length without a prefix, so that places compare.
-fn metres(s: &Value) -> String {
+pub(super) fn metres(s: &Value) -> String {
     s.as_f64().map_or("\u{2013}".to_owned(), |s| format!("{}\u{a0}m", number(s)))
 }
 

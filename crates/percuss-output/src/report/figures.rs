@@ -125,10 +125,10 @@ fn energy(canvas: &Canvas<'_>, data: &ReportData) -> Entry {
     let mut draft = canvas.over_time(texts, Section::Balance, "J", curves);
     draft.figure.picture = true;
     if lacks_comparison(data) {
-        draft.figure.note = "Energies for other restitution coefficients are not compared here: runs \
-             of more than 200\u{202f}000 steps times elements leave that out unless the scenario asks \
-             for it with restitution = [1, 0.5, 0] under [report]."
-            .to_owned();
+        draft.figure.note =
+            "No comparison of restitution coefficients: more than 200\u{202f}000 steps \
+             times elements. Set restitution = [1, 0.5, 0] under [report] to force it."
+                .to_owned();
     }
     Entry::Draft(draft)
 }
@@ -142,25 +142,25 @@ fn lacks_comparison(data: &ReportData) -> bool {
     rigid && data.comparison.is_empty() && data.summary["status"] == "completed" && !asked
 }
 
-/// Whether something crushes, whose loss stands with that of damping.
+/// Whether a contact crushes: its loss is part of that by damping.
 pub(super) fn crushes(summary: &Value) -> bool {
     summary["contact"].as_object().is_some_and(|all| {
         all.values().any(|contact| contact.get("permanent_penetration").is_some())
     })
 }
 
-/// What to call the loss of damping: that of contacts stands with it.
+/// Name of the loss by damping, which includes that in contacts.
 pub(super) fn damping(summary: &Value) -> &'static str {
     let energy = &summary["energy"];
     let all = energy["loss_damping"].as_f64().unwrap_or(0.0);
     let floor = 1e-12 * energy["scale"].as_f64().unwrap_or(0.0);
     match energy["loss_contacts"].as_f64() {
-        Some(contacts) if contacts.abs() <= floor => "taken by damping",
+        Some(contacts) if contacts.abs() <= floor => "dissipated by damping",
         Some(contacts) if (all - contacts).abs() <= floor => "dissipated in contacts",
-        Some(_) => "taken by damping and in contacts",
+        Some(_) => "dissipated by damping and in contacts",
         // Results of earlier versions do not tell the two apart.
-        None if crushes(summary) => "taken by damping and crushing",
-        None => "taken by damping",
+        None if crushes(summary) => "dissipated by damping and crushing",
+        None => "dissipated by damping",
     }
 }
 
@@ -174,9 +174,9 @@ fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
         ("energy.strain_axial", "strain, axial", 5),
         ("energy.springs", "in springs", 7),
         ("energy.contact", "in contacts", 3),
-        ("energy.hardening", "stored by hardening", 9),
+        ("energy.hardening", "stored in hardening", 9),
         ("energy.plastic", "dissipated by plastic flow", 10),
-        ("energy.failure", "lost with what failed", 11),
+        ("energy.failure", "lost in failed parts", 11),
         ("energy.loss_damping", damping, 8),
         ("energy.loss_impacts", "lost in impacts", 4),
     ]);
@@ -184,26 +184,25 @@ fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
     let works = ["energy.work_loads", "energy.work_supports"];
     let terms = works.iter().filter_map(|w| Some((canvas.history.position(w)?, 1.0))).collect();
     let initial = summary["energy"]["initial"].as_f64()?;
-    curves.push(Curve::sum("at the start, and work of loads and supports", 0, terms, initial));
-    let texts = ("energy-balance", "Balance of energy", "energy");
+    curves.push(Curve::sum("initial energy + external work", 0, terms, initial));
+    let texts = ("energy-balance", "Energy balance", "energy");
     let mut draft = canvas.over_time(texts, Section::Balance, "J", curves);
     draft.figure.picture = true;
-    draft.figure.note = "Parts lie on each other. The line is what was there at the start and what loads and supports \
-         have put in since; what remains between it and the parts is missing."
+    draft.figure.note = "Stacked energies. Black line: initial energy plus external work. A gap is the balance error."
         .to_owned();
     Some(Entry::Draft(Draft { omit: Omit::RoundOff, ..draft }))
 }
 
 fn momentum(canvas: &Canvas<'_>) -> [Entry; 2] {
-    let components = canvas
-        .curves(&[("momentum.linear_1", "along e1", 1), ("momentum.linear_2", "along e2", 2)]);
+    let components =
+        canvas.curves(&[("momentum.linear_1", "along x", 1), ("momentum.linear_2", "along y", 2)]);
     let texts = ("momentum", "Linear momentum", "linear momentum");
     let mut linear = canvas.over_time(texts, Section::Balance, "kg*m/s", components);
     linear.omit = Omit::RoundOff;
     linear.figure.picture = true;
-    linear.figure.note = "Momentum of beams and projectiles together, by the axes' directions. \
-         Supports and loads change it; the audit takes their impulses into the balance."
-        .to_owned();
+    linear.figure.note =
+        "Total momentum of beams and projectiles, global axes; changed by supports and loads."
+            .to_owned();
     let about = canvas.curves(&[("momentum.angular", "about the origin", 4)]);
     let texts = ("momentum-angular", "Angular momentum", "angular momentum");
     let angular = canvas.over_time(texts, Section::Balance, "kg*m^2/s", about);
@@ -235,7 +234,7 @@ fn restitution(canvas: &Canvas<'_>, data: &ReportData) -> Option<Figure> {
         picture: true,
         y: Axis { unit: scale.unit.clone(), ..figure.y.clone() },
         from_zero: true,
-        note: "The same scenario with other restitution coefficients.".to_owned(),
+        note: "The same scenario for several restitution coefficients.".to_owned(),
         tables: data.comparison.iter().enumerate().map(table).collect(),
         ..figure
     })
@@ -258,8 +257,8 @@ fn audit(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
         vec![canvas.over_time(texts, Section::Audit, unit, residual.into_iter().collect())];
 
     let residuals = [
-        (("momentum.residual_1", "linear, along e1", 1), "linear_scale"),
-        (("momentum.residual_2", "linear, along e2", 2), "linear_scale"),
+        (("momentum.residual_1", "linear, along x", 1), "linear_scale"),
+        (("momentum.residual_2", "linear, along y", 2), "linear_scale"),
         (("momentum.residual_angular", "angular", 4), "angular_scale"),
     ];
     let residuals = residuals
@@ -274,11 +273,12 @@ fn audit(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
         ("audit.membrane_drift", "membrane-drift", "Membrane strain drift", "strain drift", "1"),
     ];
     for (channel, id, title, label, unit) in drifts {
-        let curves = canvas.curves(&[(channel, "stored strain against configuration", 3)]);
+        let curves =
+            canvas.curves(&[(channel, "stored strain minus strain of the configuration", 3)]);
         drafts.push(canvas.over_time((id, title, label), Section::Audit, unit, curves));
     }
-    let rates =
-        ("audit.angular_rate_drift", "by the slopes' velocities, less by the angular rates", 3);
+    let label = "kinetic energy: nodal velocities minus section rotation rates";
+    let rates = ("audit.angular_rate_drift", label, 3);
     let rates = relative(rates, energy_scale.unwrap_or(1.0));
     let texts = ("angular-rate-drift", "Angular rate drift", "kinetic energy / largest energy");
     drafts.push(canvas.over_time(texts, Section::Audit, unit, rates.into_iter().collect()));
@@ -287,7 +287,7 @@ fn audit(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
 
 fn displacement_of(canvas: &Canvas<'_>, point: &str) -> Entry {
     let names = [1, 2].map(|i| format!("point.{point}.displacement_{i}"));
-    let wanted = [(names[0].as_str(), "along e1", 1), (names[1].as_str(), "along e2", 2)];
+    let wanted = [(names[0].as_str(), "along x", 1), (names[1].as_str(), "along y", 2)];
     let (id, title) = (format!("point-{point}"), format!("Displacement of {point}"));
     let texts = (id.as_str(), title.as_str(), "displacement");
     let draft = canvas.over_time(texts, Section::Points, "m", canvas.curves(&wanted));

@@ -127,9 +127,9 @@ fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {
         Curve::sum(format!("projectile {}", frame.name), 1, way, from_touch),
         Curve::sum(flight.struck_label(), 2, struck, from_touch),
     ];
-    let label = "displacement along the line of flight";
+    let label = "displacement in the initial direction of motion";
     let mut figure = frame.figure("displacement", "Displacement", label);
-    figure.note = "The projectile's is measured from where it first touches.".to_owned();
+    figure.note = "Projectile displacement measured from first contact.".to_owned();
     Some(Entry::Draft(Draft {
         figure,
         unit: "m",
@@ -143,10 +143,11 @@ fn displacement(frame: &Frame<'_>, flight: &Flight) -> Option<Entry> {
 fn velocity(frame: &Frame<'_>, flight: &Flight, picture: bool) -> Entry {
     let struck = flight.struck.as_ref();
     let struck = struck.and_then(|point| components(frame.canvas, point, "velocity"));
-    let mut figure = frame.figure("velocity", "Velocity", "velocity along the line of flight");
+    let mut figure =
+        frame.figure("velocity", "Velocity", "velocity in the initial direction of motion");
     figure.picture = picture;
     if struck.is_none() {
-        figure.note = "The struck point is not among the recorded points.".to_owned();
+        figure.note = "The contact point is not a recorded point.".to_owned();
     }
     let point = struck.map(|channels| Curve {
         weight: 0.6,
@@ -205,7 +206,7 @@ pub(super) fn impulses(canvas: &Canvas<'_>, id: &str, name: &str, contact: &Valu
         };
         let x = intervals.iter().take(SHOWN).flat_map(ends).collect();
         let total = intervals.iter().filter_map(|i| i["impulse"].as_f64()).sum();
-        let label = format!("closed contact, {} in all", quantity(Some(total), "N*s"));
+        let label = format!("closed contact, total {}", quantity(Some(total), "N*s"));
         let y = bands.iter().flat_map(|v| [*v, *v]).collect();
         let series = vec![series(label, 3, Shape::Band, y)];
         tables.insert(0, Table { x: scaled(x, canvas.time_scale.factor), series });
@@ -223,19 +224,19 @@ pub(super) fn impulses(canvas: &Canvas<'_>, id: &str, name: &str, contact: &Valu
 fn impulse_note(count: usize, shown: usize, intervals: usize) -> String {
     let mut parts = Vec::new();
     if count == 0 && intervals == 0 {
-        parts.push("No impulse was handed over.".to_owned());
+        parts.push("No impact occurred.".to_owned());
     }
     if count > 0 {
-        parts.push("Stems: impacts, each at an instant; not a force.".to_owned());
+        parts.push("Stems: impulses of impacts (N s), not forces.".to_owned());
     }
     if count > shown {
-        parts.push(format!("Shown are the first {shown} of {count} impacts."));
+        parts.push(format!("First {shown} of {count} impacts shown."));
     }
     if intervals > 0 {
-        parts.push("Bands: contact stays closed; its impulse is that of a force.".to_owned());
+        parts.push("Bands: persistent contact; impulse of the contact force.".to_owned());
     }
     if intervals > SHOWN {
-        parts.push(format!("Shown are the first {SHOWN} of {intervals} bands."));
+        parts.push(format!("First {SHOWN} of {intervals} bands shown."));
     }
     parts.join(" ")
 }

@@ -48,7 +48,7 @@ pub(super) fn render(summary: &Value) -> String {
         rows.extend(rows_of(k + 1, entry, &columns));
     }
     let header: Vec<&str> =
-        std::iter::once("").chain(columns.iter().map(|c| c.header.as_str())).collect();
+        std::iter::once("no.").chain(columns.iter().map(|c| c.header.as_str())).collect();
     let mut out = format!("<h2>Impact log</h2>\n{}{}", legend(shown), sorting(shown.len()));
     out += "<div class=\"log\">\n";
     out += &table_of_rows(&caption(&partners), &header, &rows);
@@ -84,7 +84,7 @@ fn rows_of(number: usize, entry: &Entry, columns: &[Column]) -> Vec<Row> {
         }];
     }
     let fold = format!(
-        "<button type=\"button\" class=\"fold\" aria-expanded=\"false\" aria-label=\"Show the touches of row {number}\">{number}</button>"
+        "<button type=\"button\" class=\"fold\" aria-expanded=\"false\" aria-label=\"Show the single contacts of row {number}\">{number}</button>"
     );
     let mut rows = vec![Row { cells: cells(entry, Cell::Markup(fold), false), attributes }];
     for (k, touch) in entry.touches.iter().take(LISTED).enumerate() {
@@ -178,7 +178,7 @@ fn happened(contact: &Value) -> usize {
 
 fn caption(partners: &[(&String, &Value)]) -> String {
     match partners {
-        [(name, _)] => format!("Contact of {name}"),
+        [(name, _)] => format!("Contact '{name}'"),
         _ => "All contacts and stops".to_owned(),
     }
 }

@@ -33,11 +33,13 @@ mod story;
 mod structure;
 mod template;
 mod thin;
+mod warnings;
+mod yields;
 
 pub use data::ReportData;
 pub use notebook::scene_page;
 pub use scene::{scene_choices, scene_colours, scene_scripts};
-pub use story::{story, told_as_start};
+pub use story::{story, taken_as_start};
 
 use std::path::Path;
 

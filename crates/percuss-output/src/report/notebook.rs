@@ -47,7 +47,7 @@ fn render(fields: &Fields, summary: &Value) -> String {
         "head" => HEAD.to_owned(),
         "style" => STYLE.to_owned(),
         "title" => escape(summary["title"].as_str().unwrap_or("")),
-        "scene" => scene::section(&text),
+        "scene" => scene::section(&text, scene::instant(summary)),
         "script" => [&[PENS][..], &SCRIPTS, &scene::SCRIPTS, &[OPEN]].concat().join("\n"),
         "index" => html::json(&payload.index),
         "data" => payload.data.clone(),

@@ -7,8 +7,9 @@ use serde_json::Value;
 use super::data::ReportData;
 use super::figure::{Abscissa, Figure, Section};
 use super::html::{self, escape};
+use super::quantity::quantity;
 use super::template::{fill_holes, page_parts};
-use super::{advice, audit, log, payload, provenance, results, scene};
+use super::{advice, audit, log, payload, provenance, results, scene, warnings};
 use crate::fields::Fields;
 
 const TEMPLATE: &str = include_str!("../../web/report.html");
@@ -23,7 +24,8 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
         match hole {
             "title" => escape(title),
             "version" => escape(summary["percuss_version"].as_str().unwrap_or("")),
-            "status" => status(summary),
+            "status" => state(summary),
+            "warnings" => warnings::worst(summary),
             "scene" => scene::render(data),
             "scene_scripts" => scene::SCRIPTS.join("\n"),
             "results" => results::render(summary),
@@ -31,7 +33,7 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
             "impact" => section(figures, Section::Impact, "Impact"),
             "log" => log::render(summary),
             "hand_formulas" => advice::hand_formulas(summary),
-            "advice" => advice::findings(summary) + &advice::warnings(summary),
+            "checks" => advice::checks(summary),
             "balance" => section(figures, Section::Balance, "Energy and momentum"),
             "supports" => section(figures, Section::Supports, "Reactions"),
             "forces" => section(figures, Section::Forces, "Section forces"),
@@ -50,16 +52,24 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
     fill_holes(TEMPLATE, fill)
 }
 
-fn status(summary: &Value) -> String {
+/// State of the run, the time it reached and the number of its warnings, with a link to them.
+fn state(summary: &Value) -> String {
     let status = summary["status"].as_str().unwrap_or("unknown");
+    let time = quantity(summary["time"].as_f64(), "s");
     let words = match status {
-        "completed" => "completed: the run reached its end",
-        "interrupted" => "interrupted: shown is everything up to the last accepted step",
-        "failed" => "failed: shown is everything up to the last accepted step",
-        other => other,
+        "completed" => format!("Completed, t = {time}"),
+        "interrupted" => {
+            format!("Interrupted at t = {time}: results up to the last accepted step")
+        }
+        "failed" => {
+            let why = if summary["error_code"] == "E101" { " (no convergence)" } else { "" };
+            format!("Stopped{why} at t = {time}: results up to the last accepted step")
+        }
+        other => other.to_owned(),
     };
     let class = if status == "completed" { "status" } else { "status warning" };
-    let mut out = format!("<p class=\"{class}\">{}</p>\n", escape(words));
+    let mut out =
+        format!("<p class=\"{class}\">{}, {}</p>\n", escape(&words), warnings::count(summary));
     if let Some(error) = summary["error"].as_str() {
         let code =
             summary["error_code"].as_str().map_or(String::new(), |code| format!(" [{code}]"));
@@ -85,8 +95,8 @@ fn decimation(data: &ReportData, figures: &[Figure]) -> String {
         name => name,
     };
     let text = format!(
-        "{} rows were recorded. Long curves are drawn through the first, last, smallest and largest \
-         value of some thousand bins each ({} rows or more a figure); every row is in {source}.",
+        "{} rows recorded. Long curves are shown as min-max envelopes ({} rows or more per figure); \
+         full data in {source}.",
         grouped(rows),
         grouped(drawn),
     );
@@ -141,8 +151,7 @@ pub(crate) fn frame(figure: &Figure) -> String {
 fn envelopes(figures: &[Figure]) -> String {
     let all: Vec<&Figure> = figures.iter().filter(|f| f.section == Section::Envelopes).collect();
     let Some(first) = all.first() else { return String::new() };
-    let mut out =
-        "<h2>Section forces along the beams: smallest and largest over time</h2>\n".to_owned();
+    let mut out = "<h2>Envelopes of the section forces along the beams</h2>\n".to_owned();
     if first.group.is_empty() {
         return out + &section(figures, Section::Envelopes, "");
     }

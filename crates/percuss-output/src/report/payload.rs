@@ -93,6 +93,7 @@ fn figure(columns: &mut Columns, figure: &Figure) -> Value {
         "range": figure.y_range.map(|(low, high)| [low, high]),
         "filled": figure.filled,
         "small": !figure.group.is_empty(),
+        "group": figure.group,
         "tables": figure.tables.iter().map(|t| table(columns, figure, t)).collect::<Vec<_>>(),
     })
 }

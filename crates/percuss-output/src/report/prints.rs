@@ -84,7 +84,7 @@ fn acceleration(curves: &[(String, String, Signal)], class: Cfc) -> Print {
     let table = |(k, (_, axis, signal)): (usize, &(String, String, Signal))| Table {
         x: signal.times().map(|t| t * scale.factor).collect(),
         series: vec![Series {
-            label: format!("along e{axis}"),
+            label: format!("along {}", if axis == "1" { "x" } else { "y" }),
             style: k + 1,
             weight: 1.0,
             dashed: true,
@@ -253,7 +253,7 @@ mod tests {
             "id",
             "A title <of> some & length",
             axis,
-            "displacement along the line of flight",
+            "displacement in the initial direction of motion",
         );
         let series = |label: &&str| Series {
             label: (*label).to_owned(),

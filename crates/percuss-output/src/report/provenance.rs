@@ -16,7 +16,7 @@ pub(super) fn render(summary: &Value) -> String {
     let version = summary["percuss_version"].as_str().map(|v| format!("Percuss {v}"));
     let rows = [
         ("scenario", text("scenario")),
-        ("changed by --set", overrides),
+        ("overrides (--set)", overrides),
         ("program", version),
         ("started", text("started")),
         ("machine", text("machine")),

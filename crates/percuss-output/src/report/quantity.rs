@@ -42,7 +42,8 @@ impl Scale {
             if (1.0..1e4).contains(&largest) {
                 return Self { factor: 1.0, unit: pretty };
             }
-            let exponent = exponent.clamp(-12, 12);
+            // Stresses are never shown in millipascals: those below 1 Pa are round-off or no stresses.
+            let exponent = exponent.clamp(if unit == "Pa" { 0 } else { -12 }, 12);
             let prefix = PREFIXES.iter().find(|(e, _)| *e == exponent).map_or("", |(_, p)| p);
             return Self { factor: 10f64.powi(-exponent), unit: format!("{prefix}{pretty}") };
         }
@@ -67,7 +68,8 @@ pub(crate) fn quantity(value: Option<f64>, unit: &str) -> String {
 
 fn spelled(value: Option<f64>, unit: &str) -> String {
     let Some(value) = value.filter(|v| v.is_finite()) else { return "\u{2013}".to_owned() };
-    if !takes_prefix(unit) {
+    // A velocity of 50 mm/s is written 0.05 m/s beside others of the run.
+    if !takes_prefix(unit) || unit == "m/s" {
         return format!("{} {}", number(value), pretty(unit)).trim_end().to_owned();
     }
     if value != 0.0 && !(1e-12..1e15).contains(&value.abs()) {
@@ -145,10 +147,14 @@ mod tests {
         assert_eq!(quantity(Some(3814.98), "N*s"), "3815 N s");
         assert_eq!(quantity(Some(0.0664362), "s"), "66.436 ms");
         assert_eq!(quantity(Some(-19.10077444), "m/s"), "-19.101 m/s");
+        assert_eq!(quantity(Some(0.050_62), "m/s"), "0.05062 m/s");
         assert_eq!(quantity(Some(10_000.0), "kg*m/s"), "10000 kg m/s");
         assert_eq!(quantity(Some(163_849.3), "1"), "163850");
         assert_eq!(quantity(Some(2.13e-12), "1"), "2.13e-12");
         assert_eq!(quantity(Some(0.0), "m"), "0 m");
+        assert_eq!(quantity(Some(0.0587), "Pa"), "0.0587 Pa");
+        assert_eq!(quantity(Some(-4.2e-9), "Pa"), "-4.2e-9 Pa");
+        assert_eq!(quantity(Some(2.35e8), "Pa"), "235 MPa");
         assert_eq!(quantity(None, "m"), "\u{2013}");
         assert_eq!(quantity(Some(f64::INFINITY), "kg"), "\u{2013}");
         assert_eq!(quantity(Some(1e-300), "J"), "1e-300 J");

@@ -2,18 +2,34 @@
 
 use serde_json::{Map, Value};
 
-use super::extremes;
 use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
+use super::{extremes, figures, yields};
 
 /// Rows shown of a long list.
 const LISTED: usize = 200;
-/// Contacts named that never closed.
+/// Contacts named that did not close.
 const NAMED: usize = 12;
 
-/// Everything between the heading and the figures.
+/// Rows of all tables up to which they are unfolded.
+const UNFOLDED: usize = 60;
+
+/// The tables: energy, contacts, what has yielded, recorded points, failures; folded behind them reactions and section forces.
 pub(super) fn render(summary: &Value) -> String {
-    let mut out = String::new();
+    let tables = tables(summary);
+    let folded = |open: &str, title: &str, tables: &str| match tables.is_empty() {
+        true => String::new(),
+        false => format!(
+            "<details{open}>\n<summary>{title}</summary>\n<div class=\"tables\">\n{tables}</div>\n</details>\n"
+        ),
+    };
+    let open = if tables.matches("<tr").count() <= UNFOLDED { " open" } else { "" };
+    folded(open, "<h2>Key results</h2>", &tables)
+        + &folded("", "Largest reactions and section forces", &extremes::ranges(summary))
+}
+
+fn tables(summary: &Value) -> String {
+    let mut out = energy(summary);
     let empty = Map::new();
     let contacts = summary["contact"].as_object().unwrap_or(&empty);
     let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
@@ -33,9 +49,49 @@ pub(super) fn render(summary: &Value) -> String {
     for (name, projectile) in projectiles.iter().filter(|(name, _)| !contacts.contains_key(*name)) {
         out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile, &sizes)));
     }
+    out.push_str(&yields::render(summary));
     out.push_str(&points(summary));
-    out.push_str(&extremes::render(summary));
+    out.push_str(&extremes::failures_and_impulses(summary));
     out
+}
+
+/// Terms of the energy balance below this share of its scale are round-off.
+const NO_ENERGY: f64 = 1e-13;
+
+/// The energy at the start and the end, and what it was spent on.
+fn energy(summary: &Value) -> String {
+    let energy = &summary["energy"];
+    let Some(scale) = energy["scale"].as_f64() else { return String::new() };
+    let value = |key: &str| energy[key].as_f64().filter(|v| v.abs() > NO_ENERGY * scale);
+    let in_contacts = value("loss_contacts").unwrap_or(0.0);
+    let damping = value("loss_damping").map(|all| all - in_contacts);
+    let damping = damping.filter(|v| v.abs() > NO_ENERGY * scale);
+    let always = |key: &str| Some(value(key).unwrap_or(0.0));
+    // Results of earlier versions do not separate the two losses.
+    let damping_label = if energy["loss_contacts"].is_number() {
+        "dissipated by damping"
+    } else {
+        figures::damping(summary)
+    };
+    let terms = [
+        ("initial energy", always("initial")),
+        ("work of loads", value("work_loads")),
+        ("work of supports", value("work_supports")),
+        ("lost in impacts", value("loss_impacts")),
+        (damping_label, damping),
+        ("dissipated in contacts", value("loss_contacts")),
+        ("dissipated by plastic flow", value("plastic")),
+        ("stored in hardening", value("hardening")),
+        ("lost in failed parts", value("failure")),
+        ("final energy", always("final")),
+    ];
+    let row = |(label, value): (&str, Option<f64>)| {
+        Some(vec![label.to_owned(), quantity(Some(value?), "J")])
+    };
+    let mut rows: Vec<Vec<String>> = terms.into_iter().filter_map(row).collect();
+    let error = energy["residual_max"].as_f64().map(|v| without_round_off(v, 1.0));
+    rows.push(vec!["balance error, relative".to_owned(), quantity(error, "1")]);
+    table("Energy", &[], &rows)
 }
 
 /// `caption` and so many rows of `list`, the rest counted.
@@ -80,14 +136,14 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         let time = quantity(peak["time"].as_f64(), "s");
         // What never closed has none.
         if peak["value"].is_null() {
-            row("peak contact force", "none: it never closed".into());
+            row("peak contact force", "none (not closed)".into());
         } else {
             row("peak contact force", format!("{force} at {time}"));
         }
         let intervals = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
         let impulse = intervals.iter().filter_map(|i| i["impulse"].as_f64()).sum();
         row("times closed", intervals.len().to_string());
-        row("impulse handed over", quantity(Some(impulse), "N*s"));
+        row("impulse", quantity(Some(impulse), "N*s"));
     }
     if let Some(count) = contact["impact_count"].as_u64() {
         row("impacts", count.to_string());
@@ -100,12 +156,23 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
             row("impulse of resting contact", quantity(Some(rested), "N*s"));
         }
     }
+    let work = contact["friction_work"].as_f64().unwrap_or(0.0);
+    if without_round_off(work, sizes.energy) > 0.0 {
+        row("sliding distance", quantity(contact["sliding_distance"].as_f64(), "m"));
+        row("friction work", quantity(Some(work), "J"));
+    }
     if let Some(count) = contact["fallback_count"].as_u64().filter(|n| *n > 0) {
-        row("impacts under Moreau's law instead of Newton's", count.to_string());
+        row("impacts with Moreau's instead of Newton's law", count.to_string());
+    }
+    for (label, value) in aftermath(contact) {
+        row(label, value);
     }
     if contact["impact_count"].is_u64() && contact["effective_mass"].is_number() {
-        row("effective mass of what is struck", quantity(contact["effective_mass"].as_f64(), "kg"));
-        row("its limit on a fine mesh", quantity(contact["effective_mass_limit"].as_f64(), "kg"));
+        row(
+            "effective mass of the contact target",
+            quantity(contact["effective_mass"].as_f64(), "kg"),
+        );
+        row("limit with mesh refinement", quantity(contact["effective_mass_limit"].as_f64(), "kg"));
     }
     let title = match projectile {
         Some(projectile) => {
@@ -118,6 +185,30 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         }
     };
     table(&title, &[], &rows)
+}
+
+/// Permanent indentation; equivalent static forces, or why there are none.
+fn aftermath(contact: &Value) -> Vec<(&'static str, String)> {
+    let force = &contact["equivalent_force"];
+    let elastic = match force["as_if_elastic"].as_bool() {
+        Some(true) => ", structure taken as linear elastic",
+        _ => "",
+    };
+    let told = |label, key: &str| {
+        let value = quantity(Some(force[key].as_f64()?), "N");
+        Some((label, format!("{value}{elastic}")))
+    };
+    let note = contact["equivalent_force_note"].as_str();
+    let depth = contact["permanent_penetration"].as_f64().filter(|depth| *depth > 0.0);
+    [
+        depth.map(|depth| ("permanent indentation", quantity(Some(depth), "m"))),
+        told("equivalent static force, same largest moment", "moment"),
+        told("equivalent static force, same largest deflection", "deflection"),
+        note.map(|why| ("equivalent static force", format!("none: {why}"))),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// Sizes of the run beside which what projectiles end with is round-off.
@@ -163,20 +254,20 @@ fn departure(projectile: &Value, sizes: &Sizes) -> Vec<Vec<String>> {
     let given = |key: &str, size: f64| projectile[key].as_f64().map(|v| without_round_off(v, size));
     let row = |label: &str, value: String| vec![label.to_owned(), value];
     let spin = projectile["spin_final"].as_f64().filter(|spin| *spin != 0.0);
-    let spin = spin.map(|spin| row("spin at the end", quantity(Some(spin), "rad/s")));
+    let spin = spin.map(|spin| row("final angular velocity", quantity(Some(spin), "rad/s")));
     let note = match projectile["still_touches"].is_array() {
-        true => ", still in contact: not the velocity after it",
+        true => ", still in contact: not a rebound velocity",
         false => "",
     };
     let mut rows = vec![
-        row("velocity at the end", format!("({}, {}) m/s{note}", component(0), component(1))),
+        row("final velocity", format!("({}, {}) m/s{note}", component(0), component(1))),
         row(
-            "momentum given away, along the initial motion",
+            "momentum transferred, in the initial direction of motion",
             quantity(given("momentum_transferred", sizes.momentum), "kg*m/s"),
         ),
-        row("energy given away", quantity(given("energy_given", sizes.energy), "J")),
+        row("energy transferred", quantity(given("energy_given", sizes.energy), "J")),
         row(
-            "energy received by what it struck",
+            "energy received by the structure",
             quantity(given("energy_received_by_others", sizes.energy), "J"),
         ),
     ];
@@ -194,14 +285,14 @@ fn mass_warning(contact: &Value) -> String {
         return String::new();
     }
     let text = format!(
-        "On this mesh the effective mass of what is struck is {} kg, its continuum limit {} kg: the \
-         impulse of a rigid impact is a property of this mesh (see the documentation on restitution \
-         and meshes).",
+        "Effective mass of the contact target: {} kg on this mesh, {} kg with mesh refinement. The \
+         impulse of a rigid impact depends on the mesh (see the documentation on restitution and \
+         meshes).",
         number(mass),
         number(limit)
     );
     format!(
-        "<p class=\"warning\" role=\"note\"><strong>Mind the mesh.</strong> {}</p>\n",
+        "<p class=\"warning\" role=\"note\"><strong>Mesh-dependent result.</strong> {}</p>\n",
         escape(&text)
     )
 }
@@ -215,7 +306,8 @@ fn points(summary: &Value) -> String {
         ["component_1", "component_2"].map(|c| p["displacement_max"][c]["value"].as_f64())
     });
     let moved = peaks.flatten().map(f64::abs).fold(0.0, f64::max);
-    let header = ["point", "largest displacement 1", "at", "largest displacement 2", "at"];
+    let header =
+        ["point", "largest displacement x", "at time", "largest displacement y", "at time"];
     listing("Recorded points", &header, &list, list.len(), |_, entry| {
         let mut row = vec![entry[0].as_str().unwrap_or_default().to_owned()];
         for component in ["component_1", "component_2"] {
@@ -224,7 +316,11 @@ fn points(summary: &Value) -> String {
             row.push(quantity(value, "m"));
             let time = quantity(peak["time"].as_f64(), "s");
             let doubtful = peak["resolved"].as_bool() == Some(false);
-            row.push(if doubtful { format!("{time}, of step ends: not resolved") } else { time });
+            row.push(if doubtful {
+                format!("{time}, largest at ends of steps: not resolved")
+            } else {
+                time
+            });
         }
         row
     })

@@ -179,7 +179,7 @@ pub fn render(sheet: &Sheet) -> String {
     })
 }
 
-/// `value` of `unit` in words, six significant digits.
+/// `value` of `unit` in words, five significant digits.
 pub fn in_words(value: f64, unit: &str) -> String {
     super::quantity::quantity(Some(value), unit)
 }

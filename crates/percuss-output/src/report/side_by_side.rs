@@ -61,19 +61,21 @@ pub fn render(runs: &[Named]) -> Result<String, Error> {
     let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
     let missing = runs.len() - scenes.len();
     let lead = match (scenes.is_empty(), missing) {
-        (true, _) => "None of these runs kept its shapes (record.shapes).".to_owned(),
-        (_, 0) => "All runs over each other, at the same time.".to_owned(),
+        (true, _) => "None of these runs recorded shapes (record.shapes).".to_owned(),
+        (_, 0) => "Overlay at equal time.".to_owned(),
         (_, n) => {
-            format!("All runs over each other, at the same time; {n} of them kept no shapes.")
+            format!("Overlay at equal time; {n} of the runs recorded no shapes.")
         }
     };
     Ok(fill_holes(TEMPLATE, |hole| match hole {
         "title" => escape(&format!("Comparison of {}", names.join(", "))),
-        "status" => {
-            escape(&format!("{} runs; differences are of the size, from {}", runs.len(), names[0]))
-        }
+        "status" => escape(&format!(
+            "{} runs. Differences are relative to run '{}', of absolute values.",
+            runs.len(),
+            names[0]
+        )),
         "scene" if scenes.is_empty() => format!("<p class=\"story\">{}</p>\n", escape(&lead)),
-        "scene" => scene::section(&lead),
+        "scene" => scene::section(&lead, None),
         "scene_scripts" => scene::SCRIPTS.join("\n"),
         "results" => results(runs),
         "figures" => figures.iter().map(frame).collect(),
@@ -154,7 +156,7 @@ fn overlaid(runs: &[Named], each: &[Vec<Figure>], like: &Figure, label: &str) ->
             y: times(y, y_scale.factor),
         }],
     };
-    let caption = like.y.label.split(" along e").next().unwrap_or(&like.y.label);
+    let caption = like.y.label.split(" along ").next().unwrap_or(&like.y.label);
     let axis = Axis { label: "time".to_owned(), unit: x_scale.unit.clone() };
     let base = like.title.split(", ").next().unwrap_or(&like.title);
     let title = if label == caption { like.title.clone() } else { format!("{base}: {label}") };
@@ -183,7 +185,7 @@ fn results(runs: &[Named]) -> String {
             }
         }
     }
-    let mut header = vec!["".to_owned()];
+    let mut header = vec!["result".to_owned()];
     for (k, run) in runs.iter().enumerate() {
         header.push(run.name.clone());
         header.extend((k > 0).then(|| "difference".to_owned()));
@@ -231,7 +233,7 @@ fn cells(row: &KeyResult, scale: f64, runs: &[Named]) -> Option<Vec<String>> {
     any.then_some(cells)
 }
 
-/// Of the size, in percent of the first value; nothing where that is none, or nothing.
+/// Of the absolute values, in percent of the first; none where the first is zero or missing.
 fn difference(first: Option<f64>, value: Option<f64>) -> String {
     let (Some(first), Some(value)) = (first, value) else { return "\u{2013}".to_owned() };
     if first == value {
@@ -241,7 +243,7 @@ fn difference(first: Option<f64>, value: Option<f64>) -> String {
     if !percent.is_finite() {
         return "\u{2013}".to_owned();
     }
-    let turned = if first * value < 0.0 { ", turned" } else { "" };
+    let turned = if first * value < 0.0 { ", opposite sign" } else { "" };
     let plus = if percent > 0.0 { "+" } else { "" };
     format!("{plus}{}\u{a0}%{turned}", number(rounded(percent)))
 }
@@ -262,36 +264,40 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
     };
     for (name, key) in named("contact") {
         row(format!("peak contact force, {name}"), format!("/contact/{key}/peak_force/value"), "N");
-        row(format!("when, {name}"), format!("/contact/{key}/peak_force/time"), "s");
+        row(
+            format!("time of peak contact force, {name}"),
+            format!("/contact/{key}/peak_force/time"),
+            "s",
+        );
         row(format!("total impulse, {name}"), format!("/contact/{key}/impulse_total"), "N*s");
         row(format!("impacts, {name}"), format!("/contact/{key}/impact_count"), "1");
         let pressed = format!("/contact/{key}/permanent_penetration");
-        row(format!("stays pushed in, {name}"), pressed, "m");
+        row(format!("permanent indentation, {name}"), pressed, "m");
     }
     for (name, key) in named("projectile") {
-        for (k, axis) in [(0, "e1"), (1, "e2")] {
+        for (k, axis) in [(0, "x"), (1, "y")] {
             row(
-                format!("velocity at the end along {axis}, {name}"),
+                format!("final velocity along {axis}, {name}"),
                 format!("/projectile/{key}/velocity_final/{k}"),
                 "m/s",
             );
         }
         row(
-            format!("momentum given away, {name}"),
+            format!("momentum transferred to the structure, {name}"),
             format!("/projectile/{key}/momentum_transferred"),
             "kg*m/s",
         );
-        row(format!("energy given away, {name}"), format!("/projectile/{key}/energy_given"), "J");
+        row(format!("energy transferred, {name}"), format!("/projectile/{key}/energy_given"), "J");
         row(
-            format!("energy received by what {name} struck"),
+            format!("energy received by the structure, {name}"),
             format!("/projectile/{key}/energy_received_by_others"),
             "J",
         );
     }
     for (name, key) in named("point") {
-        for k in [1, 2] {
+        for (k, axis) in [(1, "x"), (2, "y")] {
             row(
-                format!("largest displacement along e{k}, {name}"),
+                format!("largest displacement along {axis}, {name}"),
                 format!("/point/{key}/displacement_max/component_{k}/value"),
                 "m",
             );
@@ -316,7 +322,7 @@ fn key_results(summary: &Value) -> Vec<KeyResult> {
         );
     }
     for (name, key) in named("plastic") {
-        row(format!("permanent set, {name}"), format!("/plastic/{key}/permanent_set"), "m");
+        row(format!("permanent deflection, {name}"), format!("/plastic/{key}/permanent_set"), "m");
     }
     balance_rows(&mut row);
     rows
@@ -327,8 +333,8 @@ fn balance_rows(row: &mut impl FnMut(String, String, &'static str)) {
     for (label, pointer) in [
         ("energy lost in impacts", "/energy/loss_impacts"),
         ("energy dissipated by plastic flow", "/energy/plastic"),
-        ("energy taken by damping and in contacts", "/energy/loss_damping"),
-        ("of that in contacts", "/energy/loss_contacts"),
+        ("energy dissipated by damping and in contacts", "/energy/loss_damping"),
+        ("part of it dissipated in contacts", "/energy/loss_contacts"),
     ] {
         row(label.to_owned(), pointer.to_owned(), "J");
     }
@@ -366,10 +372,10 @@ mod tests {
     }
 
     #[test]
-    fn differences_are_of_the_size() {
+    fn differences_are_relative_and_of_absolute_values() {
         let told = |a: f64, b: f64| difference(Some(a), Some(b)).replace('\u{a0}', " ");
         assert_eq!(told(-5.0, -6.0), "+20 %");
-        assert_eq!(told(4.0, -3.0), "-25 %, turned");
+        assert_eq!(told(4.0, -3.0), "-25 %, opposite sign");
         assert_eq!(told(4.0, 4.0), "none");
         assert_eq!(told(0.0, 1.0), "\u{2013}");
         assert_eq!(difference(None, Some(1.0)), "\u{2013}");

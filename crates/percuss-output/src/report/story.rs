@@ -1,26 +1,26 @@
-//! What happened, in a few sentences: who struck what, the largest force, how it ended, the largest deflection, moment and
-//! stress, and how the balance closed. Everything in them stands in `summary.json`.
+//! Summary text of a run, in a few sentences: what struck what, the peak force, the separation, the peak displacement, moment and
+//! stress, what yielded, and the error of the energy balance. Every number in it is in `summary.json`.
 
 mod contacts;
 mod words;
 mod yielding;
 
-pub use contacts::told_as_start;
+pub use contacts::taken_as_start;
 
 use serde_json::Value;
 
-use words::{list, quantity};
+use words::{instant, list, place, quantity};
 
-/// Relative amounts below this are none.
-const NOTHING: f64 = 1e-12;
+/// A larger relative error of the energy balance is a warning.
+const CLOSED: f64 = 1e-8;
 
-/// What happened in a run, in plain text.
+/// The summary text of a run, without markup.
 pub fn story(summary: &Value) -> String {
-    let mut out = vec![contacts::told(summary)];
+    let mut out = vec![contacts::contacts(summary)];
     out.extend(deflection(summary));
     out.extend(sections(summary));
     out.extend(yielding::joints(summary));
-    out.extend(yielding::partings(summary));
+    out.extend(yielding::fractures(summary));
     out.extend(yielding::beams(summary));
     out.extend(yielding::connectors(summary));
     out.push(balance(summary));
@@ -55,13 +55,13 @@ fn deflection(summary: &Value) -> Option<String> {
     if value == 0.0 {
         return None;
     }
-    let along = if component == "component_1" { "e1" } else { "e2" };
-    let (value, time) = (quantity(Some(value), "m"), quantity(time, "s"));
-    let of = if points.len() > 1 { "of the recorded points " } else { "" };
-    Some(format!("The largest displacement {of}is {value} along {along}, of {name} at {time}."))
+    let axis = if component == "component_1" { "x" } else { "y" };
+    let (value, time) = (quantity(Some(value), "m"), instant(time));
+    let of = if points.len() > 1 { " of the recorded points" } else { "" };
+    Some(format!("Largest displacement{of}: {value} in {axis} at '{name}', {time}."))
 }
 
-/// The largest moment, and the largest stress where one is known.
+/// The peak bending moment, and the peak fibre stress where one is known.
 fn sections(summary: &Value) -> Option<String> {
     let beams = summary["section_forces"].as_object()?;
     let parting = last_parting(summary);
@@ -73,53 +73,40 @@ fn sections(summary: &Value) -> Option<String> {
             .max_by(|a, b| a.2.abs().total_cmp(&b.2.abs()))
             .filter(|(_, _, value)| *value != 0.0)
     };
-    let place = |(name, one, value): (&String, &Value, f64), unit: &str| {
-        let (s, time) = (quantity(one["s"].as_f64(), "m"), quantity(one["time"].as_f64(), "s"));
-        // What rings after the blow is worth saying.
+    let peak = |what: &str, (name, one, value): (&String, &Value, f64), unit: &str| {
+        let (s, time) = (place(one["s"].as_f64()), instant(one["time"].as_f64()));
+        // The reader expects a peak within the contact; one of the free vibration after it is marked.
         let after = parting.zip(one["time"].as_f64()).is_some_and(|(end, time)| time > end);
         let after = if after { ", after the contact" } else { "" };
-        format!("{} in {name} at s = {s}, {time}{after}", quantity(Some(value.abs()), unit))
+        format!("{what}: {} in '{name}' at {s}, {time}{after}.", quantity(Some(value.abs()), unit))
     };
-    // A moment is told beside the energy scale: what is nothing but round-off of it is none.
+    // A moment below the round-off of the energy scale is zero.
     let floor = 1e-12 * summary["energy"]["scale"].as_f64().unwrap_or(0.0);
     let moment = largest("moment")
         .filter(|m| m.2.abs() > floor)
-        .map(|m| format!("the largest moment {}", place(m, "N*m")));
-    let stress = largest("stress").map(|s| format!("the largest stress {}", place(s, "Pa")));
+        .map(|one| peak("Peak bending moment", one, "N*m"));
+    let stress = largest("stress").map(|one| peak("Peak fibre stress", one, "Pa"));
     let both: Vec<String> = [moment, stress].into_iter().flatten().collect();
-    let mut text = both.join("; ");
-    if text.is_empty() {
-        return None;
-    }
-    text.replace_range(..1, "T");
-    Some(text + ".")
+    (!both.is_empty()).then(|| both.join(" "))
 }
 
-/// How the balance of energy closed, and how the run ended if not as it should.
+/// The error of the energy balance, and how the run ended where it did not reach its end.
 fn balance(summary: &Value) -> String {
     let energy = &summary["energy"];
     let scale = quantity(energy["scale"].as_f64(), "J");
-    let mut out = match energy["residual_max"].as_f64() {
-        Some(r) if r < NOTHING => {
-            format!("The energy balance closes to round-off, relative to {scale}.")
-        }
-        Some(r) if r < 1e-8 => {
-            format!("The energy balance closes to {r:.0e}, relative to {scale}.")
-        }
-        Some(r) => format!("The energy balance is off by {r:.0e}, relative to {scale}."),
-        None => String::new(),
+    let error = energy["residual_max"].as_f64().map(|error| {
+        let begin = if error < CLOSED { "Energy" } else { "Warning: energy" };
+        let error = if error == 0.0 { "0".to_owned() } else { format!("{error:.0e}") };
+        format!("{begin} balance error {error} of {scale}.")
+    });
+    let time = instant(summary["time"].as_f64());
+    let ended = match summary["status"].as_str() {
+        Some("failed") => Some(format!("The run stopped with an error at {time}.")),
+        Some("interrupted") => Some(format!("The run was interrupted at {time}.")),
+        _ => None,
     };
-    if let Some(status @ ("failed" | "interrupted")) = summary["status"].as_str() {
-        let time = quantity(summary["time"].as_f64(), "s");
-        out = format!(
-            "The run {} at {time}. {out}",
-            match status {
-                "failed" => "failed",
-                _ => "was interrupted",
-            }
-        );
-    }
-    out
+    let both: Vec<String> = ended.into_iter().chain(error).collect();
+    both.join(" ")
 }
 
 #[cfg(test)]
@@ -133,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn a_blow_is_told_from_first_touch_to_last() {
+    fn an_impact_is_described_from_first_contact_to_separation() {
         let summary = json!({
             "projectile": { "car": {} },
             "contact": {
@@ -159,14 +146,15 @@ mod tests {
         });
         assert_eq!(
             plain(&summary),
-            "car struck left@0.5m at 8.333 m/s, 10 ms after the start. The contact force reached 176.6 kN at 111.2 ms. \
-             They last parted at 222.3 ms, moving apart at 8.326 m/s. The largest displacement is -20 mm along e2, of mid at 300 ms. \
-             The largest moment 63 kN m in left at s = 0 m, 100 ms. The energy balance closes to round-off, relative to 52.93 kJ."
+            "'left@0.5m' was struck by projectile 'car' at 8.333 m/s, t = 10 ms. Peak contact force 176.6 kN at t = 111.2 ms. \
+             Final separation at t = 222.3 ms with a separation velocity of 8.326 m/s. \
+             Largest displacement: -20 mm in y at 'mid', t = 300 ms. \
+             Peak bending moment: 63 kN m in 'left' at s = 0 m, t = 100 ms. Energy balance error 9e-15 of 52.93 kJ."
         );
     }
 
     #[test]
-    fn impacts_are_told_by_impulse_and_what_cannot_be_is_not_told() {
+    fn impacts_are_described_by_their_impulses() {
         let impact = |time: f64, impulse: f64, after: f64| json!({ "time": time, "impulse": impulse, "approach_velocity": 4.0, "separation_velocity": after });
         let run = |impacts: Vec<Value>, intervals: Value| {
             json!({
@@ -181,13 +169,16 @@ mod tests {
         };
         let text = plain(&run(vec![impact(0.1, 2.0, 4.0), impact(0.2, 5.0, 3e-16)], json!([])));
         assert!(
-            text.contains("2 impacts gave 7 N s in all, the hardest 5 N s at 200 ms."),
+            text.contains("2 impacts, total impulse 7 N s; largest impulse 5 N s at t = 200 ms."),
             "{text}"
         );
-        assert!(text.contains("left no velocity of separation"), "{text}");
+        assert!(
+            text.contains("The last impact, at t = 200 ms, was plastic (no separation velocity)."),
+            "{text}"
+        );
         assert!(
             text.contains(
-                "The run failed at 500 ms. The energy balance is off by 1e-3, relative to 1 J."
+                "The run stopped with an error at t = 500 ms. Warning: energy balance error 1e-3 of 1 J."
             ),
             "{text}"
         );
@@ -203,14 +194,17 @@ mod tests {
             plain(&json!({ "contact": contacts, "energy": {}, "section_forces": moment }))
         };
         let text = several(&["x"]);
-        assert!(text.contains("They parted at 200 ms, moving apart at 1 m/s."), "{text}");
-        assert!(text.contains("s = 1 m, 300 ms, after the contact."), "{text}");
-        assert!(several(&["x", "y", "z"]).contains("Contacts y and z closed as well."));
-        assert!(several(&["v", "w", "x", "y", "z"]).contains("4 other contacts closed as well."));
+        assert!(
+            text.contains("Separation at t = 200 ms with a separation velocity of 1 m/s."),
+            "{text}"
+        );
+        assert!(text.contains("s = 1 m, t = 300 ms, after the contact."), "{text}");
+        assert!(several(&["x", "y", "z"]).contains("Contacts 'y' and 'z' also closed."));
+        assert!(several(&["v", "w", "x", "y", "z"]).contains("4 other contacts also closed."));
         let resting = json!([{ "start": 0.2, "end": null }]);
         let text = plain(&run(vec![impact(0.1, 7.0, 4.0)], resting));
-        assert!(text.contains("still in contact at the end"), "{text}");
+        assert!(text.contains("The contact is closed at the end of the run."), "{text}");
         let nothing = json!({ "contact": { "tap": { "between": ["a", "b"], "intervals": [] } }, "energy": {} });
-        assert_eq!(plain(&nothing), "Nothing touched: the one contact never closed.");
+        assert_eq!(plain(&nothing), "The contact did not close.");
     }
 }

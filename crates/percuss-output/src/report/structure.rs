@@ -29,12 +29,12 @@ struct Quantity {
 pub(super) fn reactions(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
     let (force, moment) = (extremes::reaction(summary), extremes::reaction_moment(summary));
     let quantities = [
-        (".force_1", "reaction-1", "Reactions along e1", "reaction force along e1", "N", force),
-        (".force_2", "reaction-2", "Reactions along e2", "reaction force along e2", "N", force),
+        (".force_1", "reaction-1", "Reactions along x", "reaction force along x", "N", force),
+        (".force_2", "reaction-2", "Reactions along y", "reaction force along y", "N", force),
         (".moment", "reaction-moment", "Reaction moments", "reaction moment", "N*m", moment),
     ];
     let note =
-        "Of the support on the structure, by the axes' directions, the mean since the row before.";
+        "Force of the support on the structure, global axes, averaged over the output interval.";
     entries(canvas, "support.", Section::Supports, note, &quantities.map(quantity))
 }
 
@@ -46,9 +46,16 @@ pub(super) fn section_forces(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry>
         (".axial", "section-axial", "Axial force", "axial force", "N", force),
         (".shear", "section-shear", "Shear force", "shear force", "N", force),
         (".moment", "section-moment", "Bending moment", "bending moment", "N*m", moment),
-        (".stress", "section-stress", "Fibre stress", "stress of larger magnitude", "Pa", 0.0),
+        (
+            ".stress",
+            "section-stress",
+            "Fibre stress",
+            "fibre stress of larger magnitude",
+            "Pa",
+            0.0,
+        ),
     ];
-    let note = "At the recorded points, the mean over the last step without an impact.";
+    let note = "At the recorded points, averaged over the last step without impact.";
     entries(canvas, "section.", Section::Forces, note, &quantities.map(quantity))
 }
 
@@ -98,7 +105,7 @@ fn entries(
             draft.figure.picture = true;
             draft.figure.note = note.to_owned();
             if found.len() > SHOWN {
-                draft.figure.note += &format!(" Shown are the first {SHOWN} of {}.", found.len());
+                draft.figure.note += &format!(" First {SHOWN} of {} shown.", found.len());
             }
             draft.omit = Omit::RoundOff;
             draft.floor = quantity.floor;

@@ -5,12 +5,13 @@ pub(crate) const HEAD: &str = include_str!("../../web/head.html");
 pub(crate) const STYLE: &str = include_str!("../../web/report.css");
 
 /// The scripts that draw figures and tie the page together, in the order in which they use each other.
-pub(super) const SCRIPTS: [&str; 6] = [
+pub(super) const SCRIPTS: [&str; 7] = [
     include_str!("../../web/columns.js"),
     include_str!("../../web/figures.js"),
     include_str!("../../web/zoom.js"),
     include_str!("../../web/exports.js"),
     include_str!("../../web/log.js"),
+    include_str!("../../web/tables.js"),
     include_str!("../../web/report.js"),
 ];
 

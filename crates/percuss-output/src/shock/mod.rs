@@ -38,8 +38,7 @@ impl fmt::Display for ShockError {
             Self::Signal(text) | Self::Request(text) => f.write_str(text),
             Self::Coarse { what, needed, rate } => write!(
                 f,
-                "{what} needs at least {needed:.0} samples a second, and the history has {rate:.0}: take smaller steps \
-                 (time.step) and record more of them (record.every)"
+                "{what} needs {needed:.0} samples per second ({rate:.0} available): reduce time.step and record.every"
             ),
         }
     }

@@ -131,7 +131,7 @@ pub fn shock_spectrum(
         return Err(ShockError::Request(text));
     }
     if signal.values.iter().all(|a| *a == 0.0) {
-        let text = "the acceleration is zero throughout: nothing answers to it".to_owned();
+        let text = "the acceleration is zero".to_owned();
         return Err(ShockError::Signal(text));
     }
     let frequency = band.frequencies(signal)?;

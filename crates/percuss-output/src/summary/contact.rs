@@ -30,6 +30,10 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
     if let Some(carried) = contact.carried_crush {
         value["carried_crush"] = json!({ "distance": carried.distance, "depth": carried.depth });
     }
+    if let Some(sliding) = contact.sliding {
+        value["sliding_distance"] = Value::from(sliding.distance);
+        value["friction_work"] = Value::from(sliding.work);
+    }
     match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {
             value["peak_force"] = peak(peak_force);

@@ -312,6 +312,9 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
         "stress": range(&beam.stress),
         "strain": range(&beam.strain),
     });
+    if let Some(length) = beam.envelope.s.last() {
+        value["length"] = json!(length);
+    }
     if let Some(beyond) = &beam.beyond {
         value["first_beyond_strength"] = place(beyond);
     }

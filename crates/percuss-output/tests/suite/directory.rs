@@ -70,7 +70,7 @@ fn a_file_of_a_run_that_was_changed_is_no_longer_replaced() -> Outcome {
     fs::write(target.join("summary.json"), "old, with a comment")?;
     let error = RunDirectory::create(&target).err().ok_or("was not refused")?;
     assert!(
-        error.is_refused() && error.to_string().contains("summary.json was changed"),
+        error.is_refused() && error.to_string().contains("summary.json was modified"),
         "{error}"
     );
     assert_eq!(names(parent.path())?, ["run"]);
@@ -197,7 +197,7 @@ fn a_link_that_leads_nowhere_is_refused() -> Outcome {
     let link = parent.path().join("run");
     std::os::unix::fs::symlink(parent.path().join("gone"), &link)?;
     let error = RunDirectory::create(&link).err().ok_or("was not refused")?;
-    assert!(error.to_string().contains("leads nowhere"), "{error}");
+    assert!(error.to_string().contains("broken link"), "{error}");
     assert_eq!(names(parent.path())?, ["run"]);
     Ok(())
 }
@@ -440,7 +440,7 @@ fn files_of_the_user_stay() -> Outcome {
     fs::rename(target.join("figures"), disk.path().join("figures"))?;
     symlink(disk.path().join("figures"), target.join("figures"))?;
     let error = RunDirectory::create(&target).err().ok_or("was not refused")?;
-    assert!(error.is_refused() && error.to_string().contains("figures there is a link"), "{error}");
+    assert!(error.is_refused() && error.to_string().contains("figures in it is a link"), "{error}");
     assert!(RunUpdate::open(&target).is_err_and(|error| error.is_refused()));
     assert_eq!(fs::read_link(target.join("figures"))?, disk.path().join("figures"));
     assert_eq!(fs::read_to_string(disk.path().join("figures/newer"))?, "newer");

@@ -18,6 +18,7 @@ fn contact(name: &str, record: ContactRecord) -> ContactSummary {
         permanent_penetration: None,
         carried_crush: None,
         pressed_in: None,
+        sliding: None,
         equivalent_force: None,
         no_equivalent_force: None,
         record,

@@ -1,5 +1,5 @@
 // Report pages in a real browser, from files and without a network: PAGES is a directory with a page of each scenario,
-// STILL one of results of `static`, `static --path` and `modes`, SHOTS one for pictures of them, BROWSER the program, PLAYWRIGHT the library that drives it. See scripts/check-browser.
+// STILL one of results of `static`, `static --path` and `modes`, SHOTS one for pictures of them, BROWSER the program, PLAYWRIGHT the library that drives it, AXE axe-core, which checks accessibility. See scripts/check-browser.
 
 import assert from "node:assert/strict";
 import { mkdirSync, readFileSync, readdirSync } from "node:fs";
@@ -8,7 +8,7 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 
-const { PAGES, SHOTS, BROWSER, PLAYWRIGHT, COMPARISON, STILL } = process.env;
+const { PAGES, SHOTS, BROWSER, PLAYWRIGHT, COMPARISON, STILL, AXE } = process.env;
 const { chromium } = createRequire(import.meta.url)(PLAYWRIGHT);
 const quiet = ["--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
 const root = process.getuid?.() === 0;
@@ -20,10 +20,13 @@ before(async () => {
 });
 after(() => browser.close());
 
-const open = (name, width, height) => openFile(join(PAGES, name, "report.html"), width, height);
+const drawn = () => document.querySelector("[data-scene=time]")?.textContent;
+// Where motion is unwanted the scene does not play by itself, so that tests know what it shows.
+const calm = { reducedMotion: "reduce" };
+const open = (name, width, height) => openFile(join(PAGES, name, "report.html"), width, height, drawn, calm);
 
-async function openFile(file, width, height, ready = () => document.querySelector("[data-scene=time]")?.textContent) {
-  const context = await browser.newContext({ viewport: { width, height }, offline: true, acceptDownloads: true });
+async function openFile(file, width, height, ready = drawn, preferences = {}) {
+  const context = await browser.newContext({ viewport: { width, height }, offline: true, acceptDownloads: true, ...preferences });
   const page = await context.newPage();
   const errors = [];
   page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
@@ -105,11 +108,71 @@ for (const name of readdirSync(PAGES)) {
     const box = await page.locator("#scene canvas").boundingBox();
     assert.ok(box.y + box.height <= 800, `the scene ends at ${box.y + box.height}`);
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 400);
+    await page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
+    const cut = () => [...document.querySelectorAll(".table")].filter((t) => t.scrollWidth > t.clientWidth + 1).map((t) => t.textContent.slice(0, 60));
+    assert.deepEqual(await page.evaluate(cut), [], "tables wider than the screen");
     await page.screenshot({ path: join(SHOTS, `${name}-400.png`) });
     assert.deepEqual(errors, []);
     await close();
   });
 }
+
+// Parts of a page that a finger cannot hit: smaller than 40 pixels, a label being part of its box.
+const small = () => {
+  const parts = [...document.querySelectorAll("button, select, summary, input, [role=button]")].filter((e) => e.checkVisibility());
+  const sized = parts.map((e) => [e, (e.type === "checkbox" ? e.closest("label") : e).getBoundingClientRect()]);
+  return sized.filter(([, box]) => Math.min(box.width, box.height) < 39.5).map(([e]) => e.outerHTML.slice(0, 80));
+};
+
+async function checkAccessibility(page) {
+  await page.evaluate(readFileSync(AXE, "utf8"));
+  const { violations } = await page.evaluate(() => axe.run(document));
+  assert.deepEqual(violations.map((v) => `${v.id}, ${v.help}: ${v.nodes.map((n) => n.html.slice(0, 100)).join(" | ")}`), []);
+  assert.deepEqual(await page.evaluate(small), []);
+}
+
+for (const [width, scheme] of [[1400, "light"], [400, "dark"]]) {
+  test(`all kinds of pages are accessible, ${width} pixels wide, ${scheme}`, async () => {
+    const files = ["gapped-pipe", "struck-column", "tapping-cantilever"].map((name) => join(PAGES, name, "report.html"));
+    const resting = ["static/static.html", "modes/modes.html", "path/path.html"].map((name) => join(STILL, name));
+    for (const file of [...files, COMPARISON, ...resting]) {
+      const ready = resting.includes(file) ? () => document.documentElement.dataset.open : drawn;
+      const { page, errors, close } = await openFile(file, width, 900, ready, { ...calm, colorScheme: scheme });
+      await page.evaluate(() => document.querySelectorAll("details").forEach((one) => (one.open = true)));
+      await checkAccessibility(page);
+      assert.deepEqual(errors, [], file);
+      await close();
+    }
+  });
+}
+
+test("the scene plays once when the page opens, then shows the instant of greatest interest and says so", async () => {
+  // What yields stays bent: the end is shown.
+  const { page, errors, close } = await openFile(join(PAGES, "struck-column", "report.html"), 1400, 900);
+  assert.equal(await page.textContent("[data-scene=play]"), "Pause");
+  await page.waitForFunction(() => document.querySelector("[data-scene=play]").textContent === "Play", null, { timeout: 15000 });
+  assert.equal(await time(page), "400 ms");
+  assert.match(await page.getAttribute("#scene canvas", "aria-label"), /^Scene, t = 400 ms; .*largest displacement \d/);
+  assert.match(await page.textContent(".status"), /^Completed, t = 400.ms, (no|\d+) warnings?$/);
+  assert.deepEqual(errors, []);
+  await close();
+  // An elastic one is shown at the largest contact force, at once where motion is unwanted.
+  const other = await open("gapped-pipe", 1400, 900);
+  assert.equal(await other.page.textContent("[data-scene=play]"), "Play");
+  assert.match(await other.page.getAttribute("#scene canvas", "aria-label"), /in contact: '.+' [\d.]+ k?N/);
+  await other.close();
+});
+
+test("whoever takes the scene in hand stops what plays by itself", async () => {
+  const { page, errors, close } = await openFile(join(PAGES, "struck-column", "report.html"), 1400, 900);
+  await page.focus("#scene canvas");
+  await page.keyboard.press("Home");
+  assert.equal(await time(page), "0 s");
+  await page.waitForTimeout(150);
+  assert.equal(await time(page), "0 s");
+  assert.deepEqual(errors, []);
+  await close();
+});
 
 test("a click into a figure takes the scene to its time, and figures follow the scene", async () => {
   const { page, errors, close } = await open(readdirSync(PAGES)[0], 1400, 900);
@@ -201,7 +264,7 @@ test("the log folds chatter and sorts by impulse", async () => {
 });
 
 test("runs over each other play together", async () => {
-  const { page, errors, close } = await openFile(COMPARISON, 1400, 900);
+  const { page, errors, close } = await openFile(COMPARISON, 1400, 900, drawn, calm);
   assert.ok((await inked(page)) > 300);
   assert.ok((await page.textContent("main")).includes("difference"));
   await page.screenshot({ path: join(SHOTS, "comparison.png") });
@@ -223,9 +286,9 @@ test("a static page draws the loaded structure enlarged, and its buckling mode s
   assert.equal(await page.isVisible("[data-scene=play]"), false, "nothing to play");
   assert.match(await page.inputValue("[data-scene=exaggeration]"), /^[125]0*$/);
   const svg = await downloaded(page, () => page.click("[data-scene=svg]"));
-  assert.match(svg.text, /displacements \u00d7 [125]0/);
+  assert.match(svg.text, /deformation scale [125]0/);
   await page.selectOption("[data-scene=exaggeration]", "1");
-  assert.match((await downloaded(page, () => page.click("[data-scene=svg]"))).text, /displacements to scale/);
+  assert.match((await downloaded(page, () => page.click("[data-scene=svg]"))).text, /deformation scale 1</);
   await page.selectOption("[data-scene=diagram]", "moment");
   assert.match((await downloaded(page, () => page.click("[data-scene=svg]"))).text, /M up to 61\.189 kN m/);
   const panel = "#panels canvas";
@@ -266,7 +329,7 @@ test("a path is followed with its load factor, and a click into the curve takes 
   const { page, errors, close } = await still("path/path.html", 1400, 900);
   assert.equal(await time(page), "load factor 1");
   const titles = await page.locator("#panels h3").allTextContents();
-  assert.ok(titles.some((t) => t.startsWith("limit point at the load factor")) && titles.some((t) => t.startsWith("end, at")), titles.join());
+  assert.ok(titles.some((t) => t.startsWith("limit point at load factor")) && titles.some((t) => t.startsWith("end, at")), titles.join());
   const chart = await print(page, "#chart canvas");
   await scrub(page, 0.3);
   assert.match(await time(page), /^load factor 0\.\d+$/);

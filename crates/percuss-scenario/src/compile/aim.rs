@@ -22,13 +22,13 @@ pub(super) fn centre(
     };
     let line = line_of_flight(projectile, &mut fault)?;
     if standoff < 0.0 {
-        let found = format!("a projectile that starts {} m inside the beam", -standoff);
+        let found = format!("an initial penetration of {} m", -standoff);
         fault("standoff", found, "a standoff of zero or above");
         return None;
     }
     let Some(reach) = reach(line, surface.at, radius + surface.half_depth) else {
-        let found = "a line of flight along the beam";
-        fault("strikes", found.into(), "a line of flight that meets its face, or `position`");
+        let found = "a direction of motion along the beam";
+        fault("strikes", found.into(), "a direction of motion that meets the beam, or `position`");
         return None;
     };
     Some([0, 1].map(|i| surface.at.position[i] - line[i] * (standoff + reach)))
@@ -70,9 +70,8 @@ fn line_of_flight(
         (None, Some(Some(d))) => Some(d),
         (None, direction) => {
             let key = if direction.is_some() { "direction" } else { "velocity" };
-            let expected =
-                "a velocity, or for a projectile at rest `direction`, its line of flight";
-            fault(key, "no line of flight: zero velocity".into(), expected);
+            let expected = "a velocity, or `direction` for a projectile at rest";
+            fault(key, "zero velocity".into(), expected);
             None
         }
     }

@@ -6,6 +6,7 @@ use percuss::{
     Along, BeamId, ElementSize, Fault, LinePoint, MaterialId, ModelBuilder, Section, SectionId,
 };
 
+use super::known;
 use super::section::sections;
 use super::yielding::inelasticity;
 use crate::content::{self, Content};
@@ -44,6 +45,11 @@ impl<'c> Beams<'c> {
         {
             ids.insert(named.name.as_str(), builder.section(section.clone()));
             by_name.insert(named.name.as_str(), section);
+        }
+        for (name, profile) in known::profiles(content) {
+            let section = profile.section(name);
+            ids.insert(name, builder.section(section.clone()));
+            by_name.insert(name, section);
         }
         let mut beams = BTreeMap::new();
         for named in &content.beam {
@@ -105,6 +111,13 @@ fn materials<'c>(
             ..percuss::Material::new(name.as_str(), young, density)
         };
         materials.insert(name.as_str(), builder.material(material));
+    }
+    for (name, preset) in known::materials(content) {
+        let material = percuss::Material {
+            strength: preset.strength,
+            ..percuss::Material::new(name, preset.young, preset.density)
+        };
+        materials.insert(name, builder.material(material));
     }
     materials
 }

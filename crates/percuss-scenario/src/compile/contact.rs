@@ -137,7 +137,7 @@ fn untouched(content: &Content, faults: &mut Vec<Fault>) {
             |partner: &&Partner| partner.kind == PartnerKind::Obstacle && partner.name == *name;
         if !touched.iter().any(this) {
             let expected = "a table [contact.NAME] with it, or a projectile that strikes it";
-            let fault = Fault::new(format!("obstacle.{name}"), "nothing that touches it", expected);
+            let fault = Fault::new(format!("obstacle.{name}"), "no contact", expected);
             faults.push(fault);
         }
     }
@@ -180,7 +180,7 @@ impl Partners<'_> {
             }
             (Some(Disc(a)), Some(Disc(b))) if a == b => {
                 let found = format!("the projectile {:?} and itself", between[0].name);
-                Err((found, "two different things".into()))
+                Err((found, "two different bodies".into()))
             }
             _ => Ok(first.zip(second).map(|(first, second)| [first, second])),
         }

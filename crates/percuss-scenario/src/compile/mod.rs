@@ -6,6 +6,7 @@ mod build;
 mod contact;
 mod follow;
 mod function;
+mod known;
 mod law;
 mod locate;
 mod section;

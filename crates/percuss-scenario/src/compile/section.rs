@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use percuss::{Fault, MaterialId, Section, SectionFibre, Station};
 
+use super::known;
 use crate::content::{self, Content, Shape};
 use crate::node::count;
 use crate::table::Named;
@@ -22,6 +23,9 @@ pub(super) fn sections(
             let sound = faults.len() == before;
             uniform.insert(named.name.as_str(), sound.then(|| shaped(named, materials)));
         }
+    }
+    for (name, profile) in known::profiles(content) {
+        uniform.insert(name, Some(profile.section(name)));
     }
     let one = |named: &Named<content::Section>| {
         let section = match &named.table.shape {
@@ -57,7 +61,7 @@ fn dimensions(named: &Named<content::Section>, faults: &mut Vec<Fault>) {
         Shape::Box { width, depth, thickness } => {
             &[("width", *width), ("depth", *depth), ("thickness", *thickness)]
         }
-        Shape::Tapered { .. } => &[],
+        Shape::Profile { .. } | Shape::Tapered { .. } => &[],
     };
     let mut sound = lists(named, &mut fault);
     for (key, value) in all.iter().filter(|(_, value)| *value <= 0.0) {
@@ -134,6 +138,7 @@ fn shaped(named: &Named<content::Section>, known: &BTreeMap<&str, MaterialId>) -
         Shape::Box { width, depth, thickness } => {
             Section::hollow_box(name, width, depth, thickness)
         }
+        Shape::Profile { ref profile } => profile.section(name),
         Shape::Tapered { .. } => Section::new(name, 1.0, 1.0),
     }
 }

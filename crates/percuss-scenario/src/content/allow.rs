@@ -32,8 +32,8 @@ impl Allowances {
         match Code::find(written).filter(|one| !allowable.contains(one)) {
             Some(other) => {
                 let what = match other.is_error() {
-                    true => "an error, which cannot be allowed",
-                    false => "which tells how a command went: it cannot be allowed",
+                    true => "an error, which cannot be accepted",
+                    false => "which reports on a command and cannot be accepted in a scenario",
                 };
                 let found = format!("{found} ({}), {what}", other.name);
                 Err((FaultCode::Conflict, found, Self::expected_codes()))
@@ -55,7 +55,7 @@ impl Allowances {
         let audit = Caution::ALL.into_iter().filter(|one| one.is_of_the_audit());
         let audit: Vec<&str> = audit.map(Caution::code).collect();
         format!(
-            "a finding of the advisor, {}, or of the audit of a run, {}",
+            "a warning of the model and result checks, {}, or of the audit of a run, {}",
             ends(&findings),
             ends(&audit)
         )
@@ -86,7 +86,8 @@ impl Format for Allowances {
                 }
                 found => {
                     let found = found.map_or_else(|| node.found(), |_| "an empty reason".into());
-                    let expected = "why it is allowed, in your words, such as \"the span is meant to be short\"";
+                    let expected =
+                        "the reason, in your words, such as \"the span is meant to be short\"";
                     reader.wrong(&node, found, expected);
                 }
             }
@@ -99,7 +100,7 @@ impl Format for Allowances {
     }
 
     fn expected() -> String {
-        "a table of codes of findings and warnings, each with the reason why it is allowed".into()
+        "a table of codes of warnings, each with the reason why it is accepted".into()
     }
 
     fn schema() -> Json {

@@ -1,4 +1,4 @@
-//! How the structure starts, is damped, is analysed and recorded.
+//! Damping, time, integration, recording, paths and reports.
 
 use percuss::{MultipleImpacts, Start};
 use serde_json::{Value as Json, json};
@@ -17,8 +17,8 @@ use crate::write::Writer;
 table! {
     /// Damping of the structure as a whole.
     pub struct Damping {
-        /// Ratios of critical damping of the flexible modes, from the lowest on; or one ratio for `modes` of them. Damped is motion relative to
-        /// the rigid motion of each body and to supports that move; a mechanism cannot be damped so.
+        /// Modal damping: ratios of critical damping of the flexible modes, from the lowest on; or one ratio for `modes` of them. It acts on
+        /// motion relative to the rigid motion of each body and to moving supports; a mechanism cannot have it.
         modal: ModalRatios as Modal = ModalRatios::Each(Vec::new()),
         /// Number of modes damped where one ratio is given for all of them; 10 if none is given.
         modes: Option<usize> as Maybe<Count> = None,
@@ -110,11 +110,11 @@ impl Inline for Modal {
 }
 
 kinds! {
-    /// How impacts of rigid projectiles are resolved in time.
+    /// Resolution of impacts of rigid contacts in time.
     pub enum Impacts by "impacts" default "event" {
-        /// The instant of contact is located and the impulse acts there.
+        /// Event-driven: the instant of contact is located and the impulse acts there.
         Event = "event",
-        /// The gap is looked at once per step.
+        /// Time-stepping: the gap is evaluated once per step.
         TimeStepping = "time-stepping" {
             /// A gap at or below this counts as closed (m).
             closed_tolerance: f64 as Quantity<measure::Length>
@@ -124,21 +124,21 @@ kinds! {
 }
 
 table! {
-    /// How long the analysis runs and in which steps.
+    /// Duration and time step of the analysis.
     pub struct Time {
         /// Time at which the analysis ends (s).
         end: f64 as Quantity<measure::Time>,
-        /// Time step (s); or `accuracy`.
+        /// Time step (s); this or `accuracy`.
         step: Option<f64> as Maybe<Quantity<measure::Time>> = None,
-        /// Accuracy of peak forces and deflections, for which steps are chosen and changed as the run goes; in place of `step`.
+        /// Accuracy of peak forces and deflections, for adaptive time steps; this or `step`.
         accuracy: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,
         /// Configuration at time zero.
         start: Start as Word<Started> = Start::Reference,
-        /// How touching bodies that are struck at one instant share the blow.
+        /// Treatment of multiple impacts: several bodies in contact that are struck at once.
         multiple_impacts: MultipleImpacts as Word<Multiple> = MultipleImpacts::Simultaneous,
     }
     with {
-        /// How impacts of rigid projectiles are resolved in time.
+        /// Resolution of impacts of rigid contacts in time.
         impacts: Impacts
     }
     either step | accuracy
@@ -192,11 +192,11 @@ impl Default for Integrator {
 table! {
     /// What is recorded.
     pub struct Record {
-        /// A row is recorded every so many steps.
+        /// Output interval of the history in steps.
         every: usize as Count = 1,
-        /// Points whose displacement is recorded, besides those struck.
+        /// Points whose displacement is recorded, in addition to struck points.
         points: Vec<Point> as List<PointText> = Vec::new(),
-        /// Memory for shapes of the structure over time, which the report sets in motion, in megabytes; none are kept at 0.
+        /// Memory for shapes of the structure over time, for the animation of the report, in megabytes; no shapes are recorded at 0.
         shapes: f64 as Quantity<measure::Ratio> = SHAPES,
     }
 }
@@ -211,11 +211,11 @@ impl Default for Record {
 }
 
 table! {
-    /// How far a static equilibrium path is followed: to a load factor, or to a displacement.
+    /// End of the static equilibrium path: a load factor, or a displacement.
     pub struct Path {
-        /// Load factor of the first point; the arc that leads there is the largest.
+        /// Load factor of the first point; the arc length to it is the largest.
         first: f64 as Quantity<measure::Ratio> = 0.05,
-        /// Most points of the path.
+        /// Largest number of points of the path.
         points: usize as Count = 500,
         /// Ends at this load factor; 1 if neither this nor `until` is given.
         factor: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,

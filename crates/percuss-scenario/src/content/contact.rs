@@ -1,4 +1,4 @@
-//! Obstacles, and what happens where two things touch.
+//! Obstacles and contacts.
 
 use percuss::Sides;
 
@@ -21,10 +21,10 @@ kinds! {
         HalfPlane = "half-plane" {
             /// A point of the line (m).
             point: [f64; 2] as Vector<measure::Length>,
-            /// Direction out of the obstacle.
+            /// Outward normal of the obstacle.
             normal: [f64; 2] as Vector<measure::Ratio>,
         },
-        /// A wall of finite length with round ends; it can be struck from both sides.
+        /// A wall of finite length with round ends, with contact on both sides.
         Wall = "wall" {
             /// Its ends (m).
             ends: [[f64; 2]; 2] as Pair<Vector<measure::Length>>,
@@ -44,18 +44,18 @@ kinds! {
             at: Point as PointText,
             /// Extent along the beam (m).
             width: f64 as Quantity<measure::Length>,
-            /// Free way between the surface of the beam and either side (m).
+            /// Initial gap between the surface of the beam and either side (m).
             gap: f64 as Quantity<measure::Length>,
-            /// On which sides it stands.
+            /// Sides of the beam on which it is.
             sides: Sides as Word<SidesOf> = Sides::Both,
         },
     }
 }
 
 table! {
-    /// Something in the way: it stands still, or moves as prescribed.
+    /// Obstacle: fixed, or with prescribed motion.
     pub struct Obstacle {
-        /// Prescribed motion; at rest if none is given.
+        /// Prescribed motion; fixed if none is given.
         motion: Option<Shift> as Maybe<Braces<Shift>> = None,
     }
     with {
@@ -78,15 +78,15 @@ table! {
 }
 
 table! {
-    /// Two things that can touch.
+    /// Contact between two bodies.
     pub struct Contact {
         /// Their names: beams, obstacles, projectiles with contact = "surface"; twice the same beam for one that touches itself.
         between: [Partner; 2] as Pair<PartnerName>,
-        /// Points in each element of a beam that can touch, against anything but a projectile.
+        /// Contact points in each element of a beam, except for contact with projectiles.
         points_per_element: usize as Count = percuss::Contact::POINTS_PER_ELEMENT,
     }
     with {
-        /// What acts between them.
+        /// Contact law.
         law: Law
     }
 }

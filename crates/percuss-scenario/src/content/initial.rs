@@ -1,4 +1,4 @@
-//! How the structure starts: in one rigid motion, or its parts each in one of their own.
+//! Initial motion: of the whole structure, or of single parts.
 
 use serde_json::Value as Json;
 
@@ -16,7 +16,7 @@ use crate::table::{Collection, Declared, Named, Part, Single};
 use crate::write::Writer;
 
 table! {
-    /// Rigid motion in which beams and point masses start.
+    /// Initial rigid motion of beams and point masses.
     pub struct InitialMotion {
         /// Velocity of the point `about` (m/s).
         velocity: [f64; 2] as Vector<measure::Velocity> = [0.0, 0.0],

@@ -1,4 +1,4 @@
-//! What acts where two things touch.
+//! Contact laws.
 
 use percuss::{ContactForce, ImpactLaw};
 
@@ -12,38 +12,38 @@ use crate::words::{Curvature, Force, Impact, OrEndless, Word};
 use crate::write::Writer;
 
 kinds! {
-    /// How an elastic contact force grows with the penetration.
+    /// Force of a compliant contact as a function of the penetration.
     pub enum Potential by "law" default "linear" {
-        /// In proportion to it.
+        /// Proportional to the penetration.
         Linear = "linear" {
             /// Stiffness (N/m).
             stiffness: f64 as Quantity<measure::Stiffness>,
-            /// Stiffness (N/m) along which a contact opens that crushes: what is pushed in comes back along this line alone, the rest
-            /// is lost. Nowhere may the law be steeper.
+            /// Unloading stiffness of a contact that crushes (N/m): the indentation is permanent except for the elastic part along this
+            /// line. At least the largest slope of the law.
             unloading_stiffness: Option<f64> as Maybe<Quantity<measure::Stiffness>> = None,
         },
-        /// With its power 3/2, as between curved bodies (Hertz).
+        /// Hertz contact of curved bodies: power 3/2 of the penetration.
         Hertz = "hertz" {
             /// Stiffness (N/m^1.5); this or `hertz`.
             hertz_stiffness: Option<f64> as Maybe<Quantity<measure::HertzStiffness>> = None,
             /// The two bodies from which the stiffness follows; this or `hertz_stiffness`.
             hertz: Option<HertzBodies> as Maybe<Braces<HertzBodies>> = None,
         },
-        /// Along straight lines between given values, and on beyond the last one.
+        /// Linear between given values, and extrapolated beyond the last one.
         Table = "table" {
             /// Penetrations, from zero on, increasing (m).
             penetrations: Option<Vec<f64>> as Maybe<List<Quantity<measure::Length>>> = None,
-            /// Forces there, from zero on, never falling (N).
+            /// Forces there, from zero on, not decreasing (N).
             forces: Option<Vec<f64>> as Maybe<List<Quantity<measure::Force>>> = None,
             /// Instead of both: path of a CSV file with two columns, penetration (m) and force (N).
             file: Option<TableFile> as Maybe<File<Characteristic>> = None,
             /// The SHA-256 that the file must have, 64 hexadecimal digits.
             sha256: Option<String> as Maybe<Sum> = None,
-            /// Stiffness (N/m) along which a contact opens that crushes: what is pushed in comes back along this line alone, the rest
-            /// is lost. Nowhere may the law be steeper.
+            /// Unloading stiffness of a contact that crushes (N/m): the indentation is permanent except for the elastic part along this
+            /// line. At least the largest slope of the law.
             unloading_stiffness: Option<f64> as Maybe<Quantity<measure::Stiffness>> = None,
         },
-        /// By a function that the program which reads the scenario gives.
+        /// A function given by the program that reads the scenario.
         Given = "given",
     }
 }
@@ -55,7 +55,7 @@ table! {
         young: [f64; 2] as Pair<Quantity<measure::Pressure>>,
         /// Poisson's ratios.
         poisson: [f64; 2] as Pair<Quantity<measure::Ratio>>,
-        /// Radii of curvature where they touch (m), "flat" for a flat face.
+        /// Radii of curvature at the contact (m), "flat" for a flat face.
         radius: [f64; 2] as Pair<OrEndless<Curvature>>,
     }
 }
@@ -65,29 +65,29 @@ table! {
     pub struct Rebound {
         /// Coefficient of restitution, above 0 and up to 1.
         restitution: f64 as Quantity<measure::Ratio>,
-        /// Velocity of approach at which two free bodies part with it (m/s).
+        /// Approach velocity of two free bodies at which it holds (m/s).
         velocity: f64 as Quantity<measure::Velocity>,
     }
 }
 
 table! {
-    /// Law of an elastic contact.
+    /// Law of a compliant contact.
     pub struct Smooth {
-        /// Hunt and Crossley's factor chi (s/m): the elastic force times 1 + chi times the rate of penetration, never a
-        /// pull; this or `rebound`.
+        /// Hunt-Crossley damping factor chi (s/m): the elastic force times 1 + chi times the penetration rate, never
+        /// tensile; this or `rebound`.
         dissipation: Option<f64> as Maybe<Quantity<measure::Dissipation>> = None,
-        /// Instead of `dissipation`, what it shall lead to: { restitution = ..., velocity = ... }.
+        /// Instead of `dissipation`, the coefficient of restitution at a velocity: { restitution = ..., velocity = ... }.
         rebound: Option<Rebound> as Maybe<Braces<Rebound>> = None,
         /// How the contact force is evaluated over a step.
         force: ContactForce as Word<Force> = ContactForce::Conserving,
     }
     with {
-        /// How the force grows with the penetration.
+        /// Force as a function of the penetration.
         potential: Potential
     }
     not {
-        restitution: "`rebound = { restitution = ..., velocity = ... }`: an elastic projectile or contact has no coefficient \
-                      of restitution, a dissipative law leads to one",
+        restitution: "`rebound = { restitution = ..., velocity = ... }`: a compliant contact has no coefficient of restitution, \
+                      a dissipative law leads to one",
     }
     then settle_smooth
 }
@@ -118,13 +118,13 @@ fn settle_smooth(law: &mut Smooth, body: &Body<'_>, reader: &mut Reader<'_>) {
 }
 
 table! {
-    /// What a rigid contact does besides its restitution along the normal.
+    /// Friction and tangential restitution of a rigid (nonsmooth) contact.
     pub struct Sliding {
         /// Coefficient of Coulomb friction.
         friction: f64 as Quantity<measure::Ratio> = 0.0,
         /// Coefficient of restitution along the tangent, from 0 to 1.
         tangential_restitution: f64 as Quantity<measure::Ratio> = 0.0,
-        /// What becomes of the velocities in an impact.
+        /// Impact law.
         impact_law: ImpactLaw as Word<Impact> = ImpactLaw::Newton,
     }
 }
@@ -136,19 +136,19 @@ impl Default for Sliding {
 }
 
 kinds! {
-    /// What acts where two things touch.
+    /// Contact law.
     pub enum Law by "law" default "linear" {
-        /// No penetration: impulses and persistent contact.
+        /// Rigid (nonsmooth) contact without penetration: impulses and persistent contact.
         Rigid = "rigid" {
             /// Coefficient of restitution, from 0 to 1.
             restitution: f64 as Quantity<measure::Ratio>,
         } with {
-            /// What it does besides.
+            /// Friction and tangential restitution.
             sliding: Sliding
         },
     }
     or {
-        /// A force that grows with the penetration.
+        /// Compliant contact: a force that grows with the penetration.
         Smooth: Smooth
     }
 }

@@ -13,7 +13,7 @@ use crate::words::{OrEndless, Until};
 use crate::write::Writer;
 
 kinds! {
-    /// What a load applies.
+    /// Kind of a load.
     pub enum LoadKind by "kind" {
         /// Gravity on every beam, point mass and projectile.
         Gravity = "gravity" {
@@ -51,15 +51,15 @@ kinds! {
 table! {
     /// A load, times a function of time while it acts.
     pub struct Load {
-        /// Acts from this time on (s).
+        /// Start of the load (s).
         from: f64 as Quantity<measure::Time> = 0.0,
-        /// Acts until this time (s), or "forever".
+        /// End of the load (s), or "forever".
         until: f64 as OrEndless<Until> = f64::INFINITY,
-        /// Its time function, whose time counts from `from`: "constant" or a table { kind = ... }.
+        /// Its time function, with the time since `from`: "constant" or a table { kind = ... }.
         function: Function as FunctionText = Function::Constant,
     }
     with {
-        /// What it applies.
+        /// Its kind.
         kind: LoadKind
     }
 }

@@ -31,6 +31,7 @@ pub use yielding::*;
 pub use crate::partner::{Partner, PartnerKind, Strikes};
 pub use crate::point::Anchor;
 pub use crate::preset::Preset;
+pub use crate::profile::SteelProfile;
 
 use percuss_codes::Code;
 
@@ -41,7 +42,7 @@ use crate::write::Writer;
 use allow::Allowances;
 
 table! {
-    /// A beam or a frame, what holds it, what loads it and what strikes it.
+    /// A structure of beams with supports, loads and projectiles.
     pub struct Content {
         /// One line about the scenario.
         title: String as Text = String::new(),
@@ -51,7 +52,7 @@ table! {
         section: Vec<Named<Section>> as Collection<Section> = Vec::new(),
         /// Beams, by name.
         beam: Vec<Named<Beam>> as Collection<Beam> = Vec::new(),
-        /// Supports to ground, by name.
+        /// Supports, by name.
         support: Vec<Named<Support>> as Collection<Support> = Vec::new(),
         /// Joints between beams, by name.
         joint: Vec<Named<Joint>> as Collection<Joint> = Vec::new(),
@@ -67,21 +68,21 @@ table! {
         contact: Vec<Named<Contact>> as Collection<Contact> = Vec::new(),
         /// Loads, by name.
         load: Vec<Named<Load>> as Collection<Load> = Vec::new(),
-        /// Rigid motion in which all beams and point masses start, and those that start in one of their own, by name.
+        /// Initial rigid motion of all beams and point masses, and of single ones, by name.
         initial: Initial as Starts = Initial::default(),
         /// Damping of the structure as a whole.
         damping: Damping as Single<Damping> = Damping::default(),
-        /// How long the analysis runs and in which steps.
+        /// Duration and time step of the analysis.
         time: Time as Single<Time>,
         /// Time integration.
         integrator: Integrator as Single<Integrator> = Integrator::default(),
         /// What is recorded.
         record: Record as Single<Record> = Record::default(),
-        /// How far a static equilibrium path is followed.
+        /// End of the static equilibrium path.
         path: Path as Single<Path> = Path::default(),
         /// What the report shows.
         report: Report as Single<Report> = Report::plain(),
-        /// Findings of the advisor that are no reason to worry here: codes, each with the reason why.
+        /// Warnings that are accepted in this scenario: codes, each with the reason.
         allow: Vec<Allowed> as Allowances = Vec::new(),
     }
     then anything_moves
@@ -95,7 +96,7 @@ fn anything_moves(content: &mut Content, body: &Body<'_>, reader: &mut Reader<'_
     };
     let read = !content.beam.is_empty() || !content.projectile.is_empty();
     if !read && !given("beam") && !given("projectile") {
-        let expected = "at least one table [beam.NAME], or free projectiles [projectile.NAME] and what they meet";
+        let expected = "at least one table [beam.NAME], or free projectiles [projectile.NAME] and their contacts";
         reader.missing(body, "beam", "no beam", expected);
     }
 }

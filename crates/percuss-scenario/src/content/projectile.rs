@@ -1,4 +1,4 @@
-//! Projectiles: guided to a point of a beam, or free in the plane.
+//! Projectiles: guided along a line, or free in the plane.
 
 use super::law::{Sliding, Smooth};
 use crate::format::Maybe;
@@ -12,14 +12,14 @@ use crate::table::{Braces, Declared};
 use crate::write::Writer;
 
 kinds! {
-    /// What strikes.
+    /// Contact of a projectile: compliant or rigid (nonsmooth).
     pub enum ProjectileKind by "kind" {
-        /// A mass behind a massless spring.
+        /// Compliant contact: rigid mass with a contact spring.
         Elastic = "elastic" {} with {
-            /// Law of the spring.
+            /// Law of the contact spring.
             law: Smooth
         },
-        /// A rigid mass under an impact law.
+        /// Rigid (nonsmooth) contact: rigid mass with restitution and friction.
         Rigid = "rigid" {
             /// Coefficient of restitution, from 0 to 1.
             restitution: f64 as Quantity<measure::Ratio>,
@@ -28,27 +28,27 @@ kinds! {
 }
 
 kinds! {
-    /// Where a projectile touches.
+    /// Guided to a point of a beam, or free with contact on its surface.
     pub enum Touch by "contact" default "point" {
-        /// Guided along a fixed line of flight, it touches a fixed material point of a beam.
+        /// Guided along a fixed line, in contact with a fixed material point of a beam.
         Point = "point" {
-            /// The point struck.
+            /// Contact target: the point of a beam that it strikes.
             strikes: Point as PointText,
-            /// Initial distance from the beam along the line of flight (m).
+            /// Initial gap to the beam along the line of motion (m).
             standoff: f64 as Quantity<measure::Length> = 0.0,
-            /// A second mass behind it.
+            /// Secondary (trailing) mass behind it, on a spring.
             rear: Option<Rear> as Maybe<Braces<Rear>> = None,
-            /// Mass that the struck point carries in itself (kg): what a blow meets first, however fine the mesh.
+            /// Added nodal mass at the struck point (kg), which makes rigid impacts independent of the mesh.
             local_mass: f64 as Quantity<measure::Mass> = 0.0,
         },
-        /// Free in the plane, it touches whatever it strikes on its surface.
+        /// Free in the plane, with contact on the surfaces of its targets.
         Surface = "surface" {
-            /// A point that it flies at, a name, or a list of names of beams, obstacles and projectiles that may begin with
-            /// a point; every beam if nothing is given.
+            /// Contact targets: a point, a name, or a list of names of beams, obstacles and projectiles that may begin with
+            /// a point; all beams if omitted.
             strikes: Option<Strikes> as Maybe<StrikesText> = None,
-            /// Initial distance between its surface and that of the beam along its velocity (m), where it flies at a point.
+            /// Initial gap between the surfaces along the velocity (m), for a point target.
             standoff: Option<f64> as Maybe<Quantity<measure::Length>> = None,
-            /// Its centre at the start (m), where it flies at no point.
+            /// Its centre at the start (m), without a point target.
             position: Option<[f64; 2]> as Maybe<Vector<measure::Length>> = None,
             /// Radius (m); zero for a point.
             radius: f64 as Quantity<measure::Length> = 0.0,
@@ -57,44 +57,44 @@ kinds! {
             /// Angular velocity at the start, positive counter-clockwise (rad/s).
             spin: f64 as Quantity<measure::Spin> = 0.0,
         } with {
-            /// What a rigid one does besides its restitution.
+            /// Friction and tangential restitution of a rigid contact.
             sliding: Option<Sliding>
         },
     }
 }
 
 table! {
-    /// A second mass of a projectile, behind the first one on its line of flight.
+    /// Secondary (trailing) mass of a projectile, behind the first one on its line of motion.
     pub struct Rear {
         /// Mass (kg).
         mass: f64 as Quantity<measure::Mass>,
-        /// Stiffness of the spring between the two, which pushes and pulls (N/m).
+        /// Stiffness of the spring between the two masses, in tension and compression (N/m).
         stiffness: f64 as Quantity<measure::Stiffness>,
-        /// Damping of the same (N s/m).
+        /// Damping of the spring (N s/m).
         damping: f64 as Quantity<measure::Damping> = 0.0,
     }
 }
 
 table! {
-    /// A projectile: it strikes a fixed point of a beam, or moves freely and touches what is in its way.
+    /// Projectile: a rigid mass, guided to a point of a beam or free in the plane.
     pub struct Projectile {
         /// Mass (kg); of two masses, that of the front one.
         mass: f64 as Quantity<measure::Mass>,
         /// Initial velocity (m/s).
         velocity: [f64; 2] as Vector<measure::Velocity>,
-        /// Line of flight towards the point it strikes; needed only where the velocity is zero.
+        /// Direction of motion towards the target point; needed only where the velocity is zero.
         direction: Option<[f64; 2]> as Maybe<Vector<measure::Ratio>> = None,
     }
     with {
-        /// What strikes.
+        /// Compliant ("elastic") or rigid (nonsmooth) contact of the mass, which is rigid in both.
         kind: ProjectileKind,
-        /// Where it touches.
+        /// Guided to a point, or free with contact on its surface.
         contact: Touch,
     }
     then settle_projectile
 }
 
-/// Only a rigid projectile slides by a law, and a free one begins at a place or flies at a point.
+/// Only a rigid contact has friction, and a free projectile has a position or a target point.
 fn settle_projectile(projectile: &mut Projectile, body: &Body<'_>, reader: &mut Reader<'_>) {
     let Touch::Surface { strikes, standoff, sliding, .. } = &mut projectile.contact else { return };
     match projectile.kind {
@@ -121,14 +121,13 @@ fn settle_projectile(projectile: &mut Projectile, body: &Body<'_>, reader: &mut 
         }
         (Some(_), None) if !unread => {
             for node in ["standoff", "direction"].into_iter().filter_map(|key| body.get(key)) {
-                let found = "a projectile that flies at no point";
+                let found = "a projectile without a target point";
                 let expected = "a point in `strikes` instead of `position`, or none of this";
                 reader.misplaced(&node.path, node.span, found, expected);
             }
         }
         (None, None) if !unread => {
-            let expected = "`position`, its centre at the start, or a point in `strikes` that it \
-                            flies at";
+            let expected = "`position`, its centre at the start, or a target point in `strikes`";
             reader.missing(body, "position", "no `position`", expected);
         }
         _ => {}

@@ -6,20 +6,21 @@ use crate::format::{Count, List, Maybe};
 use crate::measure;
 use crate::name::{MaterialName, NameOf, SectionName};
 use crate::node::{Body, Reader};
+use crate::profile::{ProfileName, SteelProfile};
 use crate::quantity::Quantity;
 use crate::words::Rotary;
 use crate::write::Writer;
 
 kinds! {
     /// Shape of a cross section.
-    pub enum Shape by "shape" default "explicit" {
+    pub enum Shape by "shape" default "explicit" implied "profile" by "profile" {
         /// Area and second moment of area as given.
         Explicit = "explicit" {
             /// Area (m^2).
             area: f64 as Quantity<measure::Area>,
             /// Second moment of area (m^4).
             inertia: f64 as Quantity<measure::Inertia>,
-            /// Depth between the extreme fibres (m); without it no fibre strains are reported.
+            /// Depth between the extreme fibres (m); no fibre strains are reported if omitted.
             depth: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         },
         /// A full rectangle.
@@ -61,15 +62,21 @@ kinds! {
             /// Thickness of the wall (m).
             thickness: f64 as Quantity<measure::Length>,
         },
-        /// Fibres one by one, of one material or of several; the centre line is their elastic centroid.
+        /// A steel profile by its name, bent about the axis across its depth; `profile` alone implies this shape.
+        Profile = "profile" {
+            /// IPE, HEA, HEB (EN 10365), W (AISC): "IPE 200", "HEB 300", "W12x26". Hot finished hollow sections of any size in mm (EN 10210-2): "RHS
+            /// 200x100x8" (depth, width, wall), "SHS 100x5", "CHS 168.3x5". A beam may also name a profile as its `section`.
+            profile: SteelProfile as ProfileName,
+        },
+        /// Single fibres, of one material or of several; the centre line is their elastic centroid.
         Fibres = "fibres" {
             /// Heights of the fibres above the centre line (m).
             heights: Vec<f64> as List<Quantity<measure::Length>>,
             /// Areas of the fibres (m^2).
             areas: Vec<f64> as List<Quantity<measure::Area>>,
-            /// Names of the materials of the fibres; all are of the beam's material without.
+            /// Names of the materials of the fibres; that of the beam if omitted.
             materials: Option<Vec<String>> as Maybe<List<NameOf<MaterialName>>> = None,
-            /// Depth of what touches and is drawn, the centre line half-way (m); twice the largest distance of a fibre without.
+            /// Depth for contact and drawing, centred on the centre line (m); twice the largest distance of a fibre if omitted.
             depth: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         },
         /// Varies along the beam: area, second moment of area and depth linearly between stations.

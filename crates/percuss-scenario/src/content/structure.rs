@@ -16,35 +16,37 @@ use crate::table::{Braces, exclude};
 use crate::words::{Bears, Closed, Curved, OfPreset, OrEndless, Strain, Word};
 use crate::write::Writer;
 
-/// What beams do not have.
-const NO_POISSON: &str = "no Poisson's ratio: beams have none, `young` and `density` say all";
+/// Keys of other programs that beams do not use.
+const NO_POISSON: &str = "no Poisson's ratio: beams do not use it (only `young` and `density`)";
 const NO_SHEAR: &str =
-    "no shear modulus: the beams do not deform by shear, `young` and `density` say all";
+    "no shear modulus: beams have no shear deformation (only `young` and `density`)";
 
 table! {
     /// Material of a beam.
     pub struct Material {
-        /// A material known by name: gives `young` and `density` where these are left out.
+        /// A material by name: gives `young` and `density` where these are omitted.
         preset: Option<Preset> as Maybe<Word<Presets>> = None,
-        /// Young's modulus (Pa); must be given without `preset`.
+        /// Young's modulus (Pa); required without `preset`.
         young: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
-        /// Density (kg/m^3); must be given without `preset`.
+        /// Density (kg/m^3); required without `preset`.
         density: Option<f64> as Maybe<Quantity<measure::Density>> = None,
         /// Strain measure of the strain energy.
         strain: StrainMeasure as Word<Strain> = StrainMeasure::Green,
-        /// Retardation time of Kelvin-Voigt damping (s): stress grows by this time the rate of strain.
+        /// Retardation time of Kelvin-Voigt damping (s), which adds E times this time the strain rate to the stress: stiffness-proportional
+        /// damping, Rayleigh's beta.
         retardation: f64 as Quantity<measure::Time> = 0.0,
-        /// Damping force per mass and velocity (1/s).
+        /// Mass-proportional damping, Rayleigh's alpha (1/s): damping force per mass and velocity.
         mass_damping: f64 as Quantity<measure::Rate> = 0.0,
-        /// Yield stress (Pa), or "preset" for the usual one of the preset; without it the material is elastic.
+        /// Yield stress (Pa), or "preset" for the usual one of the preset; elastic if omitted.
         r#yield: Option<f64> as Maybe<OrEndless<OfPreset>> = None,
-        /// How the yield stress grows with plastic strain; perfectly plastic without.
+        /// Hardening with plastic strain; perfectly plastic if omitted.
         hardening: Option<Hardening> as Maybe<Braces<Hardening>> = None,
-        /// How stress grows beyond the yield stress with the rate of plastic strain, or "preset" for measured constants of the preset.
+        /// Strain-rate dependence (Cowper-Symonds overstress), or "preset" for measured constants of the preset.
         rate: Option<RateLaw> as Maybe<RateText> = None,
-        /// Magnitude of strain at which a fibre fails for good; none does without.
+        /// Fracture strain: magnitude of strain at which a fibre fails permanently; no failure if omitted.
         failure_strain: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,
-        /// Stresses that it bears; with `yield` it gapes without stress on the other side and yields on this one alone (experimental).
+        /// Tension-only or compression-only material; with `yield` it opens without stress on the other side and yields on this one alone
+        /// (experimental).
         bears: Option<Slack> as Word<Bears> = None,
     }
     either preset | young & density
@@ -82,23 +84,23 @@ fn settle_material(material: &mut Material, body: &Body<'_>, reader: &mut Reader
 table! {
     /// A beam: a centre line with material, section and finite elements.
     pub struct Beam {
-        /// Points the centre line runs through (m), or the path of a CSV file with two columns, x and y (m).
+        /// Points of the centre line (m), or the path of a CSV file with two columns, x and y (m).
         points: Vec<[f64; 2]> as Points,
-        /// How the points are joined.
+        /// Curve through the points.
         curve: Curve as Word<Curved> = Curve::Polyline,
-        /// Least number of finite elements (nodes also stand where something acts); this or `element_length`.
+        /// Smallest number of finite elements (there are also nodes at supports, joints and loads); this or `element_length`.
         elements: Option<usize> as Maybe<Count> = None,
-        /// Length that no finite element exceeds (m); this or `elements`.
+        /// Largest length of a finite element (m); this or `elements`.
         element_length: Option<f64> as Maybe<Quantity<measure::Length>> = None,
-        /// Elements smaller towards a place.
+        /// Mesh grading: smaller elements towards a location.
         grading: Option<Grading> as Maybe<Braces<Grading>> = None,
         /// Name of its material.
         material: String as NameOf<MaterialName>,
         /// Name of its section.
         section: String as NameOf<SectionName>,
-        /// Places from which on it has another material or section, in their order.
+        /// Locations from which it has another material or section, in their order.
         changes: Vec<Change> as List<Braces<Change>> = Vec::new(),
-        /// What closes its outline at both ends for contact, within its length.
+        /// Shape of both ends for contact, within its length.
         ends: Ends as Word<Closed> = Ends::Flat,
     }
     either elements | element_length
@@ -120,13 +122,13 @@ table! {
     pub struct Grading {
         /// Where the elements are smallest: "start", "mid", "end", a fraction or a length.
         towards: Along as Place,
-        /// How many times smaller they are there than at the far end; above one.
+        /// Ratio of the largest to the smallest element length; above one.
         ratio: f64 as Quantity<measure::Ratio>,
     }
 }
 
 table! {
-    /// From a place on, a beam has another material or section.
+    /// Another material or section of a beam from a location on.
     pub struct Change {
         /// Where it begins: "start", "mid", "end", a fraction or a length.
         at: Along as Place,
@@ -142,7 +144,7 @@ table! {
 fn settle_change(_: &mut Change, body: &Body<'_>, reader: &mut Reader<'_>) {
     let excused = reader.excuses(body, "section") || reader.excuses(body, "material");
     if body.get("section").is_none() && body.get("material").is_none() && !excused {
-        let found = "a change of nothing";
+        let found = "a change without a section or material";
         reader.misplaced(&body.path, body.span.clone(), found, "`section`, `material` or both");
     }
 }

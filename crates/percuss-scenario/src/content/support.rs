@@ -1,4 +1,4 @@
-//! What holds beams: supports, joints, springs; and the masses they carry.
+//! Supports, joints, springs and point masses.
 
 use percuss::Component;
 
@@ -14,23 +14,23 @@ use crate::words::{Held, OrEndless, Until};
 use crate::write::Writer;
 
 kinds! {
-    /// What a support holds.
+    /// Kind of a support.
     pub enum SupportKind by "kind" {
-        /// Holds both displacements and the direction of the tangent; the stretch stays free.
+        /// Fixes both displacements and the rotation of the tangent; the stretch is free.
         Clamp = "clamp",
-        /// Holds both displacements.
+        /// Fixes both displacements.
         Pin = "pin",
-        /// Holds the displacement across `direction`.
+        /// Fixes the displacement across `direction`.
         Roller = "roller" {
             /// Direction along which it rolls freely.
             direction: [f64; 2] as Vector<measure::Ratio> = [1.0, 0.0],
         },
-        /// Holds the listed components.
+        /// Partial fixity: fixes the listed degrees of freedom.
         Fix = "fix" {
-            /// Components held: 1, 2 (displacements), "rotation", "stretch".
+            /// Degrees of freedom that are fixed: 1, 2 (displacements), "rotation", "stretch".
             components: Vec<Component> as List<Held>,
         },
-        /// Springs and dampers between the point and where it was in the reference configuration.
+        /// Springs and dampers between the point and its place in the reference configuration.
         Elastic = "elastic" {
             /// First axis of the springs; the second is across it.
             direction: [f64; 2] as Vector<measure::Ratio> = [1.0, 0.0],
@@ -43,15 +43,15 @@ kinds! {
             /// Damping of the rotation of the tangent (N m s).
             rotational_damping: f64 as Quantity<measure::TurnDamping> = 0.0,
         },
-        /// A spring that pushes back once the point has moved by `gap` along `direction`.
+        /// One-sided spring (stop) that acts once the point has moved by `gap` along `direction`.
         Stop = "stop" {
             /// Direction of motion that is stopped.
             direction: [f64; 2] as Vector<measure::Ratio>,
-            /// Free way in the reference configuration (m).
+            /// Initial gap in the reference configuration (m).
             gap: f64 as Quantity<measure::Length> = 0.0,
             /// Stiffness of the stop (N/m).
             stiffness: f64 as Quantity<measure::Stiffness>,
-            /// Whether motion against `direction` is stopped after the same way.
+            /// Whether motion against `direction` is stopped after the same gap.
             two_sided: bool as Flag = false,
         },
     }
@@ -60,15 +60,15 @@ kinds! {
 table! {
     /// A support to ground.
     pub struct Support {
-        /// The point held.
+        /// The supported point.
         at: Point as PointText,
-        /// Holds until this time (s), or "forever".
+        /// Active until this time (s), or "forever".
         until: f64 as OrEndless<Until> = f64::INFINITY,
-        /// Prescribed motion of what is held; at rest if none is given.
+        /// Prescribed motion of the fixed components; at rest if none is given.
         motion: Option<Motion> as Maybe<Braces<Motion>> = None,
     }
     with {
-        /// What it holds.
+        /// Its kind.
         kind: SupportKind
     }
 }
@@ -86,32 +86,32 @@ table! {
 }
 
 kinds! {
-    /// What a joint shares.
+    /// Kind of a joint.
     pub enum JointKind by "kind" {
-        /// Position shared, angle between the beams kept.
+        /// Rigid: common position, constant angle between the beams.
         Rigid = "rigid",
-        /// Position shared.
+        /// Hinge: common position, free rotation, with a rotational spring and damper if given.
         Hinge = "hinge" {
             /// Stiffness against a change of the angle (N m).
             stiffness: f64 as Quantity<measure::TurnStiffness> = 0.0,
             /// Damping of a change of the angle (N m s).
             damping: f64 as Quantity<measure::TurnDamping> = 0.0,
-            /// Moment at which it yields (N m); without it the hinge is elastic.
+            /// Yield moment (N m); elastic if omitted.
             yield_moment: Option<f64> as Maybe<Quantity<measure::Moment>> = None,
-            /// How the yield moment grows with plastic rotation; perfectly plastic without.
+            /// Hardening with plastic rotation; perfectly plastic if omitted.
             hardening: Option<HingeHardening> as Maybe<Braces<HingeHardening>> = None,
-            /// Rotation, to either side, at which its spring fails for good (rad); it does not without.
+            /// Rotation, to either side, at which its spring fails permanently (rad); no failure if omitted.
             failure_rotation: Option<f64> as Maybe<Quantity<measure::Angle>> = None,
         },
     }
 }
 
 table! {
-    /// What a joint carries at most.
+    /// Breakaway strength of a joint.
     pub struct JointStrength {
-        /// Size of the force (N); any without.
+        /// Largest force (N); no limit if omitted.
         force: Option<f64> as Maybe<Quantity<measure::Force>> = None,
-        /// Size of the moment, of a rigid joint (N m); any without.
+        /// Largest moment, of a rigid joint (N m); no limit if omitted.
         moment: Option<f64> as Maybe<Quantity<measure::Moment>> = None,
     }
 }
@@ -119,13 +119,13 @@ table! {
 table! {
     /// A joint between two beams.
     pub struct Joint {
-        /// The two points joined; they must lie at the same place.
+        /// The two connected points, which must coincide.
         between: [Point; 2] as Pair<PointText>,
-        /// What it carries at most: after a step over which the mean force or moment was larger it holds no longer; it never parts without.
+        /// Breakaway strength: the joint fails after a step whose mean force or moment exceeds it; no failure if omitted.
         strength: Option<JointStrength> as Maybe<Braces<JointStrength>> = None,
     }
     with {
-        /// What is shared.
+        /// Its kind.
         kind: JointKind
     }
     then settle_joint
@@ -136,7 +136,7 @@ fn settle_joint(_: &mut Joint, body: &Body<'_>, reader: &mut Reader<'_>) {
 }
 
 table! {
-    /// A spring and damper between two points; it pulls and pushes along the line between them.
+    /// A spring and damper between two points, in tension and compression along the line between them.
     pub struct Spring {
         /// Its ends: points on beams, or places on the ground as [x, y] (m).
         between: [Anchor; 2] as Pair<AnchorText>,
@@ -144,13 +144,13 @@ table! {
         stiffness: f64 as Quantity<measure::Stiffness>,
         /// Damping (N s/m).
         damping: f64 as Quantity<measure::Damping> = 0.0,
-        /// Length without force (m); that of the reference configuration if none is given.
+        /// Unstrained length (m); that of the reference configuration if none is given.
         length: Option<f64> as Maybe<Quantity<measure::Length>> = None,
-        /// Force at which it yields, in tension and compression (N); without it the spring is elastic.
+        /// Yield force, in tension and compression (N); elastic if omitted.
         yield_force: Option<f64> as Maybe<Quantity<measure::Force>> = None,
-        /// How the yield force grows with plastic extension; perfectly plastic without.
+        /// Hardening with plastic extension; perfectly plastic if omitted.
         hardening: Option<SpringHardening> as Maybe<Braces<SpringHardening>> = None,
-        /// Extension or shortening, from the length without force, at which it fails for good (m); it does not without.
+        /// Extension or shortening, from the unstrained length, at which it fails permanently (m); no failure if omitted.
         failure_extension: Option<f64> as Maybe<Quantity<measure::Length>> = None,
     }
     then settle_spring

@@ -44,7 +44,7 @@ fn settle_hardening(hardening: &mut Hardening, body: &Body<'_>, reader: &mut Rea
     let converted = hardening.stress == TableStress::True;
     if converted && body.get("table").is_none() && !reader.excuses(body, "table") {
         let found = "`stress` without a table";
-        reader.missing(body, "table", found, "`table` beside it, whose stresses it tells");
+        reader.missing(body, "table", found, "`table` with these stresses");
     }
 }
 

@@ -67,7 +67,7 @@ fn settle_parameter(_: &mut Parameter, body: &Body<'_>, reader: &mut Reader<'_>)
     }
     if !keys.iter().any(|key| body.get(key).is_some() || reader.excuses(body, key)) {
         let expected = "`values`, such as [\"10 m/s\", \"20 m/s\"], `range` or `distribution`";
-        reader.missing(body, "values", "nothing that varies", expected);
+        reader.missing(body, "values", "no variation", expected);
     }
 }
 

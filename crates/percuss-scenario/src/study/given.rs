@@ -43,7 +43,7 @@ impl Format for Anything {
     }
 
     fn expected() -> String {
-        "a value as it stands in the scenario, such as 20 or \"20 m/s\"".into()
+        "a value as written in the scenario, such as 20 or \"20 m/s\"".into()
     }
 
     fn schema() -> Json {

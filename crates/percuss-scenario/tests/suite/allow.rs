@@ -40,13 +40,13 @@ fn warnings_of_the_audit_can_be_allowed() {
 
 #[test]
 fn codes_that_cannot_be_allowed_are_refused() {
-    let whole = ["W107\" (interrupted), which tells how a command went", "W101 to W105", "[E008]"];
+    let whole = ["W107\" (interrupted), which reports on a command", "W101 to W105", "[E008]"];
     refused("W107 = \"x\"", &whole);
     refused("W099 = \"x\"", &["allow.W099", "found the code \"W099\"", "[E007]"]);
     refused("w007 = \"x\"", &["found the code \"w007\"", "(did you mean `W007`?)", "[E007]"]);
-    let whole = ["an error, which cannot be allowed", "W001 to W023", "[E008]"];
+    let whole = ["an error, which cannot be accepted", "W001 to W023", "[E008]"];
     refused("E006 = \"x\"", &whole);
-    refused("W007 = \"\"", &["found an empty reason, expected why it is allowed", "[E005]"]);
+    refused("W007 = \"\"", &["found an empty reason, expected the reason", "[E005]"]);
     refused("W007 = \"  \"", &["found an empty reason"]);
     refused("W007 = true", &["found `true`", "[E005]"]);
 }

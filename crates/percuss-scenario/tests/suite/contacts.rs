@@ -25,7 +25,7 @@ fn a_free_projectile_begins_at_a_place_or_flies_at_a_point() {
     bad(
         &free("strikes = \"b\""),
         &["13:1: projectile.p.position: found no `position`, expected `position`, its centre at \
-           the start, or a point in `strikes` that it flies at"],
+           the start, or a target point in `strikes`"],
     );
     bad(
         &free("strikes = \"b.mid\"\nposition = [1, 1]"),
@@ -35,9 +35,9 @@ fn a_free_projectile_begins_at_a_place_or_flies_at_a_point() {
     bad(
         &free("position = [1, 1]\nstandoff = 1\ndirection = [0, 1]"),
         &[
-            "22:12: projectile.p.standoff: found a projectile that flies at no point, expected a \
+            "22:12: projectile.p.standoff: found a projectile without a target point, expected a \
              point in `strikes` instead of `position`, or none of this",
-            "23:13: projectile.p.direction: found a projectile that flies at no point, expected a \
+            "23:13: projectile.p.direction: found a projectile without a target point, expected a \
              point in `strikes` instead of `position`, or none of this",
         ],
     );
@@ -57,8 +57,8 @@ fn a_line_of_flight_meets_the_beam() {
         (
             "[0, 0]",
             "",
-            "15:12: projectile.p.velocity: found no line of flight: zero velocity, expected a \
-             velocity, or for a projectile at rest `direction`, its line of flight",
+            "15:12: projectile.p.velocity: found zero velocity, expected a velocity, or `direction` \
+             for a projectile at rest",
         ),
         (
             "[0, 1]",
@@ -69,14 +69,14 @@ fn a_line_of_flight_meets_the_beam() {
         (
             "[2, 0]",
             "",
-            "21:11: projectile.p.strikes: found a line of flight along the beam, expected a line \
-             of flight that meets its face, or `position`",
+            "21:11: projectile.p.strikes: found a direction of motion along the beam, expected a \
+             direction of motion that meets the beam, or `position`",
         ),
         (
             "[0, 1]",
             "standoff = \"-1 mm\"",
-            "22:12: projectile.p.standoff: found a projectile that starts 0.001 m inside the \
-             beam, expected a standoff of zero or above",
+            "22:12: projectile.p.standoff: found an initial penetration of 0.001 m, expected a \
+             standoff of zero or above",
         ),
     ] {
         bad(&flight(velocity, more), &[expected]);
@@ -134,7 +134,7 @@ fn struck_things_have_names() {
         (
             "\"p\"",
             "22:11: projectile.p.strikes: found the projectile \"p\" and itself, expected two \
-             different things",
+             different bodies",
         ),
         (
             "[\"b\", \"b\"]",
@@ -173,7 +173,7 @@ fn a_name_that_two_things_share_stands_for_neither() {
     let text = WALL.replace("wall]", "b]") + &free("position = [0, 2]");
     bad(
         &text,
-        &["13:1: obstacle.b: found nothing that touches it, expected a table \
+        &["13:1: obstacle.b: found no contact, expected a table \
                   [contact.NAME] with it, or a projectile that strikes it"],
     );
 }
@@ -221,7 +221,7 @@ fn obstacles_come_in_kinds_and_move() {
 
 #[test]
 fn an_obstacle_that_nothing_touches_is_a_fault() {
-    let nothing = "found nothing that touches it, expected a table [contact.NAME] with it, or a \
+    let nothing = "found no contact, expected a table [contact.NAME] with it, or a \
                    projectile that strikes it";
     bad(WALL, &[&format!("13:1: obstacle.wall: {nothing}")]);
     // Unless what touches it could not be read.
@@ -263,7 +263,7 @@ fn contacts_are_between_two_things_that_can_touch() {
     );
     bad(
         &(between("[\"p\", \"p\"]") + &free("position = [0, 2]")),
-        &[&format!("{at}the projectile \"p\" and itself, expected two different things")],
+        &[&format!("{at}the projectile \"p\" and itself, expected two different bodies")],
     );
     bad(
         &between("[\"wall\", \"b\"]"),

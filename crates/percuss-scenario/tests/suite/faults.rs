@@ -145,7 +145,7 @@ fn a_missing_table_is_named() {
     assert_eq!(
         beam.to_string(),
         "f.toml:1:1: beam: found no beam, expected at least one table [beam.NAME], or free projectiles \
-         [projectile.NAME] and what they meet"
+         [projectile.NAME] and their contacts"
     );
     let text = &ELASTIC[..ELASTIC.find("[time]").unwrap()];
     assert!(faults(text).to_string().contains("time: found no [time], expected a table with"));
@@ -285,7 +285,7 @@ fn a_step_or_an_accuracy_is_given_and_not_both() {
     }
     let text = RIGID.replace(step, "accuracy = 0.01");
     let text = one(&text, "impacts = \"event\"", "impacts = \"time-stepping\"");
-    assert!(text.contains("a gap that is looked at once per step"), "{text}");
+    assert!(text.contains("a gap that is evaluated once per step"), "{text}");
 }
 
 #[test]

@@ -150,9 +150,8 @@ fn paths_to_laws_are_checked() {
 #[test]
 fn an_elastic_projectile_has_no_restitution_of_its_own() {
     let place = "20:1: projectile.p.restitution: found `restitution`, which belongs to kind = \
-                 \"rigid\", expected `rebound = { restitution = ..., velocity = ... }`: an elastic \
-                 projectile or contact has no coefficient of restitution, a dissipative law leads \
-                 to one";
+                 \"rigid\", expected `rebound = { restitution = ..., velocity = ... }`: a compliant \
+                 contact has no coefficient of restitution, a dissipative law leads to one";
     bad(&elastic("restitution = 0.5\nstiffness = 1"), &[place]);
     let text = faults(&contact("stiffness = 1\nrestitution = 0.5")).to_string();
     assert!(text.contains("which belongs to law = \"rigid\", expected `rebound = {"), "{text}");

@@ -11,6 +11,7 @@ mod faults;
 mod files_at_fault;
 mod laws;
 mod overrides;
+mod profiles;
 mod robustness;
 mod schema;
 mod structures;

@@ -318,7 +318,7 @@ fn curves_gradings_and_changes_are_read() {
         &[
             "10:19: beam.b.changes.at: found `3 kg`, which is a mass (kg), expected a fraction \
              or a length, such as 0.25 or 0.75m",
-            "10:44: beam.b.changes: found a change of nothing, expected `section`, `material` or \
+            "10:44: beam.b.changes: found a change without a section or material, expected `section`, `material` or \
              both",
             "10:58: beam.b.changes.at: found no `at`, expected a place along the beam: \
              \"start\", \"mid\", \"end\", 0.25 or \"0.75 m\"",

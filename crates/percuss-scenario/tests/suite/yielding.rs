@@ -59,8 +59,8 @@ fn a_spring_with_a_wrong_yield_is_one_fault() {
     spring(
         "stiffness = 10\nyield_force = 1\nlength = 1.5\n",
         "16:10: spring.k.length: found 1.5 m for points 2.000000 m apart: an extension of \
-         0.500000 m, and it yields at 0.100000 m, expected a length with which it does not yield \
-         before anything moves",
+         0.500000 m, and it yields at 0.100000 m, expected a length without initial \
+         yielding",
     );
 }
 
@@ -78,7 +78,7 @@ fn a_spring_with_a_wrong_hardening_is_one_fault() {
     spring(
         "isotropic = -1",
         "16:13: spring.k.hardening: found -1 N/m: it softens, expected a plastic stiffness of \
-         zero or above: softening is not followed",
+         zero or above: softening is not supported",
     );
     spring(
         "isotropic = 1, table = [[0, 1]]",
@@ -123,8 +123,8 @@ fn a_scheme_that_cannot_account_for_what_yields_is_one_fault() {
     let text = format!("stiffness = 10\nyield_force = 1\n{scheme}");
     wrong(
         &[HEAD, BEAM, SPRING, &text],
-        "17:10: integrator.scheme: found another scheme than energy-momentum, with what yields or \
-         bears no stress of one sign, or a section of fibres, expected energy-momentum: the work of \
-         what yields is exact in no other",
+        "17:10: integrator.scheme: found a scheme other than energy-momentum, with yielding, \
+         tension-only, compression-only or fibre sections, expected energy-momentum: the work of \
+         plastic flow is exact only in it",
     );
 }

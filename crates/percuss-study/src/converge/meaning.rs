@@ -35,7 +35,7 @@ impl Meaning<'_> {
             _ => words(refined, &compared, &found),
         };
         if values.windows(2).any(|pair| pair[0] * pair[1] < 0.0) && compared != values {
-            words += "; the largest magnitude is now of one sign, now of the other";
+            words += "; the sign of the largest magnitude changes between levels";
         }
         Sequence { values, compared, found, words, no_limit }
     }
@@ -52,7 +52,7 @@ impl Meaning<'_> {
         let struck = struck || self.summary.supports.iter().any(impulsive);
         let grows = values.windows(2).all(|pair| pair[1].abs() > GROWS * pair[0].abs());
         (is_force && struck && grows).then(|| {
-            "grows as the step shrinks: a rigid impact, or a jump of a support's velocity, is an impulse, and this force has no limit".into()
+            "grows with smaller steps: a rigid impact, or a velocity jump of a support, is an impulse, so that this force has no limit".into()
         })
     }
 
@@ -70,26 +70,26 @@ impl Meaning<'_> {
         });
         bare.map(|(_, mass)| {
             format!(
-                "depends on the mesh: the struck point answers a rigid blow with {:.3e} kg here, with {:.3e} kg on ever \
-                 finer meshes; give the contact a local_mass or a compliance of its own",
+                "depends on the mesh: effective mass {:.3e} kg on this mesh, tends to {:.3e} kg with refinement; add a \
+                 local_mass or use a compliant contact",
                 mass.on_mesh, mass.limit
             )
         })
     }
 }
 
-/// What a sequence means.
+/// The meaning of a sequence.
 fn words(refined: Refined, values: &[f64], found: &Extrapolation) -> String {
     let (name, these) = match refined {
-        Refined::Step => ("step", "this step is"),
-        Refined::Mesh => ("mesh", "this mesh is"),
-        Refined::Fibres => ("fibres", "these fibres are"),
-        Refined::Together => ("settings", "these settings are"),
+        Refined::Step => ("step", "this step"),
+        Refined::Mesh => ("mesh", "this mesh"),
+        Refined::Fibres => ("fibres", "these fibres"),
+        Refined::Together => ("settings", "these settings"),
     };
     if values.len() < 3 {
         return match refined {
-            Refined::Fibres => "no section whose fibres can be doubled twice yields".into(),
-            _ => format!("there is no {name} to refine"),
+            Refined::Fibres => "no yielding section whose fibres can be doubled twice".into(),
+            _ => format!("no {name} to refine"),
         };
     }
     if values.iter().any(|value| !value.is_finite()) {
@@ -111,11 +111,11 @@ fn words(refined: Refined, values: &[f64], found: &Extrapolation) -> String {
     };
     match found.order {
         Some(order) => format!(
-            "converges with order {order:.2}: {these} off by {}",
+            "converges with order {order:.2}: error of {these} {}",
             percent(values[0] - found.limit)
         ),
         None => format!(
-            "no order observed: the finest run may still be off by {}",
+            "no order observed: possible error of the finest run {}",
             percent(found.uncertainty)
         ),
     }

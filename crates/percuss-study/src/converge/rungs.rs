@@ -69,6 +69,8 @@ impl Rungs {
             levels,
             work,
             most_fibres: scenario
+                .clone()
+                .with_tables_of_profiles()
                 .content()
                 .section
                 .iter()
@@ -160,6 +162,7 @@ impl Rung {
     /// # Errors
     /// What the scenario does not take.
     pub fn model(&self, scenario: &Scenario) -> Result<Model, ConvergeError> {
+        let scenario = scenario.clone().with_tables_of_profiles();
         let mut fine = scenario.clone();
         let mut set = |path: String, value: f64| {
             let told = |fault: Fault| ConvergeError::Refused(fault.to_string());

@@ -36,7 +36,7 @@ pub(super) fn responses(study: &Study, table: &Table) -> Vec<Block> {
     let mut blocks = vec![Block::Heading("Response".into())];
     if table.rows() > most {
         let text =
-            format!("Of {} runs {most} are drawn in each figure, evenly chosen.", table.rows());
+            format!("{} runs; each figure shows {most} of them, evenly spaced.", table.rows());
         blocks.push(Block::Note(text));
     }
     let charts = study.results().iter().map(|result| {
@@ -175,7 +175,7 @@ fn exceedance(result: &ResultColumn, population: &Population, spread: &Spread) -
         x: x.clone(),
         y,
     };
-    let note = "Share of the completed runs at or below a value, and above it.".to_string();
+    let note = "Share of completed runs at or below a value and above it.".to_string();
     Chart {
         id: format!("{}-distribution", result.name),
         title: format!("Distribution of {}", result.name),

@@ -20,12 +20,12 @@ pub fn report(study: &Study, table: &Table, kept: &[(u64, String)]) -> String {
     let runs = table.rows();
     let status = match runs - completed {
         0 => format!("{runs} runs, all completed"),
-        lost => format!("{runs} runs, {completed} completed, {lost} not: see the end of this page"),
+        lost => format!("{runs} runs, {completed} completed, {lost} not completed (listed below)"),
     };
     let mut blocks = Vec::new();
     if !kept.is_empty() {
         let link = |(run, page): &(u64, String)| (format!("run {run}"), page.clone());
-        let caption = "Runs that were kept, each with its scene".to_owned();
+        let caption = "Recorded runs with their own page".to_owned();
         blocks.push(Block::Links { caption, links: kept.iter().map(link).collect() });
     }
     blocks.push(Block::Heading("Results".into()));
@@ -42,7 +42,7 @@ pub fn report(study: &Study, table: &Table, kept: &[(u64, String)]) -> String {
     blocks.push(Block::Heading("Study".into()));
     blocks.push(tables::parameters(study));
     blocks.push(Block::Note(study.how_runs_go()));
-    let summary = "Study and scenario as they were run".to_string();
+    let summary = "Study and scenario with all default values".to_string();
     blocks.push(Block::Listing { summary, text: study.to_toml() });
     render(&Sheet { title: title.into(), status, alarming: completed < runs, blocks })
 }

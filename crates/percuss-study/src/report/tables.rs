@@ -25,7 +25,7 @@ pub(super) fn results(study: &Study, table: &Table) -> Vec<Block> {
     let header = [
         "result",
         "mean",
-        "deviation",
+        "standard deviation",
         "smallest",
         "5 %",
         "median",
@@ -50,7 +50,7 @@ pub(super) fn results(study: &Study, table: &Table) -> Vec<Block> {
         row
     };
     let rows = populations(study, table).map(row).collect();
-    let caption = "Over the runs that completed and have a value".to_string();
+    let caption = "Completed runs with a value".to_string();
     let mut blocks = vec![Block::Table { caption, header: texts(&header), rows }];
     blocks.extend(open(study, table));
     if !study.is_grid() {
@@ -82,31 +82,31 @@ fn intervals(study: &Study, table: &Table) -> Block {
         };
         let words = |[low, high]: [f64; 2]| match (low.is_nan(), high.is_nan()) {
             (true, true) => "too few runs".to_string(),
-            _ => format!("{} to {}", end(low, "below all"), end(high, "above all")),
+            _ => format!("{} to {}", end(low, "below all values"), end(high, "above all values")),
         };
         Some([name.to_string()].into_iter().chain(all.map(words)).collect())
     };
     let rows: Vec<Vec<String>> = populations(study, table).filter_map(row).collect();
     let header = texts(&["result", "mean", "5 %", "median", "95 %"]);
-    Block::Table { caption: "95 % intervals of these estimates".into(), header, rows }
+    Block::Table { caption: "95 % confidence intervals".into(), header, rows }
 }
 
 /// What the intervals mean for the design at hand.
 fn about_intervals(study: &Study) -> String {
     let mut text = String::from(
-        "Means by Student's t, quantiles between two of the values (binomial ranks), shares by Clopper and Pearson.",
+        "Means: Student's t. Quantiles: order statistics (binomial ranks). Shares: Clopper and Pearson.",
     );
     if study.is_spread_evenly() {
-        text += " These hold for independent draws; the points of this design are spread more evenly, so that estimates of \
-                 smooth results err less, often several times less, than their intervals say.";
+        text += " The intervals assume independent draws. The points of this design are more evenly spaced: errors of \
+                 smooth results are smaller, often several times smaller.";
     }
     if study.has_sobol_indices() {
-        text += " Of each point's runs only the two count that are drawn independently.";
+        text += " Only the two independent runs of each point are counted.";
     }
     text
 }
 
-/// How often the results lie above a value.
+/// Probabilities of exceedance of the results.
 pub(super) fn exceedances(study: &Study, table: &Table) -> Vec<Block> {
     let header = texts(&["value", "runs above", "share of completed runs", "from", "to (95 %)"]);
     let one = |(name, unit, population): (&str, &str, Population)| {
@@ -137,13 +137,15 @@ pub(super) fn exceedances(study: &Study, table: &Table) -> Vec<Block> {
         };
         let rows: Vec<Vec<String>> = seen.iter().map(row).collect();
         let caption = match population.counts() {
-            counts if counts.is_empty() => format!("{name}: how often above"),
+            counts if counts.is_empty() => format!("{name}: probability of exceedance"),
             counts if population.open.is_empty() => {
-                format!("{name}: how often above ({counts}; a run without one is not above)")
+                format!(
+                    "{name}: probability of exceedance ({counts}; runs without a value do not exceed it)"
+                )
             }
             counts => format!(
-                "{name}: how often above ({counts}; these count with what it had come to, and may be above or not beyond that; any other run \
-                 without a value is not above)"
+                "{name}: probability of exceedance ({counts}; up to the last value of a run with a closed contact it exceeds, beyond that it \
+                 may; other runs without a value do not exceed it)"
             ),
         };
         (!rows.is_empty()).then(|| Block::Table { caption, header: header.clone(), rows })
@@ -172,12 +174,12 @@ fn open(study: &Study, table: &Table) -> Vec<Block> {
         let [first, last] = [first, last].map(|value| in_words(*value, unit));
         Some(Block::Note(match path.only_grows() {
             true => format!(
-                "{name}: in {runs} a contact was still closed at the end. Its value there is at least what it had come to, {first} to {last} \
-                 (column open.{name}); mean and quantiles leave these runs out or take them as settled. A later time.end settles them."
+                "{name}: in {runs} a contact was still closed at the end. Its value there is at least the last one, {first} to {last} \
+                 (column open.{name}); these runs are left out of the mean and quantiles or taken as complete. Set a later time.end."
             ),
             false => format!(
                 "{name}: in {runs} a contact was still closed at the end. Its values there, {first} to {last} (column open.{name}), are not those \
-                 after the contact. A later time.end settles them."
+                 after the contact. Set a later time.end."
             ),
         }))
     };
@@ -190,11 +192,10 @@ pub(super) fn indices(study: &Study, table: &Table) -> Vec<Block> {
         return Vec::new();
     }
     let mut blocks = vec![
-        Block::Heading("Sensitivity: whose the variance is".into()),
+        Block::Heading("Sobol sensitivity indices".into()),
         Block::Note(
-            "First-order index: the share of the variance that would vanish if the parameter alone were known. Total index: \
-             the share that would remain if all but it were known, what it does together with others included. In \
-             brackets 95 % intervals by resampling."
+            "First-order index: share of the variance due to the parameter alone. Total index: share including its interactions \
+             with other parameters. In brackets: 95 % confidence intervals (bootstrap)."
                 .into(),
         ),
     ];
@@ -215,7 +216,7 @@ pub(super) fn indices(study: &Study, table: &Table) -> Vec<Block> {
         let caption = match lost {
             0 => format!("{}: {} points", result.name, indices.points),
             lost => format!(
-                "{}: {} points, {lost} left out for a run without a value: the indices are those of the rest",
+                "{}: {} points; {lost} points with a run without a value are left out",
                 result.name, indices.points
             ),
         };
@@ -224,18 +225,18 @@ pub(super) fn indices(study: &Study, table: &Table) -> Vec<Block> {
         unsure |= indices.first.iter().chain(&indices.total).any(|e| e.high - e.low > WIDE);
     }
     if unsure {
-        let text = format!("Some intervals are wider than {WIDE}: more runs would narrow them.");
+        let text = format!("Some intervals are wider than {WIDE}: more runs are needed.");
         blocks.push(Block::Note(text));
     }
     if study.is_spread_evenly() {
-        let text = "Resampling takes the points for independent draws. They are spread more evenly, so that indices of smooth \
-                    results err less than the intervals say, often by several times.";
+        let text = "The bootstrap assumes independent draws. The points are more evenly spaced: errors of the indices of smooth \
+                    results are smaller, often several times smaller.";
         blocks.push(Block::Note(text.into()));
     }
     blocks
 }
 
-/// Whether the balance of the runs closed.
+/// Balance errors of the runs.
 pub(super) fn audit(table: &Table) -> Vec<Block> {
     let columns = table.columns.iter().filter(|column| column.role == Role::Audit);
     let row = |column: &crate::Column| {
@@ -246,9 +247,12 @@ pub(super) fn audit(table: &Table) -> Vec<Block> {
         Some([name].into_iter().chain(values).collect())
     };
     let rows: Vec<Vec<String>> = columns.filter_map(row).collect();
-    let header = texts(&["", "median", "largest"]);
-    let caption = "Balances of energy and momentum, relative to their scales, and what runs cost";
-    vec![Block::Heading("Audit".into()), Block::Table { caption: caption.into(), header, rows }]
+    let header = texts(&["quantity", "median", "largest"]);
+    let caption = "Relative balance errors of energy and momentum, and cost of the runs";
+    vec![
+        Block::Heading("Balance errors and cost".into()),
+        Block::Table { caption: caption.into(), header, rows },
+    ]
 }
 
 /// Runs that did not end well.
@@ -282,7 +286,7 @@ pub(super) fn failures(study: &Study, table: &Table) -> Vec<Block> {
         n => format!("{n} of {} runs", table.rows()),
     };
     vec![
-        Block::Heading("Runs that did not complete".into()),
+        Block::Heading("Runs that are not completed".into()),
         Block::Table { caption, header, rows },
     ]
 }
@@ -292,7 +296,7 @@ pub(super) fn parameters(study: &Study) -> Block {
     let row = |parameter: &crate::Parameter| {
         let ends = [0.0, 1.0].map(|u| match parameter.variation.at(u) {
             crate::Input::Number(x) if x.is_finite() => in_words(x, &parameter.unit),
-            crate::Input::Number(_) => "without limit".to_string(),
+            crate::Input::Number(_) => "unbounded".to_string(),
             crate::Input::Word(word) => word.to_string(),
         });
         let kind = match &parameter.variation {

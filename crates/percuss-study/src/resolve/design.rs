@@ -51,7 +51,7 @@ pub(super) fn design(
             design.correlation = correlation(content, parameters, faults);
             if !design.can_be_paired() {
                 let found = format!("{} runs of {dimension} correlated parameters", design.points);
-                let expected = "more runs: so few cannot be paired to the coefficients asked for";
+                let expected = "more runs: too few for the requested coefficients";
                 faults.push(Fault::new("design.runs", found, expected));
             }
         }
@@ -130,7 +130,7 @@ fn correlation(
     }
     let lower = Cholesky::new(matrix).map(|c| c.l());
     if lower.is_none() {
-        let found = "coefficients that no random variables have together";
+        let found = "coefficients that are not a correlation matrix of random variables";
         faults.push(Fault::new("correlation", found, "a positive definite correlation matrix"));
     }
     lower

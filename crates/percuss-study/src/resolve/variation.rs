@@ -51,7 +51,7 @@ pub(super) fn parameter(
     } else if let Some(distribution) = &given.distribution {
         Variation::Random(distribution_of(&mut values, distribution)?)
     } else {
-        return Err(Fault::new("values", "nothing that varies", "`values`"));
+        return Err(Fault::new("values", "no variation", "`values`"));
     };
     let unit = match values.unit {
         Some("") | None => "1".to_string(),
@@ -162,7 +162,7 @@ fn truncation(limits: Option<[f64; 2]>, share: impl Fn(f64) -> f64) -> Result<Tr
     let Some(values) = limits else { return Ok(Truncation::NONE) };
     let [low, high] = values.map(share);
     if high - low < 1e-9 {
-        let found = format!("limits that hold a share of {:e} of all values", high - low);
+        let found = format!("limits that contain a share of {:e} of all values", high - low);
         let expected = "a smaller limit, then a larger one, near the mean";
         return Err(Fault::new("distribution.truncated", found, expected));
     }

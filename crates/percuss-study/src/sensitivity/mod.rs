@@ -260,7 +260,7 @@ fn why(path: &SummaryPath, value: f64, found: &Sensitivities) -> String {
 
 /// What it means that derivatives do not reach to the end of the run, in words.
 pub fn beyond(horizon: &Horizon) -> String {
-    format!("derivatives reach to t = {:.6e} s, {}", horizon.time, horizon.why)
+    format!("derivatives are available up to t = {:.6e} s, {}", horizon.time, horizon.why)
 }
 
 /// Derivatives of the results at these paths, shape (n_result, n_parameter).
@@ -330,9 +330,9 @@ fn vary(
     let ends = all.each_ref().map(|one| one.settings.end);
     let settings = all.each_ref().map(|one| Settings { end: ends[0], ..one.settings });
     if settings.iter().any(|one| *one != settings[0]) {
-        let found = "a setting of the computation: what it does to a result is an error";
+        let found = "a setting of the computation, whose effect on a result is an error";
         let expected =
-            "a number of the model, or the end of the run (`percuss converge` tells what steps do)";
+            "a number of the model, or the end of the run (for steps see `percuss converge`)";
         return Err(Fault::new(path, found, expected));
     }
     let models = all.map(|one| one.model);

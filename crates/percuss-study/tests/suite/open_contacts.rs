@@ -89,7 +89,8 @@ fn contacts_closed_at_the_end_are_counted_and_bounded() {
         assert!(open.is_nan() || *open <= *b, "{open} is the least value of {b}");
     }
     let page = report(&study, &table, &[]);
-    for words in ["dur: in ", "a contact was still closed at the end", "v: in ", "A later time.end"]
+    for words in
+        ["dur: in ", "a contact was still closed at the end", "v: in ", "Set a later time.end"]
     {
         assert!(page.contains(words), "{words}");
     }

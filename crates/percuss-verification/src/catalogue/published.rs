@@ -1,4 +1,4 @@
-//! Cases whose scenes are scenario files: published ones, and closed forms of engineering books.
+//! Cases whose scenes are scenario files: published ones, and closed forms of engineering textbooks.
 
 use crate::{Case, published_motion, published_statics};
 

@@ -1,4 +1,4 @@
-//! Every verification case holds.
+//! Every verification case passes.
 
 use percuss_verification::CASES;
 

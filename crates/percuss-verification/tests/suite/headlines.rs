@@ -1,10 +1,10 @@
-//! In every scenario shipped, each headline is the extremum of the curve it stands for.
+//! In every shipped scenario, each headline value is the extremum of its curve.
 
 use std::path::{Path, PathBuf};
 
 use percuss::*;
 
-/// Steps of a scenario that are run at most.
+/// Largest number of steps of a scenario.
 const STEPS: usize = 4000;
 
 fn scenarios() -> Vec<PathBuf> {
@@ -36,12 +36,12 @@ impl Run {
         Self { summary, rows, time, step: settings.step }
     }
 
-    /// A largest value is that of the rows around it: no smaller than any of them, and larger by no more than the curve changes by
-    /// between rows there, for it is found within the step.
+    /// A peak agrees with the rows around it: it is no smaller than any of them, and exceeds them by no more than the change of the curve between
+    /// rows, since it is located within the step.
     fn is_largest(&self, what: &str, peak: Peak, curve: &[f64]) {
         let row = (0..curve.len()).max_by(|a, b| curve[*a].total_cmp(&curve[*b])).unwrap();
         let largest = curve[row];
-        // Sums in another order.
+        // Sums have a different order.
         let round_off = 1e-12 * curve.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         assert!(peak.value >= largest - round_off, "{what}: {peak:?} below {largest}");
         let near = |t: &f64| (t - peak.time).abs() <= 2.5 * self.step;
@@ -53,7 +53,7 @@ impl Run {
         assert!(peak.value <= most, "{what}: {peak:?} above {here} + {change}");
     }
 
-    /// An extreme over more than a curve tells is no smaller than that.
+    /// An extreme over a larger set than the curve is no smaller than that of the curve.
     fn holds(&self, what: &str, [min, max]: [f64; 2], curve: &[f64]) {
         let size = curve.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let inside = |x: &&f64| **x >= min - 1e-9 * size && **x <= max + 1e-9 * size;
@@ -82,7 +82,7 @@ fn check(path: &Path) {
             let sign = if peak.value < 0.0 { -1.0 } else { 1.0 };
             let curve: Vec<f64> =
                 run.rows.column(&column).unwrap().iter().map(|x| sign * x).collect();
-            // Of largest magnitude: nothing reaches farther the other way.
+            // The largest magnitude: no value of the other sign has a larger one.
             let farther = curve.iter().find(|x| -**x > peak.value.abs());
             assert!(farther.is_none(), "{name}: {column} {peak:?} {farther:?}");
             let peak = Peak { value: sign * peak.value, ..*peak };
@@ -122,7 +122,7 @@ fn every_headline_is_the_extremum_of_its_curve() {
     all.iter().for_each(|path| check(path));
 }
 
-/// A packaged crate has no files beside it, so the paper's examples lie in it a second time.
+/// A packaged crate has no files beside it, so it contains a copy of the paper's examples.
 #[test]
 fn examples_that_go_with_the_crate_are_those_of_the_repository() {
     let own = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));

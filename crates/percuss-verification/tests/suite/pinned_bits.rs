@@ -1,10 +1,9 @@
-//! Five runs end in the bits they ended in before: of every row and of what the summary says, as a hash pinned in
-//! `tests/pinned_bits.txt`, which also says when a pinned value may change.
+//! Five runs give the same bits as before: a hash of every row and of the summary is pinned in `tests/pinned_bits.txt`, which also describes when a
+//! pinned value may change.
 //!
 //! Bits depend on the architecture and on the functions of the system's C library (`sin`, `exp`, `pow` and the like, which Rust
 //! calls there), which differ in their last bits from one version to another. Values are therefore pinned for a fingerprint of
-//! these functions; where there is none for those at hand, only runs in one process are compared. `PERCUSS_PIN_BITS=1` pins what
-//! is found.
+//! these functions; without a value for the present ones, only runs in one process are compared. `PERCUSS_PIN_BITS=1` pins the present values.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -16,7 +15,7 @@ use percuss_batch::{Detail, simulate_batch};
 use percuss_scenario::{Compiled, apply_overrides, read};
 use sha2::{Digest, Sha256};
 
-/// A run: its name, its file in `scenarios/` and what is changed in it, so that it takes a second or less.
+/// A run: its name, its file in `scenarios/` and changes for which it takes a second or less.
 struct Pinned {
     name: &'static str,
     file: &'static str,
@@ -35,10 +34,10 @@ const RUNS: [Pinned; 5] = [
     Pinned { name: "side-by-side", file: "paper/elastic-clamped.toml", changes: &[] },
 ];
 
-/// Velocities of the runs side by side \[m/s\]: more than a register has lanes.
+/// Velocities of the runs in lanes \[m/s\]: more than a register has lanes.
 const VELOCITIES: std::ops::Range<usize> = 10..21;
 
-/// Takes numbers in as their bits; every NaN is the same.
+/// Adds the bits of numbers to the hash; all NaN are equal.
 #[derive(Default)]
 struct Bits(Sha256);
 
@@ -124,7 +123,7 @@ impl Pinned {
     }
 }
 
-/// Hash of summaries of runs in vector registers, so many at a time.
+/// Hash of summaries of runs in vector registers, with the given number of runs at a time.
 fn side_by_side(runs: &[Compiled], at_a_time: usize) -> String {
     let mut bits = Bits::default();
     for runs in runs.chunks(at_a_time.min(runs.len())) {

@@ -1,4 +1,4 @@
-//! What acts on a structure at rest from outside: in equilibrium it comes to nothing, which is checked before anything is told of it.
+//! External forces on a structure at rest: in equilibrium their resultant is zero, which is checked before results are reported.
 
 use super::static_search::{StaticSearch, largest};
 use crate::error::Error;
@@ -28,7 +28,7 @@ pub struct StaticBalance {
 }
 
 impl StaticBalance {
-    /// That of the configuration a search stands in, its residual assembled.
+    /// The balance at the current configuration of a search, with its residual assembled.
     pub(super) fn new(search: &mut StaticSearch, reactions: &[[f64; 3]]) -> Self {
         let mut gross = 0.0;
         let mut sum = |forces: &[[f64; 2]]| {
@@ -44,7 +44,7 @@ impl StaticBalance {
     }
 }
 
-/// Refuses what is no equilibrium: forces from outside that do not balance, or a node where forces do not.
+/// Rejects a configuration without equilibrium: external forces that do not balance, or a node with unbalanced forces.
 pub(super) fn check(
     search: &StaticSearch,
     balance: &StaticBalance,
@@ -63,7 +63,7 @@ fn largest_inside(element_forces: &[[[f64; 3]; 2]]) -> f64 {
     ends.map(|[n, v, _]| n.abs().max(v.abs())).fold(0.0, f64::max)
 }
 
-/// What displacements rounded to the last place change the forces of elements by \[N\].
+/// Change of the forces of elements due to rounding of the displacements \[N\].
 fn rounded(search: &StaticSearch) -> f64 {
     let model = search.model;
     let reach = largest(&search.displacement());

@@ -11,11 +11,11 @@ use crate::model::frozen::ConnectorLaw;
 use crate::settings::Scheme;
 use crate::state::State;
 
-/// Vectors of the subspace, beside six for each factor asked for.
+/// Additional vectors of the subspace, beside six for each requested factor.
 const SPARE: usize = 80;
 /// Steps down from the largest factor.
 const STEP: f64 = 4.0;
-/// Times that missing factors are looked for.
+/// Number of attempts to find missing factors.
 const MOST_COUNTS: usize = 8;
 /// Loads that move a structure by less than this share of its size are round-off.
 const NO_LOAD: f64 = 1e-14;
@@ -34,13 +34,13 @@ pub struct BucklingMode {
 pub struct LinearBuckling {
     /// Lowest positive factors, ascending, shape (modes found).
     pub modes: Vec<BucklingMode>,
-    /// What is known.
+    /// Reason and properties of the loss of stability.
     pub outcome: BucklingOutcome,
-    /// Under loads that follow the beams, where stability is lost instead; not looked for where contacts press.
+    /// Under follower loads, where stability is lost instead; not searched with active contacts.
     pub stability: Option<FollowerStability>,
 }
 
-/// What linear buckling found.
+/// Result of linear buckling.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BucklingOutcome {
@@ -49,27 +49,27 @@ pub enum BucklingOutcome {
     /// No positive factor up to `up_to`, at which strains of the linear response reach one: by count, the tangent has no negative
     /// pivot there.
     Never {
-        /// Largest factor looked at.
+        /// Largest factor in the search.
         up_to: f64,
     },
     /// No load acts at time zero.
     Unloaded,
-    /// Loads follow the beams: they have no potential, and the structure may flutter at a load at which no other equilibrium
-    /// exists. Modes about the loaded equilibrium tell.
+    /// Follower loads: they have no potential, and the structure may flutter at a load without another equilibrium. Modes about the loaded
+    /// equilibrium show it.
     Follower,
     /// The unloaded structure is a mechanism.
     Mechanism,
-    /// The unloaded structure is unstable: stressed springs see to that.
+    /// The unloaded structure is unstable, due to prestressed springs.
     Unstable,
-    /// A material yields or bears stress of one sign only, and no stiffness holds up to a factor; or a section is given fibre by fibre, which
-    /// the search does not know.
+    /// A material yields or carries stress of one sign only, so that its stiffness is not constant up to a factor; or a section is given by fibres,
+    /// which the search does not support.
     Inelastic,
-    /// Factors were counted that the search did not find.
+    /// The search did not find all counted factors.
     Unfinished,
 }
 
 impl BucklingOutcome {
-    /// Its code in the catalogue, where there is no factor to be told though loads act.
+    /// Its code in the catalogue, if no factor is available although loads act.
     pub fn code(self) -> Option<Caution> {
         match self {
             Self::Found | Self::Never { .. } | Self::Unloaded => None,
@@ -81,7 +81,7 @@ impl BucklingOutcome {
         }
     }
 
-    /// One sentence for people; nothing to say of what was found.
+    /// One sentence for people; empty if a factor was found.
     pub fn reason(self) -> Option<String> {
         Some(match self {
             Self::Found => return None,
@@ -89,15 +89,14 @@ impl BucklingOutcome {
                 "no linear buckling: the tangent stays positive up to {up_to:.3e} times the loads, where strains reach one"
             ),
             Self::Unloaded => "no linear buckling: no load acts".into(),
-            Self::Follower => "no linear buckling factor: loads follow the beams and have no potential, so that the structure \
-                 may flutter where no factor tells; modes about the static equilibrium do"
+            Self::Follower => "no linear buckling factor: follower loads have no potential (flutter is possible); see the modes about the static \
+                 equilibrium"
                 .into(),
             Self::Mechanism => "no linear buckling factor: the unloaded structure is a mechanism".into(),
             Self::Unstable => "no linear buckling factor: the structure is unstable without loads".into(),
-            Self::Inelastic => "no linear buckling factor: something can yield, bears stress of one sign only or is given fibre by fibre; \
-                 the path of equilibria (--path) shows what the structure carries"
+            Self::Inelastic => "no linear buckling factor: yielding, tension-only, compression-only or fibre sections; see `percuss static --path`"
                 .into(),
-            Self::Unfinished => "linear buckling factors exist that the search did not find".into(),
+            Self::Unfinished => "the search did not find all linear buckling factors".into(),
         })
     }
 }
@@ -114,7 +113,7 @@ pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
 /// The same where the contacts that press in an equilibrium stay closed: as supports do, rigid ones do not give way, compliant ones
 /// with the stiffness of their law, as stops do. Open ones and those of discs are left out.
 ///
-/// Of gaps that close under the loads it knows as little as of all other displacements.
+/// Closing of gaps under the loads is neglected, as are all other displacements.
 pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> LinearBuckling {
     let mut structure = model.structure();
     for (c, q) in structure.connectors.iter_mut().zip(&found.state.coordinates) {

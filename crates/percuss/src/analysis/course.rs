@@ -1,4 +1,4 @@
-//! What happens on the way to an equilibrium, load step by load step: where beams first yield, and how much softer the structure becomes.
+//! Events during static loading, load step by load step: first yield of beams, and the loss of stiffness of the structure.
 
 use super::static_search::{StaticSearch, largest};
 use crate::math::hermite;
@@ -6,16 +6,16 @@ use crate::model::Model;
 use crate::model::frozen::BeamData;
 use crate::state::State;
 
-/// Where and by which share of the loads a beam first yields on the way to an equilibrium.
+/// Place and share of the loads of the first yield of a beam in static loading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StaticFirstYield {
     /// Arc length from the start of the beam \[m\], that of the Gauss point that has yielded most by then.
     pub s: f64,
-    /// Share of the loads at the end of the load step in which it does \[-\].
+    /// Share of the loads at the end of the load step of first yield \[-\].
     pub share: f64,
 }
 
-/// What has been seen so far.
+/// Events so far.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
     /// First yields, shape (beams).
@@ -39,7 +39,7 @@ impl Course {
         }
     }
 
-    /// Takes in an equilibrium reached at a share of the loads.
+    /// Records an equilibrium at a share of the loads.
     pub fn take(&mut self, search: &StaticSearch<'_>, share: f64) {
         let now = &search.work.increment;
         let pairs = now.iter().zip(&self.increment);

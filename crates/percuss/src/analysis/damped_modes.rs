@@ -18,7 +18,7 @@ use crate::step::tangent::project;
 /// A mode of which more than this share is motion of bodies as a whole, such as a pendulum's, is not one of deformation.
 const MOSTLY_RIGID: f64 = 0.5;
 
-/// What nothing moves, at the start of a run.
+/// Degrees of freedom without motion at the start of a run.
 struct Still {
     forcing: Forcing,
     rule: Integration,
@@ -76,7 +76,7 @@ pub(crate) fn modal_damping(full: &Model, state: &State) -> ModalDamping {
     damping
 }
 
-/// Whether supports move, or what holds bodies together can change.
+/// Whether supports move, or connections of bodies can change.
 fn changes(model: &Model) -> bool {
     let weak =
         |c: &Connector| c.yielding.is_some() || matches!(c.law, ConnectorLaw::OneSided { .. });
@@ -86,8 +86,8 @@ fn changes(model: &Model) -> bool {
         || model.connectors.iter().any(weak)
 }
 
-/// Why modal damping cannot act: parts that move against each other without strain have no motion in common that could be
-/// told from deformation.
+/// Reason why modal damping cannot act: parts that move relative to each other without strain have no common rigid-body motion that could be
+/// separated from deformation.
 pub(crate) fn undampable(full: &Model, state: &State) -> Option<Fault> {
     if full.modal_damping.is_empty() {
         return None;
@@ -119,8 +119,8 @@ pub(crate) fn undampable(full: &Model, state: &State) -> Option<Fault> {
 struct SlowSupports<'a> {
     full: &'a Model,
     structure: &'a Linearized<'a>,
-    /// Gradients of what is held at nodes and of constraints, with the number of each among the ties, shape (those, nodes, 4)
-    /// \[index of a tie, -, m\].
+    /// Gradients of fixed degrees of freedom of nodes and of constraints, with the number of each among the ties, shape (those, nodes, 4) \[index
+    /// of a tie, -, m\].
     gradients: Vec<(usize, Vec<[f64; 4]>)>,
     /// The matrix of their products, factored.
     gram: DenseLu,
@@ -160,8 +160,7 @@ impl<'a> SlowSupports<'a> {
         own
     }
 
-    /// What the coordinate of each mode moves by with each tie, shape (modes, ties); `images` are the modes' `M phi`. Empty if no
-    /// support moves.
+    /// Change of the coordinate of each mode with each tie, shape (modes, ties); `images` are the modes' `M phi`. Empty if no support moves.
     fn of(&self, modes: &[&Mode], images: &[Vec<[f64; 4]>]) -> Vec<Vec<f64>> {
         if self.full.motions.is_empty() {
             return vec![Vec::new(); modes.len()];

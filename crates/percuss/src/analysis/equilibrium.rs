@@ -1,8 +1,9 @@
-//! What statics finds.
+//! Results of statics.
 
 use super::balance::StaticBalance;
 use super::course::StaticFirstYield;
 use super::failure::StaticFailure;
+use super::largest_displacement::LargestDisplacement;
 use super::spectrum::Held;
 use super::static_contacts::StaticContact;
 use super::yields::StaticYielding;
@@ -18,6 +19,10 @@ pub struct Equilibrium {
     pub state: State,
     /// Displacements of the recorded points, with their names, shape (points, 2) \[m\].
     pub points: Vec<(String, [f64; 2])>,
+    /// Rotations of the recorded points, counter-clockwise, continuous along each beam from within half a turn at its start, shape (points) \[rad\].
+    pub rotations: Vec<f64>,
+    /// The largest displacement of all beams, recorded or not.
+    pub largest_displacement: Option<LargestDisplacement>,
     /// Section forces of largest magnitude, one entry a beam, shape (beams).
     pub section_forces: Vec<SectionForceSummary>,
     /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
@@ -28,7 +33,7 @@ pub struct Equilibrium {
     pub load_factors: Vec<f64>,
     /// Forces (1, 2) and moment of each support on the structure, with their names, shape (supports, 3) \[N, N m\].
     pub reactions: Vec<(String, [f64; 3])>,
-    /// Contacts that take part, in the model's order, shape (contacts).
+    /// Contacts in the equilibrium, in the model's order, shape (contacts).
     pub contacts: Vec<StaticContact>,
     /// Contacts that press, with their forces, shape (pairs that press) \[N\].
     pub(crate) pressed: Vec<(Row, f64)>,
@@ -36,18 +41,18 @@ pub struct Equilibrium {
     pub(crate) held: Vec<Held>,
     /// Springs and hinges that can yield, in the model's order, shape (such springs and hinges).
     pub yielding: Vec<StaticYielding>,
-    /// What has failed for good on the way, in its order, shape (such failures).
+    /// Failures during loading, in their order, shape (such failures).
     pub failures: Vec<StaticFailure>,
-    /// What all that acts from outside comes to.
+    /// Resultant of all external forces.
     pub balance: StaticBalance,
-    /// Where and under which share of the loads beams first yielded on the way to it, shape (beams); empty at the end of a path.
+    /// Place and share of the loads of the first yield of beams, shape (beams); empty at the end of a path.
     pub first_yields: Vec<Option<StaticFirstYield>>,
     /// How many times faster with the loads than in the first load step nodes went where they went fastest: about one of a structure that
     /// stays elastic, and many of one that passes a plastic mechanism; not a number at the end of a path \[-\].
     pub softening: f64,
     /// Whether the structure returns to it: no motion about it grows.
     pub stable: bool,
-    /// Beams that contacts alone hold and that can slide along all of them, by name: friction takes no part here, shape (such beams).
+    /// Beams that only contacts support and that can slide along all of them, by name: statics has no friction, shape (such beams).
     pub sliding: Vec<String>,
     /// Load steps taken.
     pub load_steps: usize,

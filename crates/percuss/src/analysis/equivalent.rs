@@ -1,4 +1,4 @@
-//! The static force that does to a structure what an impact did to it at most: what engineers design against.
+//! The equivalent static force of an impact: the force with the same peak effect on the structure, as used in design.
 //!
 //! It acts at the struck point along the line of flight, beside the weight if there is any, on the structure in its reference
 //! configuration, by linear elasticity: its largest bending moment in the struck beam, or its deflection of the struck point, is that of
@@ -17,16 +17,16 @@ use crate::state::State;
 use crate::step::workspace::Workspace;
 use crate::summary::{EquivalentForce, RunSummary};
 
-/// Displacements of the linear solution against the size of the structure: so small that what is of second order is round-off.
+/// Displacements of the linear solution relative to the size of the structure: so small that second-order terms are round-off.
 const SMALL: f64 = 1e-7;
-/// A moment that differs from the one looked for by this share is it, and the most secants that lead there.
+/// Relative tolerance of the moment in the search, and the largest number of secant steps.
 const FOUND: f64 = 1e-11;
 const SECANTS: usize = 60;
 
 /// The equivalent static force of a run in which one guided projectile strikes a structure at rest.
 ///
 /// # Errors
-/// Why there is none: more than the impact and a weight acts, or the structure is none that linear analysis knows.
+/// The reason why there is none: more actions than the impact and weight, or a structure that linear analysis does not support.
 pub fn equivalent_force(
     model: &Model,
     start: Start,
@@ -35,11 +35,11 @@ pub fn equivalent_force(
     let projectile = striker(model)?;
     refuse_others(model, start)?;
     refuse_what_is_not_linear(model, run)?;
-    let mut linear =
-        SmallForces::new(model, projectile).ok_or("nothing holds the structure against it")?;
+    let mut linear = SmallForces::new(model, projectile)
+        .ok_or("the structure is not supported in this direction")?;
     let moment = run.section_forces[projectile.point.beam].moment.largest().value.abs();
     if moment.is_nan() || moment <= linear.moment(0.0) * (1.0 + FOUND) {
-        return Err("nothing bends the struck beam farther than it was at rest");
+        return Err("the impact does not increase the bending moment");
     }
     let along = (0..2).find(|k| projectile.direction[*k].abs() > 1.0 - 1e-12);
     let recorded = run.points.iter().find(|p| p.name == model.contacts[0].between[0]);
@@ -60,27 +60,25 @@ pub fn equivalent_force(
 fn striker(model: &Model) -> Result<&ProjectileData, &'static str> {
     match (model.projectiles.as_slice(), model.contacts.len()) {
         ([projectile], 1) => Ok(projectile),
-        ([], _) => Err("no guided projectile strikes"),
-        _ => Err("other contacts may act as well"),
+        ([], _) => Err("no guided projectile"),
+        _ => Err("other contacts are possible"),
     }
 }
 
-/// Refuses what moves or loads the structure beside the impact, its weight at rest excepted.
+/// Rejects motions and loads other than the impact and weight at rest.
 fn refuse_others(model: &Model, start: Start) -> Result<(), &'static str> {
     let steady = |load: &LoadView<'_>| {
         load.gravity().is_some()
             && [0.0, 1e-3, 1.0, 1e3].iter().all(|t| load.factor(*t, 1e-6) == 1.0)
     };
     if !model.loads().all(|load| steady(&load)) {
-        return Err("other loads than a steady weight act as well");
+        return Err("loads other than a steady weight act");
     }
     if !model.loads.is_empty() && start != Start::Static {
-        return Err(
-            "the structure swings under its weight from the start: time.start = \"static\" lets it hang at rest",
-        );
+        return Err("the structure vibrates under self-weight: use time.start = \"static\"");
     }
     if !model.motions.is_empty() {
-        return Err("supports are moved");
+        return Err("supports have prescribed motions");
     }
     if !model.is_still() {
         return Err("the structure moves from the start");
@@ -88,7 +86,7 @@ fn refuse_others(model: &Model, start: Start) -> Result<(), &'static str> {
     Ok(())
 }
 
-/// Refuses structures that are no linear ones as long as nothing yields.
+/// Rejects structures that are not linear before yield.
 fn refuse_what_is_not_linear(model: &Model, run: &RunSummary) -> Result<(), &'static str> {
     if run.joints.iter().any(|joint| joint.parted.is_some())
         || run.plastic.iter().any(|beam| !beam.parted.is_empty() || beam.failed > 0)
@@ -197,7 +195,7 @@ impl SmallForces {
             *m = small * both(*w, *u);
         }
         search.assemble::<false>();
-        // Of very many elements memory is not to hold what has no part in section forces.
+        // For very many elements memory is not spent on results without section forces.
         search.work.residual = Vec::new();
         let (row, force) = (row(projectile), small * shares[1]);
         let state = search.state();
@@ -234,7 +232,7 @@ impl SmallForces {
     }
 }
 
-/// What a projectile presses on, as a form.
+/// The point under the projectile's force, as a form.
 fn row(projectile: &ProjectileData) -> Row {
     let (point, [e1, e2]) = (&projectile.point, projectile.direction);
     let [n0, n1, n2, n3] = point.shape;

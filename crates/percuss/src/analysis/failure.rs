@@ -1,5 +1,4 @@
-//! What fails for good where a structure at rest carries too much: fibres at their failure strain, springs and hinges at their failure
-//! extension, joints at their strength.
+//! Failure in a structure at rest: fibres at their failure strain, springs and hinges at their failure extension, joints at their strength.
 
 use std::fmt;
 
@@ -11,19 +10,19 @@ use crate::model::Model;
 use crate::state::State;
 use crate::step::fibres::part_at_rest;
 
-/// Uses of strengths that differ by less are the same: what reaches its limit at the same load fails at the same load.
+/// Uses of strengths within this difference are equal: parts that reach their limit at the same load fail at the same load.
 pub(super) const SIMULTANEOUS: f64 = 1e-8;
 
-/// What has failed for good as the loads on a structure at rest grew.
+/// A failure during the growth of loads on a structure at rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StaticFailure {
     /// Factor on the loads at which it failed \[-\].
     pub factor: f64,
-    /// What it is and its name: `beam.girder`, `spring.brace`, `joint.knee`.
+    /// Kind and name: `beam.girder`, `spring.brace`, `joint.knee`.
     pub name: String,
     /// How it failed.
     pub kind: FailureKind,
-    /// Arc length of the section of a beam; NaN for what is no beam \[m\].
+    /// Arc length of the section of a beam; NaN for other parts \[m\].
     pub s: f64,
 }
 
@@ -46,9 +45,8 @@ impl fmt::Display for StaticFailure {
         let (name, s) = (&self.name, self.s);
         match self.kind {
             FailureKind::Fibres => write!(f, "fibres of `{name}` fail at s = {s:.6} m"),
-            FailureKind::Parted => write!(f, "`{name}` parts at s = {s:.6} m"),
-            FailureKind::Extension => write!(f, "`{name}` fails"),
-            FailureKind::Torn => write!(f, "`{name}` tears"),
+            FailureKind::Parted => write!(f, "`{name}` fractures at s = {s:.6} m"),
+            FailureKind::Extension | FailureKind::Torn => write!(f, "`{name}` fails"),
         }
     }
 }
@@ -63,7 +61,7 @@ pub(super) fn in_words<'a>(
         true => format!("{f} at the load factor {:.6}", f.factor),
         false => f.to_string(),
     };
-    // Where a beam parts, its fibres need not be told.
+    // If a beam fractures, its fibres need not be reported.
     let all: Vec<&StaticFailure> = failures.collect();
     let parts = |f: &StaticFailure| {
         let same = |g: &&&StaticFailure| g.name == f.name && g.factor == f.factor;
@@ -78,7 +76,7 @@ pub(super) fn in_words<'a>(
     told
 }
 
-/// What can fail.
+/// Part that can fail.
 #[derive(Clone, Copy, Debug)]
 enum Breakable {
     /// A fibre: its number in the state, first node and Gauss point of its element.
@@ -89,13 +87,13 @@ enum Breakable {
     Joint(usize),
 }
 
-/// Looks for where something fails; it is found where the strength is reached to within this share, or the way to it to within that.
+/// Search for the failure point; it ends when the strength is reached to within this share, or its position is known to within it.
 const MOST_LOOKS: usize = 60;
 const ON_STRENGTH: f64 = 1e-11;
 const ON_THE_WAY: f64 = 1e-14;
 
-/// Where on a way the largest use of a strength comes to one, just beyond it: between `range`, where the uses exceed one by `excess`,
-/// below zero at the start alone. `excess_at` goes to a place, and tells the excess there; nothing where it finds no equilibrium.
+/// Point on a loading path at which the largest use of a strength equals one, just beyond it: within `range`, where the uses exceed one by
+/// `excess`, which is below zero only at the start. `excess_at` goes to a point and returns the excess there; `None` without equilibrium.
 pub(super) fn first_failure(
     range: [f64; 2],
     excess: [f64; 2],
@@ -124,14 +122,14 @@ pub(super) fn first_failure(
 }
 
 impl StaticSearch<'_> {
-    /// The largest share of its strength that anything bears where the search stands: one where something fails.
+    /// The largest use of strength at the current point of the search: one means failure.
     pub fn largest_use(&self) -> f64 {
         let mut most = 0.0_f64;
         self.each_use(|_, share| most = most.max(share));
         most
     }
 
-    /// The name of what fails first where the search stands: what bears its whole strength.
+    /// The name of the part that fails first at the current point of the search: the one at its full strength.
     pub fn first_to_fail(&self) -> Option<String> {
         let (mut most, mut first) = (1.0 - SIMULTANEOUS, None);
         self.each_use(|part, share| {
@@ -142,8 +140,8 @@ impl StaticSearch<'_> {
         first.map(|part| self.failure(part, f64::NAN).name)
     }
 
-    /// Fails whatever bears its whole strength where the search stands, an equilibrium: which it is no longer then. What has failed, in
-    /// the model's order, by sections.
+    /// Lets all parts at their full strength fail at the current equilibrium of the search, which then is none. Returns the failures, in the
+    /// model's order, by sections.
     pub fn fail(&mut self, factor: f64) -> Vec<StaticFailure> {
         let mut failing = Vec::new();
         self.each_use(|part, share| {
@@ -193,7 +191,7 @@ impl StaticSearch<'_> {
         }
     }
 
-    /// Tells of everything that can fail and has not which share of its strength it bears.
+    /// Reports the use of strength of every part that can fail and has not failed.
     fn each_use(&self, mut each: impl FnMut(Breakable, f64)) {
         let model = self.model;
         if !model.joints.is_empty() {

@@ -4,22 +4,22 @@ use super::modes::{Mode, ModeKind, lowest_under};
 use super::static_search::{Reached, StaticSearch};
 use crate::model::Model;
 
-/// Modes looked at.
+/// Number of modes in the search.
 const MODES: usize = 8;
 /// Steps of the load factor up to one, and its growth from step to step beyond.
 const STEPS: usize = 10;
 const GROWTH: f64 = 1.5;
 /// Halvings of the first factor, where that is unstable already.
 const HALVINGS: usize = 30;
-/// Largest load factor looked at.
+/// Largest load factor in the search.
 const UP_TO: f64 = 1e3;
 /// Width of the bracket in the end, as a share of the factor, and evaluations that narrow it.
 const NARROW: f64 = 1e-7;
 const MOST: usize = 60;
-/// Eigenvalues below this share of the largest one looked at count as none.
+/// Eigenvalues below this share of the largest one considered count as zero.
 const ROUND_OFF: f64 = 1e-9;
 
-/// What becomes of the stability of an equilibrium as loads that follow the beams grow with one factor.
+/// Stability of an equilibrium under follower loads that grow with one factor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum FollowerStability {
@@ -35,9 +35,9 @@ pub enum FollowerStability {
         /// Factor on the loads that act at time zero.
         factor: f64,
     },
-    /// Stable at every factor looked at up to this one, in steps of a tenth, and of half the factor beyond one.
+    /// Stable at every factor of the search up to this one, in steps of a tenth, and of half the factor beyond one.
     Kept {
-        /// Largest factor looked at.
+        /// Largest factor of the search.
         up_to: f64,
     },
 }
@@ -58,8 +58,8 @@ impl At {
         self.modes.iter().find(grows)
     }
 
-    /// What passes zero where the growing mode of an unstable equilibrium began to grow: the square of half the difference of the two
-    /// squares of frequencies that meet in flutter, the lowest of them in divergence. Both are smooth there.
+    /// Quantity that passes zero at the onset of instability: the square of half the difference of the two squared frequencies that coincide in
+    /// flutter, the lowest of them in divergence. Both are smooth there.
     fn measure(&self, like: &Mode) -> f64 {
         if like.imaginary == 0.0 {
             return self.modes.iter().map(|m| m.eigenvalue).fold(f64::INFINITY, f64::min);
@@ -101,7 +101,7 @@ pub(super) fn follower_stability(structure: &Model) -> FollowerStability {
     FollowerStability::Kept { up_to: last.map_or(0.0, |at| at.factor) }
 }
 
-/// Between which factors stability is lost below the first one looked at.
+/// Interval of factors in which stability is lost, below the first factor of the search.
 fn halved(search: &mut StaticSearch, first: At) -> (Option<At>, At) {
     let rest = StaticSearch::new(search.model).reached();
     let mut unstable = first;
@@ -114,7 +114,7 @@ fn halved(search: &mut StaticSearch, first: At) -> (Option<At>, At) {
     (None, unstable)
 }
 
-/// Factors looked at.
+/// Factors of the search.
 fn factors() -> impl Iterator<Item = f64> {
     let below = (1..=STEPS).map(|k| k as f64 / STEPS as f64);
     let beyond = std::iter::successors(Some(GROWTH), |f| Some(GROWTH * f));

@@ -7,13 +7,13 @@ use crate::model::StrainMeasure;
 use crate::model::frozen::BeamData;
 use crate::state::State;
 
-/// Whether a beam takes part in any of the motions.
+/// Whether a beam moves in any of the motions.
 pub(super) fn moves(motions: &[Vec<[f64; 4]>], beam: &BeamData) -> bool {
     motions.iter().any(|x| largest(&x[beam.nodes.clone()]) > 1e-3 * largest(x))
 }
 
-/// A beam that can move without being strained where the search stands, what is closed there closed; nothing
-/// where contacts may hold it, or where there are no stops.
+/// A beam that can move without strain at the current configuration of the search, with closed contacts kept closed; `None` if contacts may support
+/// it, or without stops.
 pub(super) fn loose(search: &StaticSearch, state: &State) -> Option<String> {
     let structure = search.model.structure();
     let alone = search.of_structure(&structure, state);

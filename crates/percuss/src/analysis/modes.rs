@@ -17,9 +17,9 @@ use crate::step::effective_mass::mass_band;
 
 /// Times the shift is raised where modes lie below it.
 const MOST_SHIFTS: usize = 60;
-/// A motion of which strains make less than this share of the bending stiffness strains nothing.
+/// A motion whose strain energy is less than this share of the bending stiffness is strain-free.
 const STRAINLESS: f64 = 1e-6;
-/// Stress that, over the structure, adds up to less than this share of its parts has no part in a motion.
+/// Stress whose sum over the structure is less than this share of its parts has no effect on a motion.
 const UNSTRESSED: f64 = 1e-6;
 
 /// A natural mode.
@@ -28,20 +28,20 @@ pub struct Mode {
     /// Square of the angular frequency \[1/s^2\], or its real part; zero for a motion of a rigid body or of a mechanism,
     /// negative for one that grows without oscillating.
     pub eigenvalue: f64,
-    /// Imaginary part of the square \[1/s^2\], not negative: of two modes that forces following the beams have brought together,
-    /// one grows and one decays, and both are told as one. Zero otherwise.
+    /// Imaginary part of the square \[1/s^2\], not negative: of two modes coupled by follower forces, one grows and one decays, and both are
+    /// reported as one. Zero otherwise.
     pub imaginary: f64,
-    /// Nodal displacements and slopes (u1, u2, u1', u2') of unit modal mass, shape (nodes, 4) \[kg^(-1/2), kg^(-1/2)/m\]; of flutter the part
-    /// in phase.
+    /// Nodal displacements and slopes (u1, u2, u1', u2') of unit modal mass, shape (nodes, 4) \[kg^(-1/2), kg^(-1/2)/m\]; for flutter the part in
+    /// phase.
     pub shape: Vec<[f64; 4]>,
 }
 
-/// What a mode is.
+/// Kind of a mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ModeKind {
     /// It oscillates.
     Vibration,
-    /// It strains nothing, and nothing drives it back: a motion of a rigid body, or of a mechanism.
+    /// Motion without strain and without restoring forces: of a rigid body, or of a mechanism.
     RigidBody,
     /// It grows without oscillating: the equilibrium is unstable (divergence).
     Unstable,
@@ -50,7 +50,7 @@ pub enum ModeKind {
 }
 
 impl Mode {
-    /// What it is.
+    /// Kind of the mode.
     pub fn kind(&self) -> ModeKind {
         match self.eigenvalue {
             _ if self.imaginary > 0.0 => ModeKind::Flutter,
@@ -68,7 +68,7 @@ impl Mode {
         self.root().re.abs() / std::f64::consts::TAU
     }
 
-    /// Rate at which it grows \[1/s\]; zero if it does not.
+    /// Growth rate \[1/s\]; zero for a stable mode.
     pub fn growth(&self) -> f64 {
         match self.kind() {
             ModeKind::Vibration | ModeKind::RigidBody => 0.0,
@@ -81,7 +81,7 @@ impl Mode {
     }
 }
 
-/// The `count` lowest natural modes about `state`, an equilibrium, in ascending order; projectiles take no part.
+/// The `count` lowest natural modes about `state`, an equilibrium, in ascending order; without projectiles.
 ///
 /// Fewer if there are fewer: as many as the rank of the mass matrix. Damping is left out.
 pub fn modes_about(model: &Model, state: &State, count: usize) -> Vec<Mode> {
@@ -142,7 +142,7 @@ impl<'m> Linearized<'m> {
         Self { layout, search, tangent, mass, stressed, free }
     }
 
-    /// Number of motions that strain nothing.
+    /// Number of strain-free motions.
     pub(super) fn free_motions(&self) -> usize {
         free_motions(&self.layout, &self.search).motions.len()
     }
@@ -189,7 +189,7 @@ impl<'m> Linearized<'m> {
         found.into_iter().map(|e| self.classified(e, &loose)).collect()
     }
 
-    /// An eigenvalue as a mode; one of a motion that strains nothing and that stress does not drive is zero.
+    /// An eigenvalue as a mode; it is zero for a strain-free motion on which stress has no effect.
     fn classified(&self, mut eigen: Eigen, loose: &FreeMotions) -> Mode {
         let x = &eigen.pair.x;
         if !loose.motions.is_empty()

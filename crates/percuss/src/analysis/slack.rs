@@ -1,4 +1,4 @@
-//! Members that bear no stress of one sign and are slack, and stops that are open.
+//! Slack tension-only and compression-only members, and open stops.
 
 use crate::element::beam::ElementValues;
 use crate::element::yielding::gauss_strains;
@@ -6,7 +6,7 @@ use crate::model::Model;
 use crate::model::frozen::Span;
 use crate::state::State;
 
-/// A beam that is slack, all of it or in part: sections of which no fibre bears any stress have no stiffness, but their mass.
+/// A beam that is slack, entirely or in part: sections without stress in any fibre have mass and no stiffness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlackMember {
     /// The beam.
@@ -32,7 +32,7 @@ pub fn slack_members(model: &Model, state: &State) -> Vec<SlackMember> {
     members.filter(|member| member.slack > 0.0).collect()
 }
 
-/// Whether none of the fibres at any Gauss point of an element bears stress, strained to the side on which they bear none.
+/// Whether all fibres at every Gauss point of an element are free of stress, strained to the side without resistance.
 fn is_slack(span: &Span, k: usize, state: &State) -> bool {
     let Some(fibres) = &span.fibres else { return false };
     let (a, u) = (span.nodes.start + k, &state.displacement);
@@ -47,16 +47,16 @@ fn is_slack(span: &Span, k: usize, state: &State) -> bool {
     })
 }
 
-/// A stop as it stands in a state.
+/// A stop in a state.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StopState {
     /// The support's name.
     pub name: String,
-    /// Whether it is closed, on either side of one with two: its stiffness takes part in small motions. An open one has none.
+    /// Whether it is closed, on either side of a two-sided one: its stiffness then acts in small motions. An open stop has none.
     pub closed: bool,
 }
 
-/// Stops as they stand in a state, in the model's order, shape (stops).
+/// Stops in a state, in the model's order, shape (stops).
 pub fn stops(model: &Model, state: &State) -> Vec<StopState> {
     let closed = |support: usize| {
         let own = model.connectors.iter().zip(&state.coordinates);

@@ -24,16 +24,14 @@ impl Stability {
     }
 }
 
-/// Whether no motion of a structure about an equilibrium, where `search` stands, grows; contacts are left out but for those held
-/// closed.
+/// Whether all motions of a structure about the equilibrium of `search` are stable; open contacts are ignored.
 ///
-/// Stiffness decides where forces have a potential: no pivot is negative, but for those of round-off beside the bending
-/// stiffness. Density has no part in it. Where a force follows the beams, motions may grow that stiffness knows nothing of
-/// (flutter), and frequencies decide.
+/// With a potential of forces, stiffness decides: no pivot is negative, except round-off relative to the bending stiffness. Density has no
+/// influence. With follower forces, motions may grow although the stiffness is positive (flutter), and frequencies decide.
 pub fn stability_about(model: &Model, search: &StaticSearch, held: Vec<Held>) -> Stability {
-    /// Eigenvalues below this share of the largest one looked at count as none.
+    /// Eigenvalues below this share of the largest one considered count as zero.
     const ROUND_OFF: f64 = 1e-9;
-    /// Modes looked at where frequencies decide.
+    /// Number of modes considered if frequencies decide.
     const MODES: usize = 8;
     let layout = Layout::holding(model, held.clone());
     let mut tangent = layout.tangent(search);
@@ -48,7 +46,7 @@ pub fn stability_about(model: &Model, search: &StaticSearch, held: Vec<Held>) ->
     Stability::counted(layout.factor(tangent, true).map(|f| f.negative))
 }
 
-/// The same by a tangent that was assembled, that of beams that yield as they are loaded on; nothing where it is not symmetric.
+/// The same with an assembled tangent, that of further loading for beams that yield; `None` if it is not symmetric.
 pub fn stability_loaded(
     model: &Model,
     search: &StaticSearch,
@@ -63,8 +61,7 @@ pub fn stability_loaded(
     Some(Stability::counted(layout.factor(matrix, true).map(|f| f.negative)))
 }
 
-/// Whether the equilibrium reached is stable, by the tangent with which it is loaded on, what presses held closed; `structure` is the
-/// beams alone.
+/// Whether the current equilibrium is stable, by the tangent of further loading with active contacts kept closed; `structure` is the beams alone.
 pub(super) fn stability(structure: &Model, search: &mut StaticSearch) -> Stability {
     let told = |stable: bool| Stability { stable, negative: None };
     search.foresee(true);

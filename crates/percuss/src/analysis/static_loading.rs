@@ -1,5 +1,5 @@
-//! From rest to the loads in steps; where something fails on the way its load factor is found, it is taken away, and what it gave is let
-//! go at that factor until the rest is in equilibrium.
+//! Loading from rest in steps; at a failure its load factor is determined, the part is removed, and its forces are released at this factor until
+//! the rest is in equilibrium.
 
 use super::course::Course;
 use super::failure::{StaticFailure, first_failure, in_words};
@@ -9,16 +9,16 @@ use super::static_search::{Reached, StaticSearch};
 use crate::error::Error;
 use crate::model::Model;
 
-/// A step is cut down to this share of all that is to be done before the analysis gives up.
+/// A step is cut down to this share of the total before the analysis ends without convergence.
 const SMALLEST_STEP: f64 = 1e-4;
 /// Steps that lead to an unstable equilibrium are cut down to this share before it is believed.
 const FINEST_SHARE: f64 = 1.0 / 128.0;
-/// What a step does.
+/// Purpose of a step.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
     /// The loads grow: their share.
     Loads,
-    /// At this share of the loads, the forces of what has failed are let go.
+    /// At this share of the loads, the forces of failed parts are released.
     LettingGo(f64),
 }
 
@@ -32,19 +32,19 @@ enum StepOutcome {
     Nowhere,
 }
 
-/// A structure on the way to the equilibrium under its loads.
+/// A structure during loading.
 pub(super) struct Loading<'a, 'm> {
     search: &'a mut StaticSearch<'m>,
     accepted: Reached,
     /// The longest step \[share of the loads\].
     longest: f64,
-    /// Whether no equilibrium on the way was unstable.
+    /// Whether all equilibria during loading were stable.
     pub stable: bool,
     /// Steps taken.
     pub steps: usize,
-    /// What has failed, in its order, shape (failures).
+    /// Failures, in their order, shape (failures).
     pub failures: Vec<StaticFailure>,
-    /// What happens on the way.
+    /// Events during loading.
     pub course: Course,
 }
 
@@ -61,14 +61,14 @@ impl<'a, 'm> Loading<'a, 'm> {
         while reached < 1.0 {
             let target: f64 = f64::min(reached + step, 1.0);
             let found = self.go(Stage::Loads, reached, target);
-            // What leans on something has not jumped to another branch for want of stability.
+            // A structure with active contacts has not jumped to another branch by a loss of stability.
             let alone = !self.search.contacts.press();
             if matches!(found, StepOutcome::There)
                 && alone
                 && self.stable
                 && !stability(structure, self.search).stable
             {
-                // A branch that lost its stability may have been jumped to: smaller steps tell.
+                // The solution may have jumped from a branch that lost its stability: smaller steps show it.
                 if step > self.longest * FINEST_SHARE {
                     step *= 0.5;
                     self.search.go_back(&self.accepted);
@@ -111,7 +111,7 @@ impl<'a, 'm> Loading<'a, 'm> {
         self.accepted = self.search.reached();
     }
 
-    /// Takes away what fails in the equilibrium reached, and goes on at its share of the loads to one without it.
+    /// Removes the part that fails in the current equilibrium, and continues at its share of the loads to one without it.
     pub fn settle(&mut self, share: f64) -> Result<(), Error> {
         self.fail(share);
         let (mut gone, mut step) = (0.0, 1.0_f64);
@@ -141,21 +141,21 @@ impl<'a, 'm> Loading<'a, 'm> {
         Ok(())
     }
 
-    /// What failed at a share of the loads leaves no equilibrium.
+    /// Failure at a share of the loads that leaves no equilibrium.
     fn nothing_left(&self, share: f64) -> Error {
         let there = self.failures.iter().filter(|f| f.factor >= share);
         let before = self.failures.iter().filter(|f| f.factor < share);
         Error::nothing_left(share, in_words(there, false)).after(&in_words(before, true))
     }
 
-    /// Fails what bears its whole strength; its forces are withheld.
+    /// Lets the part at its full strength fail; its forces are held.
     fn fail(&mut self, share: f64) {
         self.failures.extend(self.search.fail(share));
         self.search.withhold();
         self.accepted = self.search.reached();
     }
 
-    /// Goes on from where the last equilibrium was accepted, as far as something fails.
+    /// Continues from the last accepted equilibrium, up to the next failure.
     fn go(&mut self, stage: Stage, from: f64, to: f64) -> StepOutcome {
         let start = self.search.largest_use() - 1.0;
         if !self.solve(stage, to) {
@@ -169,7 +169,7 @@ impl<'a, 'm> Loading<'a, 'm> {
             .map_or(StepOutcome::Nowhere, StepOutcome::Failing)
     }
 
-    /// Goes to where the first thing fails, between two places of a step with the uses of strengths above one there.
+    /// Goes to the first failure, between two points of a step with uses of strengths above one at the second.
     fn locate(&mut self, stage: Stage, range: [f64; 2], excess: [f64; 2]) -> Option<f64> {
         let at = first_failure(range, excess, |at| {
             self.search.go_back(&self.accepted);

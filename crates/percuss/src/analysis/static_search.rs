@@ -31,9 +31,9 @@ use crate::step::{assemble, connectors, external, fibres};
 /// Corrections before an equilibrium counts as not found; with contacts, which close and open one after the other, more.
 const MOST_ITERATIONS: usize = 30;
 const MOST_WITH_CONTACTS: usize = 300;
-/// Corrections from which on those that change which contacts are closed are followed only as far as unbalanced forces pull.
+/// Number of corrections after which a correction that changes the closed set is followed only as far as unbalanced forces act along it.
 const PATIENCE: usize = 6;
-/// Looks along such a correction, and the share of the unbalanced forces that may be left against it.
+/// Evaluations along such a correction, and the accepted share of the opposing unbalanced forces.
 const MOST_LOOKS: usize = 8;
 const ENOUGH: f64 = 0.5;
 /// Last correction of an equilibrium, relative to its displacements; the next would be its square.
@@ -50,7 +50,7 @@ pub(super) const RULE: Integration = Integration { h: 1.0, rule: Rule::Static };
 impl<'m> StaticSearch<'m> {
     pub fn new(model: &'m Model) -> Self {
         let mut base = State::at_rest(model, Scheme::StrainRate);
-        // Prescribed motions start from nothing here.
+        // Prescribed motions start from zero here.
         base.coordinates =
             model.connectors.iter().map(|c| c.value(&base.displacement, 0.0)).collect();
         let (work, forcing) = (Workspace::at_rest(model), Forcing::new(model));
@@ -72,8 +72,8 @@ impl<'m> StaticSearch<'m> {
         }
     }
 
-    /// At an equilibrium: increments count from it. In the reference configuration no load acts, and springs drawn shorter or longer than
-    /// they are count as without force where their forces do not balance there: beams bear nothing that would go with them.
+    /// At an equilibrium: increments are relative to it. In the reference configuration no load acts, and springs whose drawn length differs from
+    /// their free length are taken as force-free if their forces do not balance there: beams have no corresponding forces.
     pub fn at(model: &'m Model, state: &State) -> Self {
         let loaded = largest(&state.displacement) > 0.0;
         let mut search = Self::at_share(model, state, f64::from(u8::from(loaded)));
@@ -83,7 +83,7 @@ impl<'m> StaticSearch<'m> {
         search
     }
 
-    /// Whether the forces of springs balance where the search stands, beside the largest of them.
+    /// Whether the forces of springs balance at the current configuration, relative to the largest of them.
     fn is_balanced(&mut self) -> bool {
         self.assemble::<false>();
         let mut free = self.work.residual.clone();
@@ -110,7 +110,7 @@ impl<'m> StaticSearch<'m> {
         search
     }
 
-    /// Lets beams that neither supports nor joints hold be held by contacts, or be named where these do not.
+    /// Allows contacts to support beams without supports and joints; otherwise these beams are reported.
     pub fn hold_loose_beams(&mut self) {
         if self.contacts.is_empty() {
             return;
@@ -122,16 +122,16 @@ impl<'m> StaticSearch<'m> {
         self.contacts.hold_loosely(self.model, loose.stops);
     }
 
-    /// Newton's iteration at a share of the loads, from the increment that stands in the workspace.
+    /// Newton's iteration at a share of the loads, from the increment in the workspace.
     ///
-    /// An equilibrium that lies behind the start, seen along the first correction, is on another branch and does not count; contacts
-    /// that close may well turn the way round.
+    /// An equilibrium behind the start, relative to the first correction, is on another branch and is rejected; closing contacts may however
+    /// reverse the way.
     pub fn solve(&mut self, share: f64) -> bool {
         self.set_share(share);
         let start = self.work.increment.clone();
         let mut ahead: Option<Vec<[f64; 4]>> = None;
         prescribe(self.model, &self.forcing, &mut self.work.increment);
-        // Obstacles stand where they are at time zero.
+        // Obstacles have their position at time zero.
         self.work.increment[self.model.beam_node_count()..]
             .iter_mut()
             .zip(&self.model.bodies)
@@ -162,7 +162,7 @@ impl<'m> StaticSearch<'m> {
                 let way = |a: &[f64; 4], b: &[f64; 4]| std::array::from_fn(|i| a[i] - b[i]);
                 let gone: Vec<[f64; 4]> =
                     self.work.increment.iter().zip(&start).map(|(a, b)| way(a, b)).collect();
-                // Not a number where nothing moves at all.
+                // NaN without any motion.
                 let onward = moved.is_nan() || inner(&gone, ahead) >= 0.0;
                 let found = onward || !alone;
                 if found {
@@ -192,7 +192,7 @@ impl<'m> StaticSearch<'m> {
         self.work.tangent.factor(self.model, &step, None)
     }
 
-    /// The correction that the factored tangent asks for; multipliers move with it.
+    /// The correction of the factored tangent; multipliers change with it.
     pub fn correction(&mut self) {
         let work = &mut self.work;
         for (c, r) in work.correction.iter_mut().zip(&work.residual) {
@@ -223,8 +223,7 @@ impl<'m> StaticSearch<'m> {
         !lost && largest(&work.correction).is_finite() && reach <= 1e6 * self.size()
     }
 
-    /// Applies the share of the correction along which the unbalanced forces have done most of their work: contacts that close on
-    /// the way end it.
+    /// Applies the share of the correction along which the unbalanced forces have done most of their work: contacts that close within it end it.
     fn correct_along(&mut self) -> bool {
         let (start, full) = (self.work.increment.clone(), self.work.correction.clone());
         let before = inner(&self.work.residual, &full);
@@ -320,7 +319,7 @@ impl<'m> StaticSearch<'m> {
     }
 }
 
-/// The step from the base as constraints see it, their forces directed at its end.
+/// The step from the base for constraints, with forces in the directions at its end.
 fn constraint_step<'a>(
     base: &'a State,
     increment: &'a [[f64; 4]],
@@ -342,8 +341,7 @@ pub(super) fn linearized<'m>(model: &'m Model, state: &State) -> StaticSearch<'m
     search
 }
 
-/// What loads and inner forces leave unbalanced at the nodes of a structure at rest, supports and constraints not counted,
-/// shape (nodes, 4) \[N, N m\].
+/// Unbalanced loads and internal forces at the nodes of a structure at rest, without supports and constraints, shape (nodes, 4) \[N, N m\].
 pub(crate) fn unbalanced_forces(
     structure: &Model,
     state: &State,

@@ -2,6 +2,7 @@
 
 use super::balance::{self, StaticBalance};
 use super::equilibrium::Equilibrium;
+use super::largest_displacement::LargestDisplacement;
 use super::lost::{loose, moves};
 use super::spectrum::{Layout, free_motions};
 use super::stability::stability;
@@ -23,15 +24,15 @@ const FIRST_STEP: f64 = 0.1;
 /// weathervane, and no structure that stops hold.
 const CARRIED_AWAY: f64 = 0.1;
 
-/// Static equilibrium of `model` under the loads that act at time zero, with the contacts a transient knows.
+/// Static equilibrium of `model` under the loads at time zero, with the contacts of a transient.
 ///
-/// Newton's iteration in load steps, smaller ones where it does not converge. What fails on the way (fibres, springs, hinges, joints
-/// of a given strength) does so at the load factor at which it bears its whole strength, and what it gave is let go slowly. Compliant contacts press by their potentials, rigid
-/// ones as gap and force are complementary, all without friction. Guided projectiles and discs on their way take no part.
+/// Newton's iteration in load steps, with smaller ones if it does not converge. A part fails (fibres, springs, hinges, joints of a given strength)
+/// at the load factor of its full strength, and its forces are released gradually. Compliant contacts act by their potentials, rigid ones with
+/// complementary gap and force, all without friction. Guided projectiles and moving discs are ignored.
 ///
 /// # Errors
-/// Convergence lost even for small load steps: a limit point, or a load no equilibrium can carry. Something fails that leaves none.
-/// A disc or a beam that nothing holds. One thing inside another before any load acts.
+/// No convergence even for small load steps: a limit point, or a load without equilibrium. A failure without a following equilibrium. A disc or a
+/// beam without support. Bodies that overlap before any load acts.
 pub fn equilibrium(model: &Model) -> Result<Equilibrium, Error> {
     equilibrium_in(model, FIRST_STEP)
 }
@@ -67,7 +68,7 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     Ok(found)
 }
 
-/// Beams that can be shifted with what presses on them staying closed.
+/// Beams that can slide with their active contacts closed.
 fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
     let state = found.state.of_structure(structure);
     let layout = Layout::holding(structure, found.held.clone());
@@ -77,7 +78,7 @@ fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
     structure.beams.iter().filter(slides).map(|beam| beam.name.clone()).collect()
 }
 
-/// Refuses what is inside something else before any load acts.
+/// Rejects overlapping bodies before any load acts.
 pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
     let overlaps = search.model.overlaps(&search.base.displacement, |_| true);
     overlaps.first().map_or(Ok(()), |fault| Err(Error::overlap(fault.to_string())))
@@ -97,6 +98,8 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     let balance = StaticBalance::new(search, &reactions);
     Equilibrium {
         points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
+        rotations: model.rotations(&state.displacement),
+        largest_displacement: LargestDisplacement::of(model, &state),
         section_forces,
         element_forces,
         contact_forces: search.contacts.frame_forces(model, &state),
@@ -127,10 +130,10 @@ pub(super) fn leans_on_stops(model: &Model) -> bool {
         && !free_motions(&layout, &StaticSearch::at(&structure, &rest)).motions.is_empty()
 }
 
-/// A fault for each beam that supports and joints leave free to move without strain and that nothing can be held by: what the rank
-/// of the stiffness matrix lacks, whatever stiffness and density are.
+/// A fault for each beam that can move without strain despite supports and joints and cannot be supported otherwise: from the rank deficiency of
+/// the stiffness matrix, for any stiffness and density.
 ///
-/// Beams that have a contact or a stop may rest on something; whether they do [`equilibrium`] tells.
+/// Beams with a contact or a stop may rest on a body; [`equilibrium`] decides whether they do.
 pub fn mechanisms(model: &Model) -> Vec<Fault> {
     let beams = model.beams.len();
     let apart = loose_ends(model);
@@ -149,11 +152,11 @@ pub fn mechanisms(model: &Model) -> Vec<Fault> {
         model.beams.iter().zip(&touchable).any(|(b, t)| *t && b.nodes.contains(&node))
     });
     let fault = |(index, beam): (usize, &BeamData)| {
-        let mut found = format!("a mechanism: `{}` can move without being strained", beam.name);
-        let mut expected = "supports and joints that hold every beam".to_owned();
+        let mut found = format!("a mechanism: `{}` can move without strain", beam.name);
+        let mut expected = "supports and joints that fix every beam".to_owned();
         if let Some(one) = apart.iter().find(|one| one.beams.contains(&index)) {
             let [a, b] = &one.ends;
-            found += &format!(", and nothing joins `{a}` and `{b}`, which lie at one place");
+            found += &format!(", and the coincident ends `{a}` and `{b}` are not connected");
             expected += &format!(": {}", one.joint());
         }
         Fault::new(format!("beam.{}", beam.name), found, expected)

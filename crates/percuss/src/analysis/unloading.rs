@@ -1,4 +1,4 @@
-//! What stays when a structure that has yielded is unloaded.
+//! Permanent deflection of a structure that has yielded.
 
 use super::lost::moves;
 use super::spectrum::{Layout, free_motions};
@@ -10,15 +10,13 @@ use crate::model::frozen::{BeamData, Connector, Coordinate, Drive};
 use crate::state::State;
 use crate::summary::{NoPermanentSet, PermanentSet, SetOfBeam};
 
-/// Supports that have moved by less than this share of the size of the structure stand where they were, and those that have turned by
-/// less.
+/// Supports that have moved by less than this share of the size of the structure count as unmoved, and likewise rotations.
 const UNMOVED: f64 = 1e-12;
 
-/// The permanent set of each beam: how far its nodes stay from where they would be without plastic strains once loads and contacts are
-/// taken away, supports where they stand, shape (beams).
+/// Permanent deflection of each beam: distance of its nodes from their positions without plastic strains after removal of loads and contacts, with
+/// supports at their current position, shape (beams).
 ///
-/// What holds the structure is what holds it at the end of the run: supports that have let go and joints that have torn do not. Zero
-/// where nothing has yielded.
+/// The structure has the connections of the end of the run: released supports and torn joints are removed. Zero without yielding.
 pub fn permanent_sets(model: &Model, state: &State) -> Vec<Result<PermanentSet, NoPermanentSet>> {
     let structure = without_flow(model);
     let start = state.of_structure(&structure);
@@ -79,8 +77,7 @@ fn has_yielded(state: &State) -> bool {
     state.fibres.iter().chain(&state.memories).any(|memory| memory.accumulated > 0.0)
 }
 
-/// What stays of the displacements of nodes, shape (nodes, 2) \[m\]; none where no equilibrium without loads is near. Components that stop
-/// what nothing holds keep it where it is.
+/// Permanent displacements of nodes, shape (nodes, 2) \[m\]; `None` without a nearby unloaded equilibrium. Stops keep unsupported parts in place.
 fn stays(search: &mut StaticSearch, stops: Vec<(usize, usize)>) -> Option<Vec<[f64; 2]>> {
     search.contacts.hold_loosely(search.model, stops);
     let unloaded = at_rest(search)?;
@@ -94,7 +91,7 @@ fn stays(search: &mut StaticSearch, stops: Vec<(usize, usize)>) -> Option<Vec<[f
     Some(unloaded.iter().zip(&unyielded).map(|(a, b)| sub(*a, *b)).collect())
 }
 
-/// Displacements of the nodes in the equilibrium without loads next to where the search stands, shape (nodes, 2) \[m\].
+/// Displacements of the nodes in the unloaded equilibrium nearest to the current configuration, shape (nodes, 2) \[m\].
 fn at_rest(search: &mut StaticSearch) -> Option<Vec<[f64; 2]>> {
     search.foresee(true);
     let start = search.reached();
@@ -102,8 +99,8 @@ fn at_rest(search: &mut StaticSearch) -> Option<Vec<[f64; 2]>> {
     found.then(|| search.displacement().iter().map(|u| [u[0], u[1]]).collect())
 }
 
-/// Whether the reference configuration is in equilibrium without loads and without plastic strains: supports stand where they were, and
-/// no spring is stressed there.
+/// Whether the reference configuration is an equilibrium without loads and plastic strains: supports have their initial position, and springs have
+/// no force there.
 fn rests_in_reference(search: &StaticSearch) -> bool {
     let (model, forcing) = (search.model, &search.forcing);
     let none = UNMOVED * search.size();

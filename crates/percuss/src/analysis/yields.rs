@@ -11,20 +11,20 @@ use crate::summary::{NoPermanentSet, SetOfBeam};
 /// A spring or an elastic hinge that can yield, in equilibrium.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StaticYielding {
-    /// What it is and its name, `spring.brace` or `joint.knee`.
+    /// Kind and name, `spring.brace` or `joint.knee`.
     pub name: String,
     /// Whether it is a hinge: its extensions are rotations, its force a moment then.
     pub turns: bool,
-    /// Extension from the length without force; or rotation, positive where it goes along with a positive bending moment in the first of
-    /// the two beams that begins or ends there \[m, rad\].
+    /// Extension from the force-free length; or rotation, positive in the direction of a positive bending moment in the first of the two beams that
+    /// begins or ends there \[m, rad\].
     pub extension: f64,
-    /// What of it is plastic \[m, rad\].
+    /// Plastic part of it \[m, rad\].
     pub plastic: f64,
     /// Its force, positive in tension, or moment, which is the bending moment of that beam there \[N, N m\].
     pub force: f64,
-    /// Whether it has yielded on the way.
+    /// Whether it has yielded during loading.
     pub yielded: bool,
-    /// Whether it has failed on the way.
+    /// Whether it has failed during loading.
     pub failed: bool,
     /// As in [`crate::YieldingSummary`].
     pub permanent_set: Result<SetOfBeam, NoPermanentSet>,
@@ -33,7 +33,7 @@ pub struct StaticYielding {
 /// The first yield of a spring or hinge along an equilibrium path.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PathYield {
-    /// What it is and its name, `spring.brace` or `joint.knee`.
+    /// Kind and name, `spring.brace` or `joint.knee`.
     pub name: String,
     /// Load factor at which it yields.
     pub factor: f64,
@@ -58,15 +58,15 @@ pub(super) fn at_rest(model: &Model, state: &State) -> Vec<StaticYielding> {
     each.collect()
 }
 
-/// What yields for the first time on an arc of a path.
+/// A first yield on an arc of a path.
 pub(super) struct Crossing<'a> {
     pub own: &'a YieldingLaw,
-    /// Load factor beyond where the arc begins at which it does, by its rate there.
+    /// Load factor relative to the start of the arc at first yield, from its rate there.
     pub rise: f64,
 }
 
-/// What yields for the first time between two places of a path, in the order in which it does; `base` is what their increments
-/// count from, `rate` how nodal displacements grow with the load factor at the first, `rise` how far they are looked at.
+/// First yields between two points of a path, in their order; increments are relative to `base`, `rate` is the derivative of nodal displacements
+/// with respect to the load factor at the first point, `rise` the range of the search.
 pub(super) fn between<'m>(
     model: &'m Model,
     base: &State,
@@ -93,7 +93,7 @@ pub(super) fn between<'m>(
     out
 }
 
-/// Extension at which what has never yielded does, on the side of `to`.
+/// Extension of first yield, on the side of `to`.
 fn first_yield(law: &StressLaw, to: f64) -> f64 {
     match law {
         StressLaw::Plastic(plastic) => {

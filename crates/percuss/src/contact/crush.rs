@@ -1,10 +1,10 @@
-//! Contacts that crush: pushed in along the curve of the law, released along a steeper line, and never as deep for nothing again.
+//! Contacts with crushing: loading along the curve of the law, unloading along a steeper line, and permanent indentation.
 //!
-//! Behind the deepest penetration m so far the force is `F(m) - k (m - p)`, no pull, with F the curve and k the slope of unloading:
-//! what lies in front of the permanent penetration `r = m - F(m)/k` is free. The energy `f^2 / (2 k)` can be had back; over the way
-//! beyond m the rest of the work, `integral of F (1 - F'/k) dp`, is dissipated, which is not negative as long as no part of the curve
-//! is steeper than the line. The force over a step is the mean over the straight way from one penetration to the other, so that its
-//! work is the change of the stored energy plus what is dissipated, in steps of any size.
+//! For the deepest penetration m so far the force is `F(m) - k (m - p)`, without tension, with F the curve and k the slope of unloading: there is
+//! no contact before the permanent indentation `r = m - F(m)/k`. The energy `f^2 / (2 k)` is recoverable; beyond m the rest of the work, `integral
+//! of F (1 - F'/k) dp`, is dissipated, which is not negative if no part of the curve is steeper than the line. The force over a step is the mean
+//! over the straight path from one penetration to the other, so that its work is the change of the stored energy plus the dissipation, in steps of
+//! any size.
 
 use std::ops::Range;
 
@@ -52,23 +52,22 @@ impl SmoothLaw {
         self.unloading.unwrap_or_else(|| self.potential.stiffness(p))
     }
 
-    /// What stays of a penetration when nothing presses any more \[m\]; zero for a law that does not crush.
+    /// Permanent indentation, at which the force is zero \[m\]; zero for a law without crushing.
     pub fn permanent(&self, deepest: f64) -> f64 {
         let left = |slope: f64| deepest - self.potential.force(deepest) / slope;
         self.unloading.map_or(0.0, |slope| left(slope).max(0.0))
     }
 
-    /// Gap to what is left of a pair that has crushed \[m\]; of all others the gap.
+    /// Gap to the permanent indentation of a pair with crushing \[m\]; the gap of all others.
     pub(crate) fn free_gap(&self, seen: &PairState) -> f64 {
         if self.unloading.is_some() { seen.gap + self.permanent(seen.deepest) } else { seen.gap }
     }
 
-    /// What a pair leaves at the end of a step: the face remembers how deep it was pushed in where, and once nothing presses the pair
-    /// knows no more than the face does where it is `now`. `pressed` tells whether it had a force in the step; a face has its dents, and
-    /// the radius of what makes them.
+    /// State of a pair at the end of a step: the face stores its indentations by position, and an unloaded pair has only the indentation of the
+    /// face at `now`. `pressed` is whether it had a force in the step; the face has its indentations, and the radius of the indenter.
     ///
-    /// While it presses, and as long as it would press at once if it knew less, the pair goes on along its line of unloading, since
-    /// without a force along the face another line would store an energy that no work has given. How far is told.
+    /// A loaded pair, or one that would be loaded at once with a smaller indentation, keeps its line of unloading, since without a force along the
+    /// face another line would store an energy without work. The excess is returned.
     pub(crate) fn remember(
         &self,
         deepest: &mut f64,
@@ -136,14 +135,14 @@ impl SmoothLaw {
 }
 
 impl TouchLaw {
-    /// What stays pushed in of the pairs under the law, where it is deepest \[m\]; none of a law that does not crush.
+    /// Largest permanent indentation of the pairs under the law \[m\]; `None` for a law without crushing.
     pub(crate) fn permanent(&self, state: &State, pairs: Range<usize>) -> Option<f64> {
         let Self::Smooth(law) = self else { return None };
         let deepest = |i: usize| state.pairs[i].deepest.max(state.dents[i].deepest());
         law.unloading.map(|_| pairs.map(|i| law.permanent(deepest(i))).fold(0.0, f64::max))
     }
 
-    /// The most that any of the pairs under the law carried along of what it was pushed in elsewhere.
+    /// Largest indentation that any of the pairs under the law carried along from another position.
     pub(crate) fn carried(&self, state: &State, pairs: Range<usize>) -> Option<CarriedCrush> {
         let mut most = CarriedCrush::default();
         if self.crushes() {
@@ -169,7 +168,7 @@ mod tests {
             law(Potential::Linear { stiffness: 1e6 }, 4e6),
             // It crushes at a constant force, and then locks.
             law(table(vec![0.0, 0.001, 0.05, 0.06], vec![0.0, 2e3, 2e3, 2e4]), 5e6),
-            // No steeper than the curve: nothing is lost on the first stretch.
+            // No steeper than the curve: no dissipation on the first stretch.
             law(table(vec![0.0, 0.01, 0.02], vec![0.0, 1e4, 1e4]), 1e6),
         ]
     }

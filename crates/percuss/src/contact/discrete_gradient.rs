@@ -1,8 +1,8 @@
 //! The gap over a step: its projected discrete gradient (theory, section 6).
 //!
-//! The gradient in the middle of the step, where the closest point is found anew, is corrected along the part of the increment that is no
-//! rigid motion, so that on the increment it gives the change of the gap exactly. A force along it does the work of its
-//! potential, and gives no momentum and no angular momentum, wherever the closest point slides to.
+//! The gradient in the middle of the step, for the closest point there, is corrected along the non-rigid part of the increment, so that on the
+//! increment it gives the change of the gap exactly. The work of a force along it is that of its potential, and it has no resultant momentum and
+//! angular momentum, for any sliding of the closest point.
 
 use super::search::farthest_of;
 use crate::geometry::configuration::Configuration;
@@ -31,8 +31,7 @@ pub struct StepGap {
 }
 
 impl Pair {
-    /// The pair over the step of `at`, from a gap of `gap_0`, its closest point at the end looked for within `reach`; `None` where nothing
-    /// can touch.
+    /// The pair over the step of `at`, from a gap of `gap_0`, with its closest point at the end within `reach`; `None` where contact is impossible.
     pub fn over_step(
         &self,
         model: &Model,
@@ -67,7 +66,7 @@ impl Pair {
             // A difference of gaps is known no better than the positions they are taken from.
             let place = norm(middle.closest_place) + self.reach;
             if miss.abs() > ROUND_OFF * place {
-                // The end of the step may know other nodes.
+                // The end of the step may have other nodes.
                 end.closest.nodes().for_each(|n| row.add(n, [0.0; 4]));
                 correct(model, &mut row, at, miss);
             }
@@ -77,8 +76,8 @@ impl Pair {
 }
 
 impl Pair {
-    /// Gap of a guided projectile, which is linear; nothing for other pairs, and where the struck point belongs to no piece of a beam any
-    /// more \[m\]. As [`Pair::touch`] tells it, for the many looks within an iteration.
+    /// Gap of a guided projectile, which is linear; `None` for other pairs, and if the struck point no longer belongs to a beam \[m\]. The same as
+    /// in [`Pair::touch`], for the many evaluations within an iteration.
     pub fn guided_gap(&self, at: &Configuration) -> Option<f64> {
         let Target::Guided { point, normal, standoff } = &self.target else { return None };
         if self.source.is_parted(at) || point.is_parted(at) {
@@ -88,7 +87,7 @@ impl Pair {
         Some(standoff + dot(*normal, apart))
     }
 
-    /// Its gradient, as [`Pair::normal_row`] tells it; empty for other pairs.
+    /// Its gradient, as in [`Pair::normal_row`]; empty for other pairs.
     pub fn guided_row(&self, at: &Configuration) -> Row {
         let mut row = Row::default();
         if let Target::Guided { point, normal: n, .. } = &self.target {
@@ -112,7 +111,7 @@ impl Pair {
         row
     }
 
-    /// The pair at the end of the step of `at`, from a gap of `gap_0`, as the next step will see it.
+    /// The pair at the end of the step of `at`, from a gap of `gap_0`, as in the next step.
     pub fn at_end(
         &self,
         model: &Model,
@@ -127,7 +126,7 @@ impl Pair {
         self.at_end_from(model, at, memory, &middle, gap_0, Reach::All)
     }
 
-    /// The closest point is followed over the middle of the step; what else is near may be nearer by its end.
+    /// The closest point is followed over the middle of the step; another point may be nearer at its end.
     fn at_end_from(
         &self,
         model: &Model,
@@ -141,7 +140,7 @@ impl Pair {
         self.touch_from(model, &at.at(1.0), &near, gap_0, reach)
     }
 
-    /// The pair at `end`. What seems to have gone through, but was further away than the two have moved, has gone round an end.
+    /// The pair at `end`. If it seems to have passed through, but the gap was larger than the motion of the two, it has passed around an end.
     fn touch_from(
         &self,
         model: &Model,
@@ -179,7 +178,7 @@ impl Pair {
 struct Mover {
     /// Position, shape (2) \[m\].
     position: [f64; 2],
-    /// The tangent, shape (2) \[-\]; zero for a body, whose angle takes no part.
+    /// The tangent, shape (2) \[-\]; zero for a body, whose angle has no influence.
     tangent: [f64; 2],
     /// Increment of the position, shape (2) \[m\].
     moves: [f64; 2],

@@ -1,23 +1,23 @@
-//! With what velocities things touch and part: those of the gap's free motion.
+//! Velocities of approach and separation, from the free motion of the gap.
 //!
-//! A step in which a contact closes ends with a rate that the contact has changed already; how much, depends on the size of the
-//! step. The rate at its start and the acceleration of the step before know nothing of the contact.
+//! The rate at the end of a closing step is already changed by the contact, by an amount that depends on the step size. The rate at its start and
+//! the acceleration of the previous step are independent of the contact.
 
 use crate::scalar::Number;
 
-/// A gap on its way to a contact; from one, with time and rate reversed.
+/// Motion of a gap towards a contact; after a contact, with time and rate reversed.
 #[derive(Clone, Copy, Debug)]
 pub struct FreeGap<S> {
     /// Gap at the start of the step \[m\].
     pub gap: S,
     /// Its rate \[m/s\].
     pub rate: S,
-    /// How the rate changed in the step before, in which nothing touched; zero if that is not known \[m/s^2\].
+    /// Change of the rate in the previous step without contact; zero if unknown \[m/s^2\].
     pub acceleration: S,
 }
 
 impl<S: Number> FreeGap<S> {
-    /// Time until it closes, no later than `h`, and its rate then; a rate that is not negative where it does not close by itself.
+    /// Time until it closes, no later than `h`, and its rate then; a non-negative rate if it does not close by its free motion.
     #[inline(always)]
     pub fn closes(&self, h: S) -> [S; 2] {
         let zero = h.constant(0.0);
@@ -28,7 +28,7 @@ impl<S: Number> FreeGap<S> {
         let found = rate.less(zero) & time.at_most(h);
         let straight = -(self.gap / self.rate);
         let in_time = self.rate.less(zero) & straight.at_most(h);
-        // What does not close by itself does so within the step for other reasons: when, and what moves it, is not known.
+        // If it does not close by free motion, it closes within the step for another reason, at an unknown instant.
         let straight = S::choose(in_time, straight, h.underived());
         [S::choose(found, time, straight), S::choose(found, rate, self.rate)]
     }

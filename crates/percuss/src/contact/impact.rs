@@ -1,10 +1,9 @@
 //! Several contacts at once: one complementarity problem for the impulses along normals and tangents.
 //!
-//! Signorini along the normal, `0 <= z_n - bound  perp  L_n >= 0`; Coulomb along the tangent,
-//! `-L_t in mu L_n Sgn(z_t - target)`; rates `z = free + W L` with the Delassus operator W. A contact may have carried impulses
-//! before, which its conditions then count in. Solved by the proximal-point iteration of the paper (eqs. 14 to 16), contact after
-//! contact; where that is slow, by Newton's iteration on what each contact does, and where that fails, by Lemke's method, which ends
-//! after a finite number of exchanges however redundant the contacts are. What is returned has been checked against the conditions
+//! Signorini along the normal, `0 <= z_n - bound  perp  L_n >= 0`; Coulomb along the tangent, `-L_t in mu L_n Sgn(z_t - target)`; rates `z = free +
+//! W L` with the Delassus operator W. Previous impulses of a contact are included in its conditions. The problem is solved by the proximal-point
+//! iteration of the paper (eqs. 14 to 16), contact after contact; if that is slow, by Newton's iteration on the contact states, and if that fails,
+//! by Lemke's method, which ends after a finite number of exchanges for any redundancy of contacts. The result is checked against the conditions
 //! themselves.
 
 mod direct;
@@ -13,8 +12,8 @@ mod statuses;
 
 pub use problem::{Conditions, ImpactProblem, Stalled};
 
-/// Whether impulses give energy \[J\], more than round-off: their work, and each with the rate along it before. No law of impact may; where
-/// one does, another one stands in for it.
+/// Whether impulses increase the energy \[J\] by more than round-off: their work, and each with its previous rate. No impact law may do so; if one
+/// does, another one replaces it.
 pub fn gives_energy(work: f64, impulses: impl IntoIterator<Item = (f64, f64)>) -> bool {
     /// Relative to the work that the impulses would do at the rates before.
     const ROUND_OFF: f64 = 1e-12;
@@ -30,14 +29,13 @@ impl ImpactProblem {
     const TOLERANCE: f64 = 4e-16;
     /// Violation of the conditions that is round-off, relative to the largest rate.
     const ACCEPTED: f64 = 1e-13;
-    /// Violation that is accepted where the iterations crawl, in piles that friction holds in more ways than one; the summary tells
-    /// it, as any other.
+    /// Accepted violation for slow iterations, in piles with redundant friction forces; the summary reports it, as any other.
     const TOLERATED: f64 = 1e-6;
 
-    /// Impulses beyond so many times what stops the heaviest at every contact are of things that wedge each other.
+    /// Impulses beyond this multiple of the one that stops the heaviest body at every contact belong to wedged bodies.
     const WEDGED: f64 = 10.0;
 
-    /// Makes room for `n` contacts.
+    /// Allocates memory for `n` contacts.
     pub fn resize(&mut self, n: usize) {
         let none = Conditions { bound: 0.0, friction: 0.0, target: 0.0, carried: [0.0; 2] };
         self.contacts.resize(n, none);
@@ -71,7 +69,7 @@ impl ImpactProblem {
         self.delassus[row * (2 * self.count() + 1)]
     }
 
-    /// Proximal point of the impulse of row `row`, the others as they stand.
+    /// Proximal point of the impulse of row `row` for the current other ones.
     fn prox(&self, row: usize, impulses: &[f64], rates: &[f64]) -> f64 {
         let contact = &self.contacts[row / 2];
         let w = self.diagonal(row);
@@ -86,7 +84,7 @@ impl ImpactProblem {
         next.clamp(low, high)
     }
 
-    /// Rate that a row asks for.
+    /// Rate required by the condition of a row.
     fn goal(&self, row: usize) -> f64 {
         let contact = &self.contacts[row / 2];
         if row.is_multiple_of(2) { contact.bound } else { contact.target }
@@ -97,7 +95,7 @@ impl ImpactProblem {
             .filter(|row| row.is_multiple_of(2) || self.contacts[row / 2].friction > 0.0)
     }
 
-    /// Solves for the impulses in place, starting from what stands there.
+    /// Solves for the impulses in place, starting from the current values.
     ///
     /// # Errors
     /// [`Stalled`] if no impulses were found that meet the conditions.
@@ -130,7 +128,7 @@ impl ImpactProblem {
         }
     }
 
-    /// A round of sweeps; tells whether they have converged. Impatient ones end as soon as it is clear that they would not.
+    /// A round of sweeps; returns whether they have converged. Impatient sweeps end as soon as divergence is clear.
     fn sweeps(&mut self, impulses: &mut [f64], impatient: bool) -> bool {
         let mut rates = std::mem::take(&mut self.rates);
         self.find_rates(impulses, &mut rates);
@@ -276,7 +274,7 @@ mod tests {
         }
     }
 
-    /// An impulse `(1 + e) m v` against a wall does the work `(e^2 - 1) m v^2 / 2`.
+    /// The work of an impulse `(1 + e) m v` against a wall is `(e^2 - 1) m v^2 / 2`.
     #[test]
     fn impulses_give_energy_where_restitution_is_above_one_by_more_than_round_off() {
         let (m, v) = (3.0, -7.0);
@@ -329,7 +327,7 @@ mod tests {
 
     #[test]
     fn the_direct_solution_helps_where_sweeps_crawl() {
-        // A chain of equal masses held at one end: sweeps alone take thousands of rounds.
+        // A chain of equal masses fixed at one end: sweeps alone need thousands of rounds.
         let n = 200;
         let mut problem = ImpactProblem::default();
         problem.resize(n);

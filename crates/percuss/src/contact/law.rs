@@ -1,4 +1,4 @@
-//! Smooth contact laws: a potential of the penetration p, and what is dissipated on top of it.
+//! Smooth contact laws: a potential of the penetration p, and additional dissipation.
 
 use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
 use crate::model::{ContactForce, Potential, PotentialFunction, SmoothLaw};
@@ -9,13 +9,13 @@ use crate::scalar::Number;
 pub struct StepForce {
     /// Force \[N\].
     pub force: f64,
-    /// Of it, what is dissipated \[N\].
+    /// Its dissipative part \[N\].
     pub dissipated: f64,
     /// Derivative with respect to the penetration at the end of the step \[N/m\].
     pub slope: f64,
 }
 
-/// A force that is a function of the penetration, given where that is not negative, and zero where nothing penetrates.
+/// A force as a function of the penetration, given for non-negative penetration, and zero without penetration.
 pub trait ForceCurve<S: Number> {
     /// Force at a penetration \[N\].
     fn at(&self, p: S) -> S;
@@ -25,7 +25,7 @@ pub trait ForceCurve<S: Number> {
     fn mean(&self, q0: S, q1: S) -> S;
 
     /// Force over a step from penetration `p0` to `p1`, and its slope by `p1`: in place of `F = R1 p` of the paper's eq. (3) the difference
-    /// quotient `(V(p1) - V(p0)) / (p1 - p0)` of the potential, which vanishes where nothing penetrates (theory, section 4).
+    /// quotient `(V(p1) - V(p0)) / (p1 - p0)` of the potential, which vanishes without penetration (theory, section 4).
     #[inline(always)]
     fn quotient(&self, p0: S, p1: S) -> [S; 2] {
         let zero = p1.constant(0.0);
@@ -189,8 +189,8 @@ pub(super) const CLOSE: f64 = 1e-6;
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl PotentialFunction {
-    /// The difference quotient of the energies; where rounding is all that they differ by from the integral of the force, that
-    /// integral: it does the same work and loses no digits in short steps \[N\].
+    /// The difference quotient of the energies; if it differs from the mean force only by rounding, the mean force, which does the same work
+    /// without loss of digits in short steps \[N\].
     fn mean_force(&self, q0: f64, q1: f64) -> f64 {
         let step = q1 - q0;
         let points = gauss_points().into_iter().zip(GAUSS_WEIGHTS);
@@ -204,7 +204,7 @@ impl PotentialFunction {
     }
 }
 
-/// The interval of a table that holds `p`; the last one goes on for ever.
+/// The interval of a table that contains `p`; the last one is unbounded.
 fn interval(penetration: &[f64], p: f64) -> usize {
     penetration.partition_point(|x| *x <= p).clamp(1, penetration.len() - 1) - 1
 }
@@ -216,11 +216,11 @@ fn line(penetration: &[f64], force: &[f64], p: f64) -> f64 {
 }
 
 impl SmoothLaw {
-    /// Force over a step of size `h` from penetration `p0` to `p1` of the midpoint family; `deepest` is the deepest penetration so
-    /// far, of which a law that crushes asks \[m\].
+    /// Force over a step of size `h` from penetration `p0` to `p1` of the midpoint family; `deepest` is the deepest penetration so far, for laws
+    /// with crushing \[m\].
     ///
-    /// The dissipative part is `f chi (p1 - p0) / h` with f the elastic force of the same step; what would make the sum a pull is
-    /// left out. Its work is never negative.
+    /// The dissipative part is `f chi (p1 - p0) / h` with f the elastic force of the same step; the sum is limited to compression. Its work is
+    /// never negative.
     pub fn step_force(&self, [p0, p1]: [f64; 2], deepest: f64, h: f64) -> StepForce {
         let elastic = match (self.unloading, self.force) {
             (Some(slope), _) => self.crushing(slope, [p0, p1], deepest),

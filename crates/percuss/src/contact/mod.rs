@@ -1,4 +1,4 @@
-//! Contact: laws, gradients of gaps over a step, the problem of impulses, the search for what is near.
+//! Contact: laws, gradients of gaps over a step, the problem of impulses, the search for close pairs.
 
 mod crush;
 pub mod discrete_gradient;

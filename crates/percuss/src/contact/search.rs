@@ -1,8 +1,7 @@
 //! Which pairs are near enough to touch within a step.
 //!
-//! A pair seen at a gap cannot touch before the two have moved by as much. What each mover has travelled is summed up step by
-//! step; a pair sleeps until the sum of both has reached the gap it was last seen at. Sleep changes no result: pairs that wake are
-//! looked at where they stand.
+//! A pair with a known gap cannot touch before its movers have travelled this distance. The travel of each mover is summed up step by step; a pair
+//! sleeps until the sum of both equals its last known gap. Sleeping changes no result: awake pairs are evaluated in the current configuration.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,17 +15,17 @@ use crate::state::State;
 
 /// Pairs nearer than this stay awake \[m\].
 const CLOSE: f64 = 1e-8;
-/// Pairs that would wake within so many steps do not go to sleep.
+/// Pairs that would wake within this number of steps do not sleep.
 const RESTLESS: f64 = 4.0;
-/// An element's control polygon grows by no more than so many times what [`farthest`] gives for its beam: twice the largest movement
-/// of values and 4/3 of its length times that of slopes.
+/// The growth of an element's control polygon is at most this multiple of the value of [`farthest`] for its beam: twice the largest movement of
+/// values and 4/3 of its length times that of slopes.
 const STRETCH: f64 = 4.5;
-/// Bounds of elements' lengths are taken anew once they have grown by this share of the beam's longest element.
+/// Bounds of elements' lengths are updated when they have grown by this share of the beam's longest element.
 const LOOSE: f64 = 0.01;
 
 /// How far a point of a beam moves, at most, if its nodes move by `nodal`; `long` is its longest element \[m\].
 pub fn farthest(nodal: &[[f64; 4]], long: f64) -> f64 {
-    // Components apart, by their index: so they go through vector registers and cost next to nothing.
+    // Components in separate arrays, by their index: the computation uses vector registers at little cost.
     let mut most = [0.0_f64; 4];
     for x in nodal {
         for i in 0..4 {
@@ -44,8 +43,8 @@ pub fn farthest_of(beam: &BeamData, nodal: &[[f64; 4]]) -> f64 {
     farthest(&nodal[beam.nodes.clone()], axis.longest) + swing(axis, nodal)
 }
 
-/// What turns of sections add to that near the ends, where points off the axis touch. Unit vectors along two derivatives g differ by no
-/// more than their difference over their mean length, which is above one half for any strain that a beam survives.
+/// Additional movement by rotation of sections near the ends, where contact points are off the axis. Unit vectors along two derivatives g differ by
+/// no more than their difference over their mean length, which is above one half for any realistic strain.
 fn swing(axis: &AxisElements, nodal: &[[f64; 4]]) -> f64 {
     let mut most = 0.0_f64;
     for k in axis.at_ends() {
@@ -77,24 +76,24 @@ pub struct Search {
     /// Way of any mover, and the least one at which any pair wakes, counted twice \[m\].
     any: f64,
     first: f64,
-    /// Ways of the movers in the step at hand, shape (beams and bodies) \[m\].
+    /// Travel of the movers in the current step, shape (beams and bodies) \[m\].
     step: Vec<f64>,
     /// The longest of them \[m\].
     longest: f64,
-    /// Length that no element of a beam exceeds where the state stands, one a beam, shape (beams) \[m\]; empty if nothing is near a face.
+    /// Upper bound of element lengths in the current state, one per beam, shape (beams) \[m\]; empty if no pair is near a face.
     arcs: Vec<f64>,
     /// By how much these have grown with the beams' ways since they were taken, as shares of the longest elements, summed up.
     loose: f64,
-    /// Pairs looked at where the state stands, shape (such pairs) \[index of a pair\].
+    /// Pairs evaluated in the current state, shape (such pairs) \[index of a pair\].
     awake: Vec<usize>,
-    /// Of these, the ones so near that they are looked at in every step, shape (such pairs) \[index of a pair\]; the others sleep.
+    /// Of these, the ones that are so close that they are evaluated in every step, shape (such pairs) \[index of a pair\]; the others sleep.
     restless: Vec<usize>,
-    /// Whether every pair is that of a guided projectile: so few that all are looked at always.
+    /// Whether every pair is that of a guided projectile: all of these few pairs are always evaluated.
     guided: bool,
 }
 
 impl Search {
-    /// Whether it is one of a model, and points at nothing that is not there.
+    /// Whether it belongs to a model, with valid indices.
     pub fn fits(&self, model: &Model) -> bool {
         let movers = model.beams.len() + model.bodies.len();
         let known = |list: &[usize]| list.iter().all(|pair| *pair < model.pairs.len());
@@ -164,7 +163,7 @@ impl Search {
         self.longest = most;
     }
 
-    /// The step that [`Search::within`] was asked about last was accepted.
+    /// Accepts the last step of [`Search::within`].
     pub fn moved(&mut self, model: &Model) {
         for (travelled, step) in self.travelled.iter_mut().zip(&self.step) {
             *travelled += step;
@@ -176,8 +175,7 @@ impl Search {
         }
     }
 
-    /// Looks at the pairs that have come near, their closest points within `reach` of where they were remembered, and lets those that
-    /// have not sleep on.
+    /// Evaluates the pairs that have come close, with their closest points within `reach` of the stored ones; the others continue to sleep.
     pub fn see(&mut self, model: &Model, state: &mut State, reach: Reach) {
         self.awake.clear();
         let mut restless = std::mem::take(&mut self.restless);
@@ -233,7 +231,7 @@ impl Search {
         self.wake[i] = self.way_of(&model.pairs[i]) + (0.999 * apart - CLOSE).max(0.0);
     }
 
-    /// Length that no element of a beam exceeds where the state stands, one a beam; empty if nothing is near a face \[m\].
+    /// Upper bound of element lengths in the current state, one per beam; empty if no pair is near a face \[m\].
     pub fn arcs(&self) -> &[f64] {
         &self.arcs
     }
@@ -242,7 +240,7 @@ impl Search {
         pair.movers.iter().map(|m| self.travelled[*m]).sum()
     }
 
-    /// Pairs that were looked at where the state stands; the others are too far apart to matter.
+    /// Pairs evaluated in the current state; the others are too far apart to matter.
     pub fn awake(&self) -> &[usize] {
         &self.awake
     }

@@ -35,9 +35,9 @@ pub struct NodeFrame {
 impl ElementTable {
     /// Table of an element between two nodes, `length` of arc apart; `section` gives constants at a share of the way.
     ///
-    /// The reference is interpolated as displacements are, so rigid motions leave strains at zero. Membrane strains are sampled at the
-    /// nodes and the middle where the element is long against the radius of gyration, whether it is made of `fibres` or not: what can
-    /// yield is the same element as what cannot.
+    /// The reference is interpolated like the displacements, so that rigid motions have zero strain. Membrane strains are sampled at the nodes and
+    /// the middle if the element is long relative to the radius of gyration, with and without `fibres`: elements that can yield are the same as
+    /// elastic ones.
     pub fn new(
         length: f64,
         ends: [NodeFrame; 2],

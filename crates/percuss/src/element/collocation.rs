@@ -39,8 +39,8 @@ pub fn damped<S: Real, const TANGENT: bool>(
 
 /// The same at the end of the step, with the geometric stiffness of the strains `foreseen` by the last correction.
 ///
-/// Large rotations of slender beams stretch them spuriously within an iteration; stresses extrapolated linearly do not feel
-/// that, and Newton's iteration converges for any slenderness (Magisano, Leonetti, Garcea 2017, mixed integration points).
+/// Large rotations of slender beams cause spurious stretching within an iteration; linearly extrapolated stresses are not affected, and Newton's
+/// iteration converges for any slenderness (Magisano, Leonetti, Garcea 2017, mixed integration points).
 #[inline(always)]
 pub fn foreseeing<S: Real, const TANGENT: bool>(
     law: &SectionLaw<S>,

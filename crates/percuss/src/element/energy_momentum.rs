@@ -25,7 +25,7 @@ pub struct End<S> {
     pub membrane: S,
 }
 
-/// What the bending strain is made of.
+/// Terms of the bending strain.
 #[derive(Clone, Copy, Debug)]
 pub struct Bent<S> {
     /// Its numerator, `b = x' x x''` \[1/m\].
@@ -45,7 +45,7 @@ impl<S: Real> End<S> {
         Self::with(measure, tangent, (slope, bend), (stretch, inverse))
     }
 
-    /// Those of several Gauss points together, from nodal displacements; quicker, as [`Quotients::of`] says.
+    /// Those of several Gauss points together, from nodal displacements; faster, see [`Quotients::of`].
     #[inline(always)]
     pub fn all<const N: usize>(
         measure: StrainMeasure,
@@ -132,7 +132,7 @@ impl<S: Real> End<S> {
     }
 }
 
-/// What the bending strain divides by, from the square of the stretch and the stretch.
+/// Denominator of the bending strain, from the square of the stretch and the stretch.
 #[inline(always)]
 fn divisor<S: Real>(measure: StrainMeasure, a: S, stretch: S) -> S {
     match measure {
@@ -141,7 +141,7 @@ fn divisor<S: Real>(measure: StrainMeasure, a: S, stretch: S) -> S {
     }
 }
 
-/// A Gauss point on its way over a step.
+/// A Gauss point over a step.
 #[derive(Clone, Copy, Debug)]
 pub struct PointStep<'a, S> {
     /// Reference configuration.
@@ -171,7 +171,7 @@ impl<'a, S: Real> PointStep<'a, S> {
     }
 }
 
-/// The stretch at the end of a step, and what is divided by.
+/// The stretch at the end of a step, and the denominator.
 #[derive(Clone, Copy, Debug)]
 pub struct Quotients<S> {
     stretch: S,

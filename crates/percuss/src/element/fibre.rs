@@ -1,8 +1,8 @@
-//! A fibre of a section that can yield: its stress over a step, and what it stores and dissipates.
+//! A fibre of a section that can yield: its stress over a step, its stored energy and dissipation.
 //!
-//! Strain runs straight from one end of a step to the other. The stress that does the step's work is its mean over that path,
-//! `s = int sigma de / De`: then `s De` is the change of what the fibre stores plus what it dissipates, exactly, for a step of
-//! any size. With the tangent modulus along the path, `Et(t)` for t from 0 to 1,
+//! Strain is linear from one end of a step to the other. The stress that does the step's work is its mean over that path, `s = int sigma de / De`:
+//! then `s De` is the change of the stored energy of the fibre plus its dissipation, exactly, for a step of any size. With the tangent modulus
+//! along the path, `Et(t)` for t from 0 to 1,
 //!
 //! `s = sigma0 + De int Et (1 - t) dt`, `ds/de1 = int Et t dt`, `sigma1 = sigma0 + De int Et dt`.
 
@@ -33,19 +33,19 @@ pub struct Fibre<S = f64> {
     pub height: S,
     /// Area \[m^2\].
     pub area: S,
-    /// Whether it bears; one that does not has no area and tells strain and stress at the surface only.
+    /// Whether it carries force; a fibre without area only gives strain and stress at the surface.
     pub bears: bool,
     /// Number of its law among those of the span.
     pub law: usize,
 }
 
 impl Fibre {
-    /// One that bears.
+    /// A fibre that carries force.
     pub fn bearing(height: f64, area: f64, law: usize) -> Self {
         Self { height, area, bears: true, law }
     }
 
-    /// One that tells strain and stress at a surface, of the first law.
+    /// A fibre without area for strain and stress at a surface, of the first law.
     pub fn at_surface(height: f64) -> Self {
         Self { height, area: 0.0, bears: false, law: 0 }
     }
@@ -67,7 +67,7 @@ impl StressLaw {
         }
     }
 
-    /// The same without plastic flow: what has yielded is strained from its plastic strains on.
+    /// The same without further plastic flow: strains are relative to the plastic strains.
     pub fn without_flow(&self) -> Self {
         match self {
             Self::Plastic(PlasticLaw { young, slack: None, .. }) => Self::Elastic { young: *young },
@@ -81,7 +81,7 @@ impl StressLaw {
         }
     }
 
-    /// The fibre brought to a strain slowly: what it comes to does not depend on where it began.
+    /// The fibre after quasi-static straining: the result does not depend on its initial strain.
     pub fn at_rest(&self, state: &FibreState, to: f64) -> FibreStep {
         match self {
             Self::Plastic(law) if !state.failed => {
@@ -153,7 +153,7 @@ impl<S: Number> StressLaw<S> {
         }
     }
 
-    /// Moves a fibre to the end of a step of size `h`; returns what plastic flow and the viscosity of its material take, shape (2)
+    /// Moves a fibre to the end of a step of size `h`; returns the dissipation by plastic flow and by the viscosity of its material, shape (2)
     /// \[J/m^3\]. `lag` is the retardation time over the step size.
     #[inline(always)]
     pub fn advance(
@@ -204,13 +204,13 @@ impl<S: Number> StressLaw<S> {
         }
     }
 
-    /// Whether a fibre is strained to the side on which its material bears nothing.
+    /// Whether a fibre is strained to the side on which its material has no resistance.
     pub fn is_slack(&self, state: &FibreState<S>, strain: S) -> bool {
         let frees = |slack: Slack| slack.frees(strain - state.plastic).any();
         self.slack().is_some_and(frees)
     }
 
-    /// Stress over that at which a fibre that has not yielded does so; none of one that never yields.
+    /// Ratio of the stress to that of first yield of a fibre that has not yielded; zero for an elastic one.
     pub fn use_of_limit(&self, state: &FibreState<S>, strain: S) -> Option<S> {
         let Self::Plastic(law) = self else { return None };
         Some(self.stress(state, strain).abs() / law.plasticity.yield_stress(state.accumulated))

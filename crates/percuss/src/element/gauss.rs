@@ -3,12 +3,10 @@
 use super::point::{PointResponse, Reference, SectionLaw, StepPoint};
 use crate::scalar::Real;
 
-/// What is known of the beam at a Gauss point, and the derivatives of the interpolation there, acting on
-/// (u_b - u_a, u_a', u_b').
+/// Reference geometry of the beam at a Gauss point, and the derivatives of the interpolation there, acting on (u_b - u_a, u_a', u_b').
 ///
-/// Only the difference of displacements enters: a translation leaves strains untouched to the last bit. Derivatives are with
-/// respect to the arc length of the interpolated reference; of x'' only the part across x' is formed, since strains know
-/// no other.
+/// Only the difference of displacements is used: a translation does not change strains in any bit. Derivatives are with respect to the arc length
+/// of the interpolated reference; of x'' only the part across x' is formed, since strains depend on no other.
 #[derive(Clone, Copy, Debug)]
 pub struct GaussRow<S = f64> {
     /// Coefficients of u', shape (3) \[1/m, -, -\].
@@ -100,7 +98,7 @@ pub struct ElementSums<S> {
 }
 
 impl<S: Real> ElementSums<S> {
-    /// Nothing summed yet, in as many lanes as a number has.
+    /// Zero sums, with the lanes of a number.
     #[inline(always)]
     pub fn zero(like: S) -> Self {
         let zero = like.constant(0.0);

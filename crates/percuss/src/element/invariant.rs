@@ -20,7 +20,7 @@ pub struct InvariantStep<'a, S> {
     pub starts: &'a [End<S>; GAUSS],
     /// Angular rates of their tangents at the start, shape (Gauss points) \[rad/s\].
     pub spin: &'a [S; GAUSS],
-    /// Nodal values at the start, which slender elements and those of fibres alone look at, and their increments.
+    /// Nodal values at the start, which only slender and fibre elements use, and their increments.
     pub start: ElementValues<S>,
     pub increment: ElementValues<S>,
     /// Size of the step \[s\], and one over it \[1/s\].

@@ -5,9 +5,9 @@ use super::membrane::MembraneTable;
 use super::point::{Reference, SectionLaw};
 use crate::math::hermite::GAUSS;
 
-/// What numbers are replaced by, one after the other in a fixed order.
+/// Replacement of numbers, one after the other in a fixed order.
 pub trait Replacement<S, T> {
-    /// What the next number is replaced by.
+    /// Value that replaces the next number.
     fn of(&mut self, number: S) -> T;
 }
 
@@ -18,7 +18,7 @@ impl<S, T, F: FnMut(S) -> T> Replacement<S, T> for F {
     }
 }
 
-// No closures in what follows: where numbers are vector registers, they are not always inlined.
+// The following code has no closures: for vector registers they are not always inlined.
 
 impl<S: Copy> ElementTable<S> {
     /// The same with every number replaced.

@@ -16,8 +16,8 @@ pub const SAMPLES: usize = 3;
 
 /// Membrane strains at the sampling points and the stiffness between them.
 ///
-/// Elements of fibres that are not slender are sampled at their Gauss points: then all that is said here of quadratics holds of values
-/// at one of these, and forces are those of elements that have no such table.
+/// Fibre elements that are not slender are sampled at their Gauss points: quadratic functions are then values at one of these, and forces are those
+/// of elements without a table.
 #[derive(Clone, Copy, Debug)]
 pub struct MembraneTable<S = f64> {
     /// Coefficients of u' at the sampling points, acting on (u_b - u_a, u_a', u_b'), shape (sampling points, 3) \[1/m, -, -\].
@@ -28,11 +28,11 @@ pub struct MembraneTable<S = f64> {
     pub stiffness: [[S; SAMPLES]; SAMPLES],
     /// Values of the L at the Gauss points, shape (Gauss points, sampling points) \[-\].
     pub at_gauss: [[S; SAMPLES]; GAUSS],
-    /// Whether it is sampled at the nodes and the middle, where a node knows its own slope only.
+    /// Whether it is sampled at the nodes and the middle, where a node has only its own slope.
     pub is_nodal: bool,
 }
 
-/// What a scheme makes of the membrane strain at a sampling point: `deps = alpha g.dg` at the configuration g.
+/// Terms of the membrane strain at a sampling point in a scheme: `deps = alpha g.dg` at the configuration g.
 #[derive(Clone, Copy, Debug)]
 pub struct MembranePoint<S> {
     /// Membrane strain that sets the stress \[-\].
@@ -50,8 +50,8 @@ pub struct MembranePoint<S> {
 }
 
 impl MembraneTable {
-    /// Elements longer than so many radii of gyration are sampled here. Below, Gauss points serve as well: their locking falls
-    /// with the square of this number, times the fourth power of the angle an element is bent by.
+    /// Elements longer than this multiple of the radius of gyration are sampled here. For shorter ones Gauss points are as good: their locking is
+    /// proportional to the square of this number times the fourth power of the angle by which an element is bent.
     pub const SLENDER: f64 = 50.0;
 
     /// Sampled at the nodes and the middle of an element of the given length with its reference and its Gauss points.
@@ -107,7 +107,7 @@ impl<S: Real> MembraneTable<S> {
         dot3(strain, array(|i| self.force(strain, i))) * 0.5
     }
 
-    /// Force that goes with the strain at a sampling point, from the strains at all.
+    /// Force conjugate to the strain at a sampling point, from the strains at all.
     #[inline(always)]
     fn force(&self, strain: [S; SAMPLES], i: usize) -> S {
         dot3(strain, self.stiffness[i])
@@ -168,7 +168,7 @@ impl<S: Real> MembraneTable<S> {
         }
     }
 
-    /// The values that a sampling point knows: a node its own slope only.
+    /// The values at a sampling point: a node has only its own slope.
     #[inline(always)]
     fn known(&self, sample: usize) -> std::ops::Range<usize> {
         if self.is_nodal { [1..2, 0..3, 2..3][sample].clone() } else { 0..3 }
@@ -327,8 +327,7 @@ impl<S: Real> MembraneStep<S> {
         MembranePoint { strain, geometric: strain, alpha, g, d_strain, d_alpha }
     }
 
-    /// Change of the membrane strain over the step as the scheme's virtual work knows it, and to first order of the stored
-    /// strain.
+    /// Change of the membrane strain over the step in the scheme's virtual work, and to first order of the stored strain.
     #[inline(always)]
     pub fn midpoint_change(&self, measure: StrainMeasure) -> S {
         let g = self.at(0.5);

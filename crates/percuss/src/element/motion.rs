@@ -29,8 +29,8 @@ pub struct ElementMeasures<S> {
     pub angular_size: S,
 }
 
-/// Accelerations of a node in the equation of motion by the midpoint rule in a step of size `1 / rate`, `2 (d/h - v0)/h`, with what
-/// mass-proportional `damping` adds; `mean` is d/h.
+/// Accelerations of a node in the equation of motion by the midpoint rule in a step of size `1 / rate`, `2 (d/h - v0)/h`, with the term of
+/// mass-proportional `damping`; `mean` is d/h.
 #[inline(always)]
 pub fn accelerations<S: Real>(
     mean: [S; 4],
@@ -50,7 +50,7 @@ pub fn accelerations<S: Real>(
 }
 
 impl<S: Number> ElementMeasures<S> {
-    /// Nothing, in as many lanes as a number has.
+    /// Zero, with the lanes of a number.
     #[inline(always)]
     pub fn zero(like: S) -> Self {
         let zero = like.constant(0.0);
@@ -67,7 +67,7 @@ impl<S: Number> ElementMeasures<S> {
         }
     }
 
-    /// What moves: from positions and tangents of both nodes, their velocities, and the angular rates at the Gauss points.
+    /// Kinetic quantities: from positions and tangents of both nodes, their velocities, and the angular rates at the Gauss points.
     #[inline(always)]
     pub fn of_motion(
         table: &ElementTable<S>,

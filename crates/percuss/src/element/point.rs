@@ -1,4 +1,4 @@
-//! What goes in and out at a Gauss point.
+//! Input and output at a Gauss point.
 //!
 //! Generalised forces are conjugate to the tangent `g = x'` and to `p = x''`: the virtual work per length of any
 //! scheme is `force_g . dg + force_p . dp`.
@@ -270,6 +270,6 @@ pub enum StrainMeasure {
     /// The paper's: `eps = (|x'|^2 - 1) / 2`, `kappa = n'.x' - N'.X'` (Green-type).
     #[default]
     Green,
-    /// Reissner's: `eps = |x'| - 1`, `kappa = -(theta' - theta0')`; what most other codes use.
+    /// Reissner's: `eps = |x'| - 1`, `kappa = -(theta' - theta0')`; used by most other codes.
     Engineering,
 }

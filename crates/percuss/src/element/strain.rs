@@ -30,18 +30,17 @@ pub fn strains<S: Real>(
 }
 
 impl<S: Real> Reference<S> {
-    /// What the numerator `b = x' x x''` of the bending strain has changed by, `x' x u'' + u' x X''` \[1/m\].
+    /// Change of the numerator `b = x' x x''` of the bending strain, `x' x u'' + u' x X''` \[1/m\].
     #[inline(always)]
     pub fn b_change(&self, slope: [S; 2], bend: [S; 2]) -> S {
         cross(add(self.tangent, slope), bend) + cross(slope, self.bend)
     }
 
-    /// Bending strain of a stretch r, whose square is `1 + 2 green`, and of a change of `b`: `(kappa0 (r - 1) - db)/r` in Green
-    /// strains, `(kappa0 2 green - db)/r^2` in engineering ones. Nothing of the size of the reference curvature is subtracted
-    /// from its like, so a curved beam rounds at the size of what it is bent by.
+    /// Bending strain of a stretch r, whose square is `1 + 2 green`, and of a change of `b`: `(kappa0 (r - 1) - db)/r` in Green strains, `(kappa0 2
+    /// green - db)/r^2` in engineering ones. Terms of the size of the reference curvature do not cancel, so that round-off in a curved beam is
+    /// relative to its change of curvature.
     ///
-    /// `inverse` is the reciprocal of what the strain divides by. The root's own rounding is taken out of `r - 1` by one step of
-    /// Newton's method.
+    /// `inverse` is the reciprocal of the denominator. One step of Newton's method removes the rounding of the root from `r - 1`.
     #[inline(always)]
     pub fn bending(
         &self,

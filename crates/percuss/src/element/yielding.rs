@@ -1,8 +1,8 @@
-//! An element whose sections are made of fibres: what `EA eps` and `EI kappa` are elsewhere is a sum over them.
+//! An element with fibre sections: `EA eps` and `EI kappa` of elastic elements are replaced by sums over fibres.
 //!
-//! Membrane strains are those of [`MembraneTable`] at the Gauss points, where the fibres stand: a fibre at the height
-//! y has the strain `e = eps + y kappa`, an exact function of the configuration. With the mean stress s of each fibre over the step,
-//! `N = sum A s` and `M = sum A y s` act along the discrete gradients of both strains.
+//! Membrane strains are those of [`MembraneTable`] at the Gauss points of the fibres: a fibre at the height y has the strain `e = eps + y kappa`,
+//! an exact function of the configuration. With the mean stress s of each fibre over the step, `N = sum A s` and `M = sum A y s` act along the
+//! discrete gradients of both strains.
 
 mod forms;
 
@@ -17,14 +17,14 @@ use crate::math::vec2::{add, dot};
 use crate::scalar::{Mask, Number, Real, Task, array};
 use forms::{SectionResponse, add_section, add_turned, interpolate, interpolated, sampled, spread};
 
-/// The fibres of an element and what they remember.
+/// The fibres of an element and their state variables.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementFibres<'a, S = f64> {
     /// Their laws, shape (laws of the span).
     pub laws: &'a [StressLaw<S>],
     /// Fibres at the Gauss points, shape (Gauss points, fibres at one).
     pub fibres: &'a [Vec<Fibre<S>>; GAUSS],
-    /// What they remember at the start of the step, Gauss point after Gauss point, shape (fibres of the element).
+    /// State variables at the start of the step, Gauss point after Gauss point, shape (fibres of the element).
     pub states: &'a [FibreState<S>],
 }
 
@@ -57,10 +57,10 @@ pub struct ElementTurn<'a, S> {
     pub damping: S,
 }
 
-/// What the fibres of an element store.
+/// Stored energies of the fibres of an element.
 #[derive(Clone, Copy, Debug)]
 pub struct FibreEnergies<S> {
-    /// Elastic energy that goes with the axial forces \[J\].
+    /// Elastic energy of the axial forces \[J\].
     pub stretching: S,
     /// Elastic energy of all stresses \[J\].
     pub elastic: S,
@@ -100,7 +100,7 @@ pub fn gauss_strains<S: Real>(
 }
 
 impl<S: Number> ElementFibres<'_, S> {
-    /// Fibres at a Gauss point with what they remember.
+    /// Fibres at a Gauss point with their state variables.
     #[inline(always)]
     pub fn at(&self, j: usize) -> impl Iterator<Item = (&Fibre<S>, &FibreState<S>)> {
         let mut first = 0;
@@ -110,7 +110,7 @@ impl<S: Number> ElementFibres<'_, S> {
         self.fibres[j].iter().zip(&self.states[first..])
     }
 
-    /// What they store at the strains that they have reached.
+    /// Their stored energies at the current strains.
     #[inline(always)]
     pub fn energies(&self, table: &ElementTable<S>, strains: &GaussStrains<S>) -> FibreEnergies<S> {
         let none = table.length.constant(0.0);
@@ -163,14 +163,14 @@ impl<S: Number> ElementFibres<'_, S> {
 }
 
 impl ElementFibres<'_> {
-    /// Forces of the section at the end of a step that knows no time.
+    /// Forces of the section at the end of a rate-independent step.
     fn end(&self, j: usize, [membrane, bending]: [f64; 2]) -> SectionResponse<f64> {
         let mut out = SectionResponse::zero(0.0);
         for (fibre, state) in self.at(j).filter(|(fibre, _)| fibre.bears) {
             let strain = membrane + fibre.height * bending;
             let law = &self.laws[fibre.law];
             let found = law.at_rest(state, strain);
-            // Of what stands on its limit the tangent is that of more load, whether it came there in this step or before.
+            // A fibre at its limit has the tangent of further loading, whether it reached the limit in this step or before.
             out.add(fibre, found.stress, law.loading_tangent(&found));
         }
         out.close()

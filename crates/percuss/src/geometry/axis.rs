@@ -1,4 +1,4 @@
-//! The axis of a beam as contact sees it: elements in a row, and the point of them nearest to a place.
+//! The axis of a beam for contact: a row of elements, and the closest point on them.
 
 #[cfg(test)]
 mod tests;
@@ -14,7 +14,7 @@ use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 /// Distances that differ by less than this share are the same.
 const SAME: f64 = 1e-14;
 
-/// Share of its length up to which either end of a beam is rounded: what is left between has to be an axis.
+/// Share of its length up to which each end of a beam is rounded: the rest has to be an axis.
 pub const LONGEST_CAP: f64 = 0.499;
 /// Ends nearer to a node than this share of an element are at the node.
 const AT_NODE: f64 = 1e-9;
@@ -121,10 +121,10 @@ pub struct AxisPoint {
     pub xi: f64,
 }
 
-/// Where an axis ends as contact sees it, and what closes the outline there.
+/// End of an axis for contact, and the closure of the outline there.
 ///
-/// Beyond the section at `point` lies what is left of the beam: a straight edge across, with corners that are rounded off by arcs of
-/// a circle. The edge of their centres has half a width of `half_width` about the axis; the outline is `rounding` away from it.
+/// The end of the beam beyond the section at `point`: a straight edge across, with corners rounded by arcs of a circle. The edge of their centres
+/// has half a width of `half_width` about the axis; the outline is `rounding` away from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AxisEnd {
     /// The last point of the axis.
@@ -137,7 +137,7 @@ pub struct AxisEnd {
     pub half_width: f64,
     /// Radius of the corners \[m\].
     pub rounding: f64,
-    /// Growth of the half depth per length on the way out.
+    /// Growth of the half depth per length towards the end.
     pub lean: f64,
 }
 
@@ -257,7 +257,7 @@ impl Axis<'_> {
             let placed = Placed::between(element, &ends);
             let xi = placed.nearest(&ends, y, side, self.limits(k));
             let away = placed.away(y, xi);
-            // Of two as near, the one found first: at a node both elements say the same.
+            // Of two equally close points, the first one: at a node both elements give the same.
             if away + SAME * norm(sub(placed.position(xi), y)) < best.0 {
                 best = (away, Some(ClosestPoint { point: AxisPoint { element: k, xi }, placed }));
                 leaps = true;
@@ -337,7 +337,7 @@ impl Axis<'_> {
         (away <= end.half_width).then_some(end)
     }
 
-    /// Sign of the side on which `y` lies, seen along the axis at its nearest point; zero beyond an end.
+    /// Sign of the side of `y`, relative to the axis at its closest point; zero beyond an end.
     pub fn side(&self, y: [f64; 2], at: &Configuration, point: AxisPoint) -> f64 {
         let placed = self.placed(point.element, at);
         self.side_of(sub(y, placed.position(point.xi)), placed.tangent(point.xi), at, point)

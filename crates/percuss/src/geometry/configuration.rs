@@ -11,23 +11,23 @@ pub struct Configuration<'a> {
     pub share: f64,
     /// Length that no element of a beam exceeds at any share, one a beam, shape (beams) \[m\]; empty if not known. It is for speed alone.
     pub arcs: &'a [f64],
-    /// Whether nothing that can be touched spans from a node to the next one, shape (beam nodes); empty while no beam has parted.
+    /// Whether there is a gap without a surface from a node to the next one, shape (beam nodes); empty without fractured beams.
     pub parted: &'a [bool],
 }
 
 impl<'a> Configuration<'a> {
-    /// Displacements as they stand.
+    /// Current displacements.
     pub fn of(displacement: &'a [[f64; 4]]) -> Self {
         Self { start: displacement, increment: &[], share: 0.0, arcs: &[], parted: &[] }
     }
 
-    /// Whether nothing that can be touched spans from a node to the next one.
+    /// Whether there is a gap without a surface from a node to the next one.
     #[inline]
     pub fn is_parted(&self, node: usize) -> bool {
         self.parted.get(node).is_some_and(|parted| *parted)
     }
 
-    /// The same step, seen at another share.
+    /// The same step at another share.
     pub fn at(self, share: f64) -> Self {
         Self { share, ..self }
     }

@@ -1,12 +1,12 @@
-//! What stays pushed in along a face: dents that a round thing has left at the places it was pressed into.
+//! Permanent indentations along a face, by a round body at its points of contact.
 //!
-//! A circle of radius R pressed in by m leaves a dent that is half as wide as `a(m) = sqrt(m (2 R + m))`, its chord. The same circle
-//! beside it, by x along the face, fits in between the rims as deep as `a^-1(a(m) - |x|)`: at the bottom m, beyond a(m) nothing. So
-//! the depth is continuous along the face, and what is moved by more than half the chord meets a face that nothing has touched.
+//! A circle of radius R with the penetration m leaves an indentation with half the width `a(m) = sqrt(m (2 R + m))`, its chord. At a distance x
+//! along the face the same circle fits between the rims to the depth `a^-1(a(m) - |x|)`: m at the bottom, zero beyond a(m). The depth is therefore
+//! continuous along the face, and a motion by more than half the chord leads to an undamaged part of the face.
 
 use serde::{Deserialize, Serialize};
 
-/// A move by less than this share of half a dent's width goes on with the same dent.
+/// A motion by less than this share of half the width continues the same indentation.
 const SAME: f64 = 1.0 / 16.0;
 
 /// A dent, where it is deepest.
@@ -40,7 +40,7 @@ impl Dent {
     }
 }
 
-/// A dent carried along by what still presses: elsewhere it would have to be pressed in anew.
+/// An indentation carried along by a loaded contact: elsewhere it would have to be produced again.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CarriedCrush {
     /// How far along the face, from where it was made \[m\].
@@ -50,7 +50,7 @@ pub struct CarriedCrush {
 }
 
 impl CarriedCrush {
-    /// Takes another one that is deeper.
+    /// Merges another one if it is deeper.
     pub(crate) fn most(&mut self, other: Self) {
         if other.depth > self.depth {
             *self = other;
@@ -74,7 +74,7 @@ pub struct Dents {
 }
 
 impl Dents {
-    /// How deep the circle fits in at a place; the depth of `at` does not count \[m\].
+    /// Depth to which the circle fits in at a place, without the depth of `at` \[m\].
     pub fn depth_at(&self, at: &Dent, radius: f64) -> f64 {
         let others = self.others[self.around(at.place, radius)].iter();
         others.map(|d| d.depth_at(at, radius)).fold(self.last.depth_at(at, radius), f64::max)
@@ -90,13 +90,13 @@ impl Dents {
         self.last.depth_at(at, radius) == 0.0
     }
 
-    /// Takes part of the depth of the dent made last along to another place.
+    /// Moves part of the depth of the last indentation to another place.
     pub fn carry(&mut self, to: &Dent, depth: f64) {
         let distance = (to.place - self.last.place).abs();
         self.carried.most(CarriedCrush { distance, depth });
     }
 
-    /// Pressed in where nothing was pressed in as deep.
+    /// Indentation at a place without an equally deep one.
     pub fn deepen(&mut self, new: Dent, radius: f64) {
         self.deepest = self.deepest.max(new.depth);
         let beyond = (new.place - self.begun).abs() > SAME * new.half_width(radius);

@@ -1,18 +1,18 @@
-//! Where the outline of a beam ends: a straight edge across the axis, its corners, and what leaning faces leave between them.
+//! End of the outline of a beam: a straight edge across the axis, its corners, and the surface between inclined faces.
 
 use super::axis::{Axis, AxisEnd, ClosestPoint};
 use super::configuration::Configuration;
 use super::placed::Placed;
 use crate::math::vec2::{add, dot, norm, rot90, scale, sub};
 
-/// What of an end is nearest to a place.
+/// Part of an end that is closest to a point.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeTouch {
     /// Signed distance from it \[m\].
     pub distance: f64,
     /// Unit normal, shape (2) \[-\].
     pub normal: [f64; 2],
-    /// The nearest point, seen from the end of the axis along and across it, shape (2) \[m\].
+    /// The closest point, relative to the end of the axis along and across it, shape (2) \[m\].
     pub offset: [f64; 2],
     /// Its position, shape (2) \[m\].
     pub place: [f64; 2],
@@ -28,7 +28,7 @@ enum Feature {
     Edge,
     /// A corner.
     Corner,
-    /// The face beside it, as far as no circle about the axis reaches it.
+    /// The adjacent face, outside of all circles about the axis.
     Face,
 }
 
@@ -63,8 +63,8 @@ impl EndFrame {
     }
 }
 
-/// The place of an end that is nearest to `y`; `None` where that is a place of the axis' faces. `closest` is the nearest point of the
-/// axis, `beyond` tells that `y` lies beyond its end, `side` the face that `y` was seen on.
+/// The point of an end that is closest to `y`; `None` if it is on the faces of the axis. `closest` is the closest point of the axis, `beyond` is
+/// true for `y` beyond its end, `side` is the face on the side of `y`.
 pub fn nearest(
     axis: &Axis,
     end: &AxisEnd,
@@ -118,7 +118,7 @@ pub fn nearest(
     })
 }
 
-/// The section at an end of an axis, as what closes a beam whose cap is left to others; `side` is the face that `y` was seen on.
+/// The section at an end of an axis, as the closure of a beam whose cap belongs to other pairs; `side` is the face on the side of `y`.
 pub fn section(
     axis: &Axis,
     end: &AxisEnd,

@@ -1,6 +1,6 @@
-//! Geometry of contact: round things and what they can touch, the nearest place of a target, the gap and its derivatives.
+//! Geometry of contact: round bodies and their targets, the closest point of a target, the gap and its derivatives.
 //!
-//! It knows no model: whoever has beams says where they lie through [`Axes`].
+//! It is independent of the model: positions of beams are provided through [`Axes`].
 
 pub mod axis;
 pub mod configuration;

@@ -22,7 +22,7 @@ pub struct Centre {
     pub carrier: Carrier,
 }
 
-/// What a point belongs to.
+/// Owner of a point.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Carrier {
     /// A rigid body: its third degree of freedom is an angle. The point is off its centre by `offset`; that of a body that
@@ -170,7 +170,7 @@ impl Centre {
         Some(PlacedSection { tangent, normal: rot90(tangent), stretch, arm, ..first })
     }
 
-    /// Adds a force that does work on the derivative of the point along its axis; nothing on a body.
+    /// Adds a force conjugate to the derivative of the point along its axis; zero on a body.
     pub fn add_slope(&self, row: &mut Row, force: [f64; 2]) {
         if let Carrier::Beam { slope, .. } = &self.carrier {
             add_weighted(row, self.node, slope, force);
@@ -225,7 +225,7 @@ fn add_weighted(row: &mut Row, node: usize, n: &[f64; 4], force: [f64; 2]) {
     row.add(node + 1, on(n[2], n[3]));
 }
 
-/// What a gap is measured to.
+/// Target of a gap.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Target {
     /// A material point, along a fixed direction: that of a guided projectile.
@@ -239,10 +239,10 @@ pub enum Target {
     },
     /// The rim of a disc.
     Round { centre: Centre },
-    /// A straight line, with what lies behind it.
+    /// A straight line and the half-plane behind it.
     Line {
         point: Centre,
-        /// Unit normal, away from what lies behind the line, shape (2) \[-\].
+        /// Unit normal, away from the half-plane behind the line, shape (2) \[-\].
         normal: [f64; 2],
     },
     /// A wall between two points, from either side.
@@ -250,7 +250,7 @@ pub enum Target {
         /// Both ends, shape (2).
         ends: [Centre; 2],
     },
-    /// The outline of a beam: faces at half a depth from its axis, and what closes them at both ends.
+    /// The outline of a beam: faces at half a depth from its axis, and closures at both ends.
     Axis {
         beam: usize,
         /// Elements left out: the first of them, and the first behind them, shape (2) \[index of an element of the beam\].
@@ -265,9 +265,9 @@ pub enum Target {
 pub struct Pair {
     /// Its contact.
     pub contact: usize,
-    /// What is round.
+    /// The round body.
     pub source: Centre,
-    /// What it touches.
+    /// Its target.
     pub target: Target,
     /// Radii of both, but for the half depth of an axis \[m\].
     pub reach: f64,
@@ -287,7 +287,7 @@ pub struct Pair {
     pub at_end: bool,
 }
 
-/// What a pair remembers: which side the source is on, and where it was nearest.
+/// History of a pair: the side of the source, and its last closest point.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Memory {
     /// Sign of the face it is on; zero where it may still go to either, beyond an end.

@@ -6,11 +6,11 @@ use crate::math::vec2::{cross, dot, norm, scale, sub};
 
 /// Iterations after which a closest point is closed in on by halves.
 const PATIENCE: usize = 40;
-/// A step by which Newton's iteration for a closest point has settled: it converges quadratically, so what is left is round-off.
+/// Step at which Newton's iteration for a closest point has converged: it converges quadratically, so the remainder is round-off.
 const SETTLED: f64 = 1e-9;
 /// Steps to a closest point shorter than this do not leap over a crest of the distance.
 const CREST: f64 = 1e-6;
-/// Places at which the closest points on a strongly bent element are looked for.
+/// Starting points of the search for closest points on a strongly bent element.
 const SAMPLES: usize = 32;
 
 /// An element of a beam's axis.
@@ -24,12 +24,12 @@ pub struct AxisElement {
     pub s: f64,
     /// Distance of either face from the axis at both ends, linear between, shape (2) \[m\].
     pub half_depths: [f64; 2],
-    /// How far the curve that the element stands for lies to its left at its quarter points, shape (3) \[m\]: a cubic is no arc.
+    /// Distance to the left from the element to the original curve at its quarter points, shape (3) \[m\]: a cubic is no arc.
     pub deviations: [f64; 3],
 }
 
 impl AxisElement {
-    /// How far the curve that the element stands for lies to its left at a share of it \[m\]; both meet at its ends with one tangent.
+    /// Distance to the left from the element to the original curve at a share of it \[m\]; both meet at its ends with the same tangent.
     pub fn deviation(&self, xi: f64) -> f64 {
         let bubble = |xi: f64| (xi * (1.0 - xi)).powi(2);
         let [a, b, c] = [0, 1, 2].map(|k| self.deviations[k] / bubble(0.25 * (k + 1) as f64));
@@ -125,7 +125,7 @@ pub struct Placed {
     growth: f64,
 }
 
-/// A place of an element as a point sees it.
+/// A point of an element relative to a point in space.
 #[derive(Clone, Copy)]
 struct SeenPlace {
     /// From the point to the place, shape (2) \[m\].
@@ -196,8 +196,7 @@ impl Placed {
         SeenPlace { away: sub(self.position(xi), y), tangent: self.onward(xi) }
     }
 
-    /// The share nearest to `y` of all between two `limits`. Where the element is bent so much that there may be several closest points, each is
-    /// looked for.
+    /// The share closest to `y` between two `limits`. On an element with large bending, which may have several closest points, all are determined.
     pub fn nearest(&self, ends: &ElementEnds, y: [f64; 2], side: f64, limits: [f64; 2]) -> f64 {
         let away = |xi: f64| self.away(y, xi);
         let [low, high] = limits;
@@ -216,8 +215,8 @@ impl Placed {
         closest.min_by(|a, b| away(*a).total_cmp(&away(*b))).unwrap_or(0.5 * (low + high))
     }
 
-    /// The share nearest to `y` in the neighbourhood of another one: Newton's iteration on the square of the distance, downhill,
-    /// between two `limits`. What is on the other side of the axis than `side` has gone through: it is nearest where it is deepest.
+    /// The share closest to `y` in the neighbourhood of another one: Newton's iteration on the square of the distance, with descent, between two
+    /// `limits`. A point on the other side of the axis than `side` has penetrated: its closest point is the deepest.
     pub fn descend(&self, y: [f64; 2], guess: f64, side: f64, limits: [f64; 2]) -> f64 {
         let [mut low, mut high] = limits;
         let mut xi = guess.clamp(low, high);
@@ -266,7 +265,7 @@ impl Placed {
         xi
     }
 
-    /// What is least at a closest point.
+    /// Function with a minimum at a closest point.
     fn distance(&self, seen: &SeenPlace, xi: f64, side: f64) -> f64 {
         let depth = if self.growth == 0.0 { 0.0 } else { self.growth * xi * through(seen, side) };
         norm(seen.away) - depth
@@ -285,7 +284,7 @@ impl Placed {
         level - self.growth * norm(seen.away) * through(seen, side)
     }
 
-    /// What the taper takes from the derivative of that.
+    /// Contribution of the taper to its derivative.
     fn leaning(&self, seen: &SeenPlace, side: f64) -> f64 {
         if self.growth == 0.0 {
             return 0.0;
@@ -296,7 +295,7 @@ impl Placed {
     }
 }
 
-/// Whether a point lies on the given side of an axis (1) or has gone through (-1); without a side it lies outside.
+/// Whether a point is on the given side of an axis (1) or has penetrated beyond it (-1); without a side it is outside.
 fn through(seen: &SeenPlace, side: f64) -> f64 {
     if cross(seen.away, seen.tangent) * side < 0.0 { -1.0 } else { 1.0 }
 }

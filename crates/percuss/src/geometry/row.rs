@@ -37,7 +37,7 @@ impl Row {
         (0..4).for_each(|i| self.values[at][i] += coefficients[i]);
     }
 
-    /// Whether it has no nodes: nothing moves along it.
+    /// Whether it has no nodes, so that no motion changes it.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }

@@ -1,6 +1,6 @@
 //! Gap, normal and point of contact of a pair in a configuration (theory, section 6).
 //!
-//! The gap is signed by the side the source was on: what has gone through is deep inside, not on the other side.
+//! The gap is signed by the previous side of the source: a source that has passed the axis is deep inside, not on the other side.
 
 use super::Axes;
 use super::axis::{Axis, AxisEnd, AxisPoint, ClosestPoint};
@@ -14,7 +14,7 @@ use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 /// Below this distance of centre and axis the normal is that of the axis \[m\].
 pub(super) const COINCIDENT: f64 = 1e-9;
 
-/// A piece of an axis is at most so many times as long at first as it is after any compression that a beam survives.
+/// Bound of the ratio of the initial length of a piece of an axis to its length under any realistic compression.
 const LONGEST_WAY: f64 = 2.0;
 
 /// A pair where it is nearest.
@@ -32,7 +32,7 @@ pub struct Touch {
     pub closest_place: [f64; 2],
     /// Distance of the target's surface from the closest point \[m\].
     pub radius: f64,
-    /// What to remember.
+    /// History to be stored.
     pub memory: Memory,
     /// Arc length of the closest point along its beam; NaN elsewhere \[m\].
     pub s: f64,
@@ -59,7 +59,7 @@ pub enum Bend {
     },
 }
 
-/// Where the closest point of an axis is looked for.
+/// Region of the search for the closest point of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reach {
     /// Everywhere.
@@ -75,8 +75,8 @@ impl Pair {
         if on_source || touch.s.is_nan() { self.s } else { touch.s }
     }
 
-    /// Where along the target's face the source is nearest \[m\]; NaN where that is no other place whatever moves: what is pressed in is a point
-    /// of a beam, or one that a guided projectile strikes, or round.
+    /// Position along the target's face of the closest point \[m\]; NaN if it is independent of the motion: the indented body is a point of a beam,
+    /// or the struck point of a guided projectile, or round.
     pub fn place_on_face(&self, touch: &Touch, at: &Configuration) -> f64 {
         let from = |start: &Centre| sub(touch.closest_place, start.place(at));
         match &self.target {
@@ -88,7 +88,7 @@ impl Pair {
         }
     }
 
-    /// The pair in a configuration; `None` where nothing of the target can be touched.
+    /// The pair in a configuration; `None` if no part of the target can be in contact.
     pub fn touch(
         &self,
         axes: &impl Axes,
@@ -126,7 +126,7 @@ impl Pair {
                     }
                 };
                 let side = leapt_from.map_or(memory.side, |from| {
-                    // What was outside of one arm is outside of the other, whichever way that one runs.
+                    // A point outside of one arm is outside of the other, for either direction of that one.
                     let [before, after] = [from, closest.point].map(|p| axis.side(y, at, p));
                     if before * memory.side < 0.0 { -after } else { after }
                 });
@@ -277,9 +277,9 @@ impl Pair {
         }
     }
 
-    /// The end whose cap is left to other pairs, if the place at arc length `s` is about as near to it as its gap is deep: what comes from the
-    /// cap gets between the faces without depth, and is no deeper in than the way from the section where they begin. Else the gap
-    /// would leap there, from nothing to all of its depth.
+    /// The end whose cap belongs to other pairs, if the distance of the point at arc length `s` to it is about the depth of the gap: a source that
+    /// moves from the cap between the faces starts with zero depth, and its depth is at most the distance from the section at which they begin.
+    /// Otherwise the gap would jump there, from zero to its full depth.
     fn left_end<'a>(&self, axis: &'a Axis, s: f64, gap: f64) -> Option<&'a AxisEnd> {
         let left = |end: &&AxisEnd| {
             end.half_width == 0.0
@@ -307,7 +307,7 @@ impl Pair {
         }
     }
 
-    /// Gradient of the gap: the source is pushed along the normal, the target back.
+    /// Gradient of the gap: the source moves along the normal, the target opposite to it.
     pub fn normal_row(&self, touch: &Touch, at: &Configuration) -> Row {
         let mut row = Row::default();
         let n = touch.normal;
@@ -342,7 +342,7 @@ impl Pair {
     }
 }
 
-/// A point of an axis, or one off it that goes with its section.
+/// A point of an axis, or a point off it that moves with its section.
 fn centre_on(axis: &Axis, point: AxisPoint, offset: [f64; 2]) -> Centre {
     let element = &axis.elements[point.element];
     let shape = hermite::shape(point.xi, element.length);
@@ -364,7 +364,7 @@ fn centre_on(axis: &Axis, point: AxisPoint, offset: [f64; 2]) -> Centre {
     Centre { position, node: element.node, carrier }
 }
 
-/// The axis of a beam, as far as it can be touched.
+/// The axis of a beam with a surface.
 fn axis_of<'a>(
     axes: &'a impl Axes,
     at: &Configuration<'a>,
@@ -376,7 +376,7 @@ fn axis_of<'a>(
     Axis { nodes: axes.frames(), elements: axes.axis(beam), skip, ends, arc, parted: at.parted }
 }
 
-/// The tangent that goes with a normal: turned by -90 degrees.
+/// The tangent for a normal: rotated by -90 degrees.
 pub fn tangent_of(normal: [f64; 2]) -> [f64; 2] {
     [normal[1], -normal[0]]
 }

@@ -8,7 +8,7 @@ use super::touch::{Bend, COINCIDENT, Touch};
 use crate::math::vec2::{dot, rot90, scale};
 
 impl Pair {
-    /// How the gradient of the gap turns with its nodes; `None` where it does not. What points off an axis add to it, stands in
+    /// Rotation of the gap's gradient with its nodes; `None` where it is constant. The contribution of points off an axis is in
     /// [`Pair::section_turnings`].
     ///
     /// With A the motion across the normal and O the turn of the axis at the closest point, both as forms, the second derivative of the gap is
@@ -51,7 +51,7 @@ impl Pair {
         Some(Turning { forms, weights })
     }
 
-    /// What the turn of sections adds to it where source or closest point are off an axis.
+    /// Contribution of the rotation of sections if source or closest point are off an axis.
     pub fn section_turnings(&self, touch: &Touch, at: &Configuration) -> [Option<Turning>; 2] {
         let n = touch.normal;
         [self.source.turning(n, at), touch.closest.turning(scale(-1.0, n), at)]

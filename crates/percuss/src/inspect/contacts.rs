@@ -4,7 +4,7 @@ use crate::geometry::pair::Target;
 use crate::model::frozen::{ContactData, LoadAction, LoadData};
 use crate::model::{Model, TouchLaw};
 
-/// What takes part in a contact and moves.
+/// Movable partner of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MovingPartner {
     /// The beam of this number.
@@ -13,7 +13,7 @@ pub enum MovingPartner {
     Body(usize),
 }
 
-/// What the gap of a pair is measured to.
+/// Target of the gap of a pair.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TargetShape {
     /// The struck point of a guided projectile, with the gap in the reference configuration \[m\].
@@ -25,7 +25,7 @@ pub enum TargetShape {
     Round,
     /// A straight line with its normal.
     Line {
-        /// Unit normal, away from what lies behind the line, shape (2) \[-\].
+        /// Unit normal, away from the half-plane behind the line, shape (2) \[-\].
         normal: [f64; 2],
     },
     /// A wall between two points.

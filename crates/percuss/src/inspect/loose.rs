@@ -1,4 +1,4 @@
-//! Ends of beams that lie at one place and that nothing ties together.
+//! Coincident ends of beams that are not connected.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
@@ -14,14 +14,14 @@ const ONE_PLACE: f64 = 1e-6;
 pub struct LooseEnds {
     /// The beams, shape (2) \[index of a beam\].
     pub beams: [usize; 2],
-    /// What a scenario calls the ends, such as `top.start`, shape (2).
+    /// Names of the ends in a scenario, such as `top.start`, shape (2).
     pub ends: [String; 2],
     /// Where they lie, shape (2) \[m\].
     pub position: [f64; 2],
 }
 
 impl LooseEnds {
-    /// The joint that is missing, as a scenario says it.
+    /// The missing joint, as written in a scenario.
     pub fn joint(&self) -> String {
         let [a, b] = &self.ends;
         let beam = |end: &str| end.rsplit_once('.').map_or(end, |(beam, _)| beam).to_owned();
@@ -40,7 +40,7 @@ struct BeamEnd {
     position: [f64; 2],
 }
 
-/// Ends at one place that nothing ties, in the order of the beams: of three that nothing ties two pairs.
+/// Coincident ends that are not connected, in the order of the beams: two pairs for three ends.
 pub fn loose_ends(model: &Model) -> Vec<LooseEnds> {
     let near = ONE_PLACE * model.extent();
     let ends = ends(model);
@@ -121,7 +121,7 @@ fn cell(x: f64, near: f64) -> i64 {
     (x / near).floor() as i64
 }
 
-/// What is tied, as sets of numbers.
+/// Connected points, as sets of numbers.
 struct Groups {
     /// Another member of the same group, or itself, shape (members) \[index of a member\].
     leader: Vec<usize>,

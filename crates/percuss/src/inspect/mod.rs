@@ -1,7 +1,7 @@
-//! A frozen model as others may read it: beams with their sections, what holds and ties them, bodies, contacts, loads.
+//! Read access to a frozen model: beams with their sections, supports and joints, bodies, contacts, loads.
 //!
-//! Views borrow the [`Model`] and can change nothing. They are for whoever judges a model before a run (the advisor) and say no
-//! more than that needs; numbers of beams, nodes, bodies and contacts are those of the order of definition.
+//! Views borrow the [`Model`] and cannot change it. They serve checks of a model before a run (the advisor) and contain only the data for these;
+//! numbers of beams, nodes, bodies and contacts are those of the order of definition.
 
 mod beams;
 mod contacts;

@@ -1,4 +1,4 @@
-//! Views of what holds and ties beams.
+//! Views of supports, joints and connectors of beams.
 
 use super::Body;
 use crate::math::vec2::{norm, sub};
@@ -9,7 +9,7 @@ use crate::model::frozen::{
 /// A material point of a beam.
 #[derive(Clone, Copy, Debug)]
 pub struct PointView<'m> {
-    /// What the user calls it.
+    /// Name given by the user.
     pub label: &'m str,
     /// Its beam.
     pub beam: usize,
@@ -104,7 +104,7 @@ impl<'m> ConnectorView<'m> {
         self.0.law
     }
 
-    /// What it acts on.
+    /// Point of action.
     pub fn coordinate(&self) -> ConnectorCoordinate {
         match &self.0.coordinate {
             Coordinate::Displacement { .. } => ConnectorCoordinate::Displacement,

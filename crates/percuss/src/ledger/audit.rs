@@ -6,7 +6,7 @@ use super::numbers::of_numbers;
 use super::{Ledger, Measures};
 use crate::scalar::Number;
 
-/// Largest magnitudes, over the states of a run, of what is missing from its balances, and of what drifts.
+/// Largest magnitudes, over the states of a run, of the balance errors and of the drifts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Audit<S = f64> {
     /// Energy that is missing \[J\].
@@ -24,7 +24,7 @@ pub struct Audit<S = f64> {
 }
 
 impl<S: Number> Audit<S> {
-    /// Takes in a state.
+    /// Enters a state.
     #[inline(always)]
     pub fn take(&mut self, ledger: &Ledger<S>, m: &Measures<S>) {
         let [l1, l2] = ledger.linear_residual(m);
@@ -41,7 +41,7 @@ of_numbers! {
     Audit: energy linear angular curvature_drift membrane_drift angular_rate_drift;
 }
 
-/// The larger magnitude; NaN stays, so that a broken balance cannot look closed.
+/// The larger magnitude; NaN is kept, so that an invalid balance cannot look correct.
 #[inline(always)]
 fn larger<S: Number>(a: S, b: S) -> S {
     let b = b.abs();

@@ -35,11 +35,11 @@ pub struct Measures<S = f64> {
     /// Kinetic energy with the angular rates that follow from the slopes' velocities, less that with the sections' own rates, which is
     /// conserved \[J\].
     pub angular_rate_drift: S,
-    /// Sum of the magnitudes of the bodies' linear momenta and of the elements', these by components \[kg m/s\], a scale: where things move against each
-    /// other, momenta vanish together that do not vanish alone.
+    /// Sum of the magnitudes of the bodies' linear momenta and of the elements', these by components \[kg m/s\], a scale: where things move against
+    /// each other, momenta vanish together that do not vanish alone.
     pub linear_size: S,
-    /// Sum of the distances from the origin times momenta, and of couples, all by their components' magnitudes \[kg m^2/s\], a scale:
-    /// what moves straight towards the origin has no angular momentum, and yet its parts have.
+    /// Sum of the distances from the origin times momenta, and of couples, all by their components' magnitudes \[kg m^2/s\], a scale: a body that
+    /// moves straight towards the origin has no angular momentum although its components have.
     pub angular_size: S,
 }
 
@@ -70,7 +70,7 @@ impl<S: Number> Measures<S> {
         self.angular_size += sums.angular_size;
     }
 
-    /// Adds the momentum of a body at `x`, and what its turning has of angular momentum.
+    /// Adds the momentum of a body at `x`, and the angular momentum of its rotation.
     #[doc(hidden)]
     #[inline(always)]
     pub fn add_momentum(&mut self, x: [S; 2], linear: [S; 2], turning: S) {

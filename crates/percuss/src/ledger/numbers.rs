@@ -1,11 +1,11 @@
 //! Structs of numbers, field by field.
 
-/// What structs of single numbers and of arrays of numbers have in common: all of them zero, and one after another.
+/// Common operations of structs of numbers and arrays of numbers: all of them zero, and one after another.
 macro_rules! of_numbers {
     ($name:ident: $($single:ident)*; $($array:ident)*) => {
         #[doc(hidden)]
         impl<S: crate::scalar::Number> $name<S> {
-            /// Nothing, in as many lanes as a number has.
+            /// Zero, with the lanes of a number.
             #[inline(always)]
             pub fn none(like: S) -> Self {
                 let zero = like.constant(0.0);

@@ -1,4 +1,4 @@
-//! What forces do over a step.
+//! Work of forces over a step.
 
 use crate::math::vec2::{add, cross, dot, scale};
 use crate::scalar::Real;

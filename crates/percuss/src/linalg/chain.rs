@@ -6,8 +6,7 @@ use pulp::{Simd, WithSimd};
 
 /// A block-tridiagonal matrix, or, after [`Chain::factor`], its block LU factors in place.
 ///
-/// Where one beam ends and the next begins the coupling blocks are zero. From some node on there may be nothing but nodes on their
-/// own; their coupling blocks are not looked at.
+/// Between two beams the coupling blocks are zero. From some node on all nodes may be uncoupled; their coupling blocks are not used.
 #[derive(Clone, Debug, Default)]
 pub struct Chain {
     /// First node from which on all are on their own.
@@ -102,8 +101,7 @@ impl Chain {
         in_lanes(Solve(self, x));
     }
 
-    /// The row that both ends are eliminated towards. Two eliminations that wait for nothing of each other take hardly longer than
-    /// one.
+    /// The row towards which both ends are eliminated. Two independent eliminations take hardly longer than one.
     fn middle(&self) -> usize {
         self.isolated / 2
     }
@@ -124,8 +122,8 @@ impl Chain {
     }
 }
 
-/// Adds the tangent of the element from node `a` on to a band, from the elements before it: diagonal, blocks above and below it. What stands
-/// for the element alone is set.
+/// Adds the tangent of the element from node `a` to a band, after the elements before it: diagonal, blocks above and below it. Blocks of this
+/// element alone are set.
 #[inline(always)]
 pub fn add_element<S: Real>(
     [diag, upper, lower]: [&mut [Block<S>]; 3],
@@ -177,7 +175,7 @@ impl WithSimd for Solve<'_> {
         let Self(Chain { diag, upper, lower, isolated, .. }, x) = self;
         let Some(last) = isolated.checked_sub(1) else { return };
         let middle = self.0.middle();
-        // What one row hands to the next stays in registers.
+        // Values that pass from one row to the next stay in registers.
         let (mut up, mut down) = (x[0], x[last]);
         for k in 0..middle {
             let (i, j) = (k, last - k);

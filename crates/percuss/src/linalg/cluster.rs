@@ -175,7 +175,7 @@ impl Cluster {
         }
     }
 
-    /// Multipliers from what nodal equations leave over, by slot.
+    /// Multipliers from the residual of nodal equations, by slot.
     pub fn multipliers(&self, left_over: &[f64], out: &mut [f64]) {
         if self.constraints.is_empty() {
             return;

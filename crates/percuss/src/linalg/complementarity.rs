@@ -1,14 +1,14 @@
 //! The linear complementarity problem: `w = M x + q`, `0 <= w  perp  x >= 0`.
 //!
-//! Lemke's method (Cottle, Pang, Stone, *The Linear Complementarity Problem*): one more variable, the cover, makes
-//! everything positive; it is driven out by exchanging variables with their complements, one pair at a time. Ties are broken
-//! lexicographically, as if q were `q + (e, e^2, e^3, ...)`, so that no basis comes twice and the method ends. The last basis is
-//! solved once more afresh: no round-off of the exchanges stays in the solution. The matrix may be singular; but where it is, round-off
-//! can make or break ties and lead astray. What has come out is therefore checked, and other covers are tried where it is wrong.
+//! Lemke's method (Cottle, Pang, Stone, *The Linear Complementarity Problem*): an additional variable, the cover, makes all values positive; it is
+//! removed by exchanging variables with their complements, one pair at a time. Ties are broken lexicographically, as if q were `q + (e, e^2, e^3,
+//! ...)`, so that no basis occurs twice and the method ends. The last basis is solved again: the solution has no round-off of the exchanges. The
+//! matrix may be singular; round-off can then make or break ties and lead to a wrong basis. The result is therefore checked, and other covers are
+//! tried if it is wrong.
 
 use super::dense::DenseLu;
 
-/// Room for Lemke's method; reused from one problem to the next.
+/// Memory for Lemke's method; reused from one problem to the next.
 #[derive(Clone, Debug, Default)]
 pub struct Lemke {
     n: usize,
@@ -34,7 +34,7 @@ pub struct Lemke {
 enum Variable {
     W(usize),
     X(usize),
-    /// What makes everything positive.
+    /// Coefficients of the cover, which makes all values positive.
     Cover,
 }
 
@@ -54,9 +54,9 @@ impl Lemke {
     /// Violation of the conditions that is round-off, for data of order one.
     const SOLVED: f64 = 1e-14;
 
-    /// Solves for x up to `most`, given the matrix row by row and q, both of order one; returns the largest violation of the
-    /// conditions, relative to the largest x where that is above one, infinite if nothing was found. For copositive matrices there is
-    /// then no such solution, but for round-off.
+    /// Solves for x up to `most`, given the matrix row by row and q, both of order one; returns the largest violation of the conditions, relative
+    /// to the largest x if that is above one, infinite without a solution. For copositive matrices there is then no such solution, except for
+    /// round-off.
     pub fn solve(&mut self, matrix: &[f64], q: &[f64], most: f64, x: &mut Vec<f64>) -> f64 {
         let mut least = f64::INFINITY;
         let mut found = Vec::new();
@@ -99,7 +99,7 @@ impl Lemke {
         false
     }
 
-    /// The basis of all w, with the `cover`-th cover: ones first, then numbers between 1/2 and 3/2 with nothing in common.
+    /// The basis of all w, with the `cover`-th cover: ones first, then unrelated numbers between 1/2 and 3/2.
     fn begin(&mut self, matrix: &[f64], q: &[f64], cover: usize) {
         const GOLDEN: f64 = 0.618_033_988_749_894_9;
         let n = q.len();
@@ -170,7 +170,7 @@ impl Lemke {
         }
     }
 
-    /// Exchanges the basic variable of a row with that of a column outside; returns what left the basis.
+    /// Exchanges the basic variable of a row with that of a column outside; returns the variable that left the basis.
     fn exchange(&mut self, row: usize, column: usize) -> Variable {
         let (width, at) = (self.n + 2, column + 1);
         let pivot = self.rows[row * width + at];

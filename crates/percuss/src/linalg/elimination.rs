@@ -1,9 +1,9 @@
 //! Block elimination of sparse systems in [`Wide`] numbers, with the signs of the pivots.
 //!
-//! Stiffness of a mesh of n elements has a condition of n^4: from some thousand elements on, factors in f64 know nothing of
-//! the lowest modes. Unknowns come in groups (a node; a joint's nodes with the multipliers of its constraints), which are
-//! eliminated in an order of least degree. Pivots are exchanged within groups. For a symmetric matrix the negative eigenvalues
-//! of the pivot blocks are as many as those of the matrix (Sylvester's law of inertia).
+//! Stiffness of a mesh of n elements has a condition of n^4: from some thousand elements on, factors in f64 do not resolve the lowest modes.
+//! Unknowns form groups (a node; a joint's nodes with the multipliers of its constraints), which are eliminated in an order of least degree. Pivots
+//! are exchanged within groups. For a symmetric matrix the number of negative eigenvalues of the pivot blocks is that of the matrix (Sylvester's
+//! law of inertia).
 
 use super::ordering::{least_degree, neighbours};
 use super::wide_block::{inverse, negatives, sub_product};
@@ -20,8 +20,8 @@ pub struct Pattern {
     order: Vec<usize>,
     /// Place of each group in that order, shape (groups) \[index in `order`\].
     rank: Vec<usize>,
-    /// Groups that are left when a group goes and that it knows, in the order of their elimination, by group, shape (groups, such groups)
-    /// \[index of a group\].
+    /// Remaining groups coupled with a group at its elimination, in the order of their elimination, by group, shape (groups, such groups) \[index
+    /// of a group\].
     later: Vec<Vec<usize>>,
     /// Place of a group's diagonal block in the values, shape (groups) \[index of a value\]; blocks to the right and below follow, pair by
     /// pair.
@@ -78,7 +78,7 @@ pub struct Factors<'p> {
     pattern: &'p Pattern,
     /// The factors, in the order of the pattern, shape (values of the pattern) \[unit of the matrix\].
     values: Vec<Wide>,
-    /// Negative eigenvalues of the matrix, if it is symmetric and they were asked for.
+    /// Number of negative eigenvalues of the matrix, if it is symmetric and they are requested.
     pub negative: usize,
 }
 
@@ -99,7 +99,7 @@ impl<'p> Factors<'p> {
                 negative += negatives(pivot, s, &mut scratch)?;
             }
             inverse(pivot, s).then_some(())?;
-            // D^-1 U takes the place of U.
+            // D^-1 U replaces U.
             let mut at = 0;
             for j in later {
                 let m = pattern.sizes[*j];

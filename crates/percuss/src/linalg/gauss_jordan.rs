@@ -1,4 +1,4 @@
-//! Inverses in place by Gauss-Jordan elimination, in any numbers; matrices stand row by row.
+//! Inverses in place by Gauss-Jordan elimination, in any numbers; matrices are stored row by row.
 
 use crate::scalar::Real;
 
@@ -13,10 +13,10 @@ pub fn invert<S: Real>(m: &mut [S], n: usize) {
     }
 }
 
-/// Takes out column `k` with the largest entry in or below row `k` as its pivot; the row of the pivot, `None` if it vanishes or is not
+/// Eliminates column `k` with the largest entry in or below row `k` as its pivot; returns the row of the pivot, `None` if it vanishes or is not
 /// finite. `round` is a number in f64.
 ///
-/// Columns of what `n` of them leave are in the order of the pivots: see [`restore`].
+/// The remaining columns are in the order of the pivots: see [`restore`].
 #[inline(always)]
 pub fn eliminate_largest<S: Real>(
     m: &mut [S],
@@ -57,7 +57,7 @@ pub fn restore<S>(m: &mut [S], n: usize, exchanged: &[usize]) {
     }
 }
 
-/// Takes out column `k`, whose pivot on the diagonal has the given reciprocal; rows whose entry `vanishes` stay.
+/// Eliminates column `k`, whose pivot on the diagonal has the given reciprocal; rows whose entry `vanishes` do not change.
 #[inline(always)]
 fn eliminate<S: Real>(
     m: &mut [S],

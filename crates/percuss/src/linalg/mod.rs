@@ -1,4 +1,4 @@
-//! Linear algebra that knows nothing of beams.
+//! Linear algebra, independent of beams.
 
 pub mod block;
 pub mod chain;

@@ -17,9 +17,9 @@ pub fn neighbours(n: usize, couplings: impl Iterator<Item = (usize, usize)>) -> 
     known
 }
 
-/// Nodes in the order of their elimination, each time one of least degree (Tinney and Walker 1967; the first of several), and the
-/// nodes that each is coupled with when it goes, shape (nodes, such nodes) \[index of a node\]; `sizes` are the unknowns of the nodes, `known` the
-/// nodes that each is coupled with, as [`neighbours`] gives them.
+/// Nodes in the order of their elimination, each time one of least degree (Tinney and Walker 1967; the first of several), and the nodes coupled
+/// with each at its elimination, shape (nodes, such nodes) \[index of a node\]; `sizes` are the unknowns of the nodes, `known` their coupled nodes,
+/// as [`neighbours`] gives them.
 pub fn least_degree(sizes: &[usize], mut known: Vec<Vec<usize>>) -> (Vec<usize>, Vec<Vec<usize>>) {
     let n = sizes.len();
     let weight = |known: &[usize]| known.iter().map(|j| sizes[*j]).sum::<usize>();

@@ -9,7 +9,7 @@ use super::ordering::{least_degree_of_unknowns, neighbours};
 
 /// A sparse matrix of fixed pattern and, after [`SparseLu::factor`], its factors.
 ///
-/// Factors follow from the matrix alone, not from those before: a run that is resumed goes on in the same bits.
+/// Factors depend on the matrix alone, not on previous factors: a resumed run continues with the same bits.
 #[derive(Clone, Debug)]
 pub struct SparseLu {
     pattern: ColumnPattern,

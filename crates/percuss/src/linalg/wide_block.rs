@@ -40,8 +40,8 @@ pub fn inverse(m: &mut [Wide], n: usize) -> bool {
     true
 }
 
-/// Negative eigenvalues of a symmetric matrix: signs of the pivots of its factors `L D L^T`, with pivots of order one or two
-/// among what is left (Bunch, Parlett 1971); `None` if it is singular to the last digit.
+/// Number of negative eigenvalues of a symmetric matrix: signs of the pivots of its factors `L D L^T`, with pivots of order one or two in the
+/// remainder (Bunch, Parlett 1971); `None` if it is singular to the last digit.
 pub fn negatives(matrix: &[Wide], n: usize, m: &mut Vec<Wide>) -> Option<usize> {
     // Largest share of a diagonal entry that still makes it the pivot.
     const ALPHA: f64 = 0.64;

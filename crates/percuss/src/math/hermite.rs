@@ -51,7 +51,7 @@ const FIVE_POINTS: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_54),
 ];
 
-/// Number of Gauss points of an element; two are not enough, more change nothing.
+/// Number of Gauss points of an element; two are not enough, more have no effect.
 pub const GAUSS: usize = 3;
 
 /// Abscissae in \[0, 1\] of the three-point Gauss rule.

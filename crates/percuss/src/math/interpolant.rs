@@ -75,14 +75,14 @@ impl<S: Number> Interpolant<S> {
         if S::DERIVES { t - self.slope(t) / self.bend(t) } else { t }
     }
 
-    /// When a quantity that is largest at the end of the step is so: an event if the step, or the next one, is as impulsive as an
-    /// impact. Else that instant is one of the grid, not of the motion, and what parameters do to it is not known.
+    /// Time of a maximum at the end of a step: an event if the step, or the next one, is as impulsive as an impact. Otherwise the instant belongs
+    /// to the grid, not to the motion, and its dependence on parameters is unknown.
     pub fn at_end(&self, from: S, impulsive: S::Mask) -> S {
         let end = from + self.h;
         if S::DERIVES { S::choose(impulsive, end, end.underived()) } else { end }
     }
 
-    /// The same once the step at hand is known to be impulsive: it begins with an event at `from`.
+    /// The same for a current step that is known to be impulsive: it begins with an event at `from`.
     pub fn at_event(from: S, impulsive: S::Mask, time: S) -> S {
         if S::DERIVES { S::choose(impulsive & time.equals(from), from, time) } else { time }
     }

@@ -1,4 +1,4 @@
-//! Mathematics that knows nothing of beams.
+//! Mathematics, independent of beams.
 
 pub mod hermite;
 #[doc(hidden)]

@@ -25,7 +25,7 @@ pub fn bracketed<E>(
     }
 }
 
-/// The same search in the hands of whoever evaluates the function, several of them in turns for instance.
+/// The same search with function values provided by the caller, for several searches in turns for instance.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Bracket {
     /// Ends of the bracket with the values there, weighted.
@@ -63,7 +63,7 @@ impl Bracket {
         self.next
     }
 
-    /// Takes in the value there; whether the search has ended at that point.
+    /// Enters the value there; returns whether the search has ended at that point.
     pub fn take(&mut self, y: f64) -> bool {
         let last = self.next;
         if y.abs() <= self.f_tolerance || self.hi.0 - self.lo.0 <= self.x_tolerance {

@@ -50,7 +50,7 @@ pub fn rot90<S: Real>(a: [S; 2]) -> [S; 2] {
     [-a[1], a[0]]
 }
 
-/// `|a|`. (Not by `hypot`, which guards against overflow and takes ten times as long.)
+/// `|a|`. (Not with `hypot`, which prevents overflow and takes ten times as long.)
 #[inline(always)]
 pub fn norm(a: [f64; 2]) -> f64 {
     (a[0] * a[0] + a[1] * a[1]).sqrt()

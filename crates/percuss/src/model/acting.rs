@@ -13,7 +13,7 @@ pub struct LoadData {
     pub until: f64,
 }
 
-/// What a load applies, for a factor of one.
+/// Nodal forces of a load for a factor of one.
 #[derive(Clone, Debug)]
 pub enum LoadAction {
     /// Acceleration of everything that has mass.

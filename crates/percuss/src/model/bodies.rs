@@ -10,7 +10,7 @@ use super::time_function::PreparedFunction;
 use crate::element::beam::NodeFrame;
 use crate::math::vec2::{norm, rot90, scale, sub};
 
-/// Adds the bodies behind the beams' nodes, with what guides and moves them.
+/// Adds the bodies after the beams' nodes, with their guides and prescribed motions.
 pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
     for projectile in &builder.projectiles {
         guided(projectile, model);
@@ -104,14 +104,14 @@ fn obstacle(item: &Obstacle, model: &mut Model) {
     model.obstacles.push(ObstacleData { body, support, position });
 }
 
-/// The body of all that stands still.
+/// The body of all fixed obstacles.
 fn ground(model: &mut Model) -> usize {
     let known = |b: &Body| b.kind == BodyKind::Obstacle && b.name.is_empty();
     let found = model.bodies.iter().position(known);
     found.unwrap_or_else(|| held_body(model, "", [0.0; 2], None, [0.0; 2]))
 }
 
-/// A body that stands still or moves as prescribed.
+/// A body that is fixed or moves as prescribed.
 fn held_body(
     model: &mut Model,
     name: &str,

@@ -45,7 +45,7 @@ impl ModelBuilder {
         connect::springs(self, &mut model);
         constrain::all(self, &mut model)?;
         pairs::place(self, &mut model)?;
-        // Bodies have doubled the room of the nodes.
+        // Bodies have doubled the memory of the nodes.
         model.nodes.shrink_to_fit();
         Ok(model)
     }
@@ -122,7 +122,7 @@ impl ModelBuilder {
         };
         let (first, element) = (model.nodes.len(), model.element_count());
         let stretch = fibres::Stretch { stations, total, uniform: tables.len() == 1, count: n };
-        // Counting goes back to the last span with fibres, past all that have none.
+        // The count continues from the last span with fibres, past all without.
         let fibres_before = if make.has_fibres() { model.fibre_count() } else { 0 };
         let span = Span {
             nodes: first..first + n + 1,
@@ -156,7 +156,7 @@ impl ModelBuilder {
     }
 }
 
-/// The elements of the spans from `first_span` on, as contact sees them; `plans` are those of the same spans.
+/// The elements of the spans from `first_span` on, for contact; `plans` are those of the same spans.
 fn axis(model: &Model, first_span: usize, line: &CentreLine, plans: &[SpanPlan]) -> AxisElements {
     let known = |depth: f64| if depth.is_nan() { 0.0 } else { depth };
     let element = |span: &Span, plan: &SpanPlan, k: usize| AxisElement {

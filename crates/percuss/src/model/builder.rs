@@ -1,8 +1,8 @@
-//! Collects what a user defines.
+//! Collection of a user's definitions.
 
 use super::definition::*;
 
-/// Collects what a user defines; [`ModelBuilder::build`] checks all of it at once.
+/// Collects the definitions of a user; [`ModelBuilder::build`] checks all of them at once.
 #[derive(Clone, Debug, Default)]
 pub struct ModelBuilder {
     /// Materials, shape (materials); these and all below in the order they were defined.
@@ -89,7 +89,7 @@ impl ModelBuilder {
         ObstacleId(self.obstacles.len() as u32 - 1)
     }
 
-    /// Lets two things touch.
+    /// Adds a contact between two partners.
     pub fn contact(&mut self, contact: Contact) {
         self.contacts.push(contact);
     }
@@ -109,13 +109,12 @@ impl ModelBuilder {
         self.masses.push(mass);
     }
 
-    /// Lets all beams and point masses start in a rigid motion.
+    /// Starts all beams and point masses with a rigid-body motion.
     pub fn initial_motion(&mut self, motion: InitialMotion) {
         self.initial_motion = motion;
     }
 
-    /// Lets a beam, or a point mass, of this name start in a motion of its own instead. A point mass takes the nodes of its beam
-    /// that lie where it is along.
+    /// Starts a beam, or a point mass, of this name with a motion of its own instead. A point mass takes coincident nodes of its beam along.
     pub fn initial_motion_of(&mut self, name: impl Into<String>, motion: InitialMotion) {
         self.own_motions.push((name.into(), motion));
     }

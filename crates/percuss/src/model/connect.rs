@@ -65,7 +65,7 @@ pub(super) fn drive_of(support: &Support, model: &Model, index: usize, axis: [f6
     drive(model.supports[index].motion, amplitude)
 }
 
-/// An amplitude times a motion; nothing if there is none.
+/// An amplitude times a motion; zero without one.
 pub(super) fn drive(motion: Option<usize>, amplitude: f64) -> Drive {
     motion.filter(|_| amplitude != 0.0).map(|m| (m, amplitude)).into_iter().collect()
 }
@@ -126,8 +126,8 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
     }
 }
 
-/// Sign with which the turn of the first place against the second goes along with a positive bending moment beside the hinge: in the
-/// first of the two beams that begins or ends there.
+/// Sign of the rotation of the first point relative to the second that corresponds to a positive bending moment beside the hinge: in the first of
+/// the two beams that begins or ends there.
 fn as_the_moment(model: &Model, places: [&MaterialPoint; 2]) -> f64 {
     // Where a beam ends the way leads on into the other one, where it begins it comes from it.
     for (place, goes_on) in places.into_iter().zip([-1.0, 1.0]) {
@@ -145,7 +145,7 @@ fn as_the_moment(model: &Model, places: [&MaterialPoint; 2]) -> f64 {
 /// Nearer to an end of a beam than this share of its length is there.
 const AT_END: f64 = 1e-9;
 
-/// How the next connector yields, by the law of a fibre, and the sign that it is told with.
+/// Yield law of the next connector, as the law of a fibre, and the sign of its results.
 fn yielding(
     model: &Model,
     name: String,

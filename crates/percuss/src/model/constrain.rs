@@ -19,11 +19,10 @@ struct HeldDirection {
     gradient: bool,
 }
 
-/// Adds supports, the joints between spans of a beam, and joints: first what holds for ever, then what holds for a time.
+/// Adds supports, the joints between spans of a beam, and joints: permanent constraints first, then those of limited duration.
 ///
 /// # Errors
-/// A fault for a joint that repeats what supports and earlier joints already hold, and for supports that prescribe different
-/// values of the same.
+/// A fault for a joint that is redundant with supports and earlier joints, and for supports that prescribe different values of the same component.
 pub(super) fn all(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<Fault>> {
     let held = model.prescribed.iter().enumerate().map(|(k, dofs)| (dofs.node, k)).collect();
     let mut independent = Independent {
@@ -153,7 +152,7 @@ fn hold(
     prescribed.check(builder, model, &path, &drive, others.into_iter().chain([support]));
 }
 
-/// What a support holds by constraints: between nodes, for a time, or turning the tangent.
+/// Constraints of a support: between nodes, for a limited time, or of the rotation of the tangent.
 fn constrain_points(
     index: usize,
     support: &Support,
@@ -214,7 +213,7 @@ fn end_point(model: &Model, beam: usize, span: usize, last: bool) -> MaterialPoi
     MaterialPoint { label: String::new(), beam, node, s, shape, slope, position, tangent }
 }
 
-/// Adds the joints; returns faults of those that join nothing.
+/// Adds the joints; returns faults of those without effect.
 fn joints(builder: &ModelBuilder, model: &mut Model, independent: &mut Independent) -> Vec<Fault> {
     let mut faults = Vec::new();
     let parts = builder.joints.iter().any(|joint| joint.strength.is_some());
@@ -230,20 +229,20 @@ fn joints(builder: &ModelBuilder, model: &mut Model, independent: &mut Independe
         });
         let kept = join(model, independent, points, (rigid, own), &path);
         if parts && kept != 0 && kept < 2 + usize::from(rigid) {
-            // Once one of them has parted, the others would have to carry what is left to it here.
-            let found = "a joint that follows in part from what holds and joins its points already, where a joint may part";
-            faults.push(Fault::new(path, found, "joints each of which carries all that it shares"));
+            // If one of them has failed, the others would have to carry its remaining force here.
+            let found = "a joint that is partly redundant with supports or other joints, in a model whose joints can fail";
+            faults.push(Fault::new(path, found, "joints without redundancy"));
             continue;
         }
         if kept == 0 && !matches!(joint.kind, JointKind::ElasticHinge { .. }) {
-            let found = "a joint between points that are held or joined already";
-            faults.push(Fault::new(path, found, "a joint that connects something"));
+            let found = "a joint between points that are fixed or connected already";
+            faults.push(Fault::new(path, found, "no redundant joint"));
         }
     }
     faults
 }
 
-/// Joins two points; returns how many constraints that took.
+/// Connects two points; returns the number of constraints.
 fn join(
     model: &mut Model,
     independent: &mut Independent,
@@ -275,21 +274,21 @@ struct Independent<'b> {
     /// Basis vectors that touch a component, by its number among all of the nodes, shape (such vectors) \[index in `basis`\].
     touching: BTreeMap<usize, Vec<usize>>,
     prescribed: Prescribed,
-    /// Where the model has what is prescribed at a node, until it is sorted by nodes.
+    /// Place of the prescribed values of a node in the model, until they are sorted by nodes.
     held: BTreeMap<usize, usize>,
 }
 
 /// A constraint kept, across those before it.
 struct Known {
     row: BTreeMap<usize, f64>,
-    /// The value it prescribes, scaled as its row is, shape (motions that take part) \[index of a motion, m or rad by the row's scale\].
+    /// The prescribed value, scaled like its row, shape (motions that take part) \[index of a motion, m or rad by the row's scale\].
     drive: Drive,
     /// Supports that prescribe it, shape (such supports) \[index of a support\].
     supports: Vec<usize>,
 }
 
 impl Independent<'_> {
-    /// Adds the constraint to the model if it is independent; tells whether it was.
+    /// Adds the constraint to the model if it is independent; returns whether it was.
     fn keep(&mut self, model: &mut Model, constraint: Constraint, path: &str) -> bool {
         let supports = constraint.support.into_iter().collect();
         let mut known = Known { row: BTreeMap::new(), drive: constraint.drive.clone(), supports };
@@ -330,7 +329,7 @@ impl Independent<'_> {
 }
 
 impl Known {
-    /// Takes out `along` times what a direction held already prescribes.
+    /// Subtracts `along` times the value already prescribed in a fixed direction.
     fn less(&mut self, along: f64, drive: &Drive, supports: &[usize]) {
         self.drive.extend(drive.iter().map(|(motion, a)| (*motion, -along * a)));
         if along.abs() > 1e-9 {

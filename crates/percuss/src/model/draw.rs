@@ -12,7 +12,7 @@ use super::scene::*;
 use crate::math::vec2::{norm, scale};
 
 impl ModelBuilder {
-    /// What stands in the model that was built from these definitions.
+    /// Contents of the model that was built from these definitions.
     pub fn scene(&self, model: &Model) -> Scene {
         let mut scene = Scene::default();
         for (i, beam) in model.beams.iter().enumerate() {
@@ -170,7 +170,7 @@ fn station(model: &Model, span: &Span, k: usize) -> DrawnStation {
         tangent: frame.tangent,
         half_depth: section.half_depth,
         area: section.area,
-        // Stress does not follow from forces where it may have yielded.
+        // Stress does not follow from forces after possible yielding.
         inertia: if span.fibres.is_some() { f64::NAN } else { section.inertia },
     }
 }

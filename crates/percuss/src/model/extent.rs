@@ -1,4 +1,4 @@
-//! How large a model becomes, told from its definitions before anything is meshed.
+//! Size of a model, estimated from its definitions before meshing.
 
 use super::builder::ModelBuilder;
 use super::centre_line::CentreLine;
@@ -6,8 +6,8 @@ use super::definition::{
     Along, Beam, BeamId, ContactPartner, Curve, ElementSize, Inelasticity, Section,
 };
 
-/// Memory of an element that shares its constants with the others of a straight span, with what is computed beside it \[bytes\].
-/// This and the other two were measured with meshes of a million elements, and of fifty thousand in contact.
+/// Memory of an element that shares its constants with the others of a straight span, including computed data \[bytes\]. This and the other two
+/// were measured with meshes of a million elements, and of fifty thousand in contact.
 const EVEN: f64 = 1900.0;
 /// Memory of an element with constants of its own: of a curve, or of a section that varies \[bytes\].
 const OWN: f64 = 3600.0;
@@ -16,19 +16,19 @@ const PAIR: f64 = 500.0;
 /// Memory of a fibre at the three Gauss points of an element \[bytes\].
 const FIBRE: f64 = 400.0;
 
-/// What a model comes to, estimated.
+/// Estimated size of a model.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ModelExtent {
     /// Elements of all beams \[-\].
     pub elements: f64,
     /// Pairs of all contacts \[-\].
     pub pairs: f64,
-    /// Memory that the model and the beginning of a run take \[bytes\].
+    /// Memory of the model and of the start of a run \[bytes\].
     pub memory: f64,
 }
 
 impl ModelBuilder {
-    /// How large the model becomes. Definitions that are at fault count as little as they can: they are told of when it is built.
+    /// Size of the model. Invalid definitions count with their smallest size: they are reported when it is built.
     pub fn extent(&self) -> ModelExtent {
         let elements: Vec<f64> = self.beams.iter().map(elements).collect();
         let mut extent = ModelExtent { elements: elements.iter().sum(), ..Default::default() };
@@ -36,7 +36,7 @@ impl ModelBuilder {
         extent.memory = each.map(|(beam, count)| count * self.memory_of_element(beam)).sum();
         for contact in &self.contacts {
             let points = contact.points_per_element as f64;
-            // Both faces of each beam that takes part; one pair where none does.
+            // Both faces of each beam in the contact; one pair without beams.
             let beams = contact.between.iter().filter_map(|partner| match partner {
                 ContactPartner::Beam(BeamId(k)) => elements.get(*k as usize),
                 ContactPartner::Disc(_) | ContactPartner::Obstacle(_) => None,
@@ -61,7 +61,7 @@ impl ModelBuilder {
     }
 }
 
-/// Elements of a beam, as far as its definition says.
+/// Elements of a beam, according to its definition.
 fn elements(beam: &Beam) -> f64 {
     match beam.mesh.size {
         ElementSize::Number(count) => count as f64,

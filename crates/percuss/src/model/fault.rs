@@ -2,20 +2,20 @@
 
 use std::fmt;
 
-/// One fault: where, what was found, what would be right.
+/// One fault: place, value found, valid value.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// Place as a dotted path in the words of the scenario file: `projectile.hammer.mass`.
     pub path: String,
-    /// What was found there, in a form fit for the middle of a message: `a mass of -5 kg`.
+    /// The value found, in a form fit for the middle of a message: `a mass of -5 kg`.
     pub found: String,
-    /// What would be right: `a mass above zero`.
+    /// A valid value: `a mass above zero`.
     pub expected: String,
 }
 
 impl Fault {
-    /// What is found at an obstacle that no contact names. (Readers of files, who know which contacts were meant, say it better.)
-    pub const UNTOUCHED: &str = "nothing touches it";
+    /// Text for an obstacle that no contact names. (Readers of files, which know the intended contacts, have a more precise one.)
+    pub const UNTOUCHED: &str = "no contact";
 
     /// A fault at `path`.
     pub fn new(

@@ -1,4 +1,4 @@
-//! Fibres of spans whose material does more than Hooke's law says, or whose section is given by its fibres.
+//! Fibres of spans with a nonlinear material, or with a section given by its fibres.
 
 use super::definition::{
     Material, MaterialId, Profile, RotaryInertia, Section, SectionFibre, SectionSize, StrainMeasure,
@@ -20,7 +20,7 @@ pub(super) struct Stretch<'a> {
     pub count: usize,
 }
 
-/// What a span is made of.
+/// Material and section of a span.
 #[derive(Clone, Copy)]
 pub(super) struct Make<'a> {
     /// The beam's material there.
@@ -110,7 +110,7 @@ pub(super) fn of_span(make: &Make, stretch: &Stretch, first: usize) -> Option<Sp
     Some(SpanFibres { laws, at, count, first })
 }
 
-/// Fibres that are given one by one; `add` takes the law of another material and tells its number.
+/// Fibres that are given one by one; `add` adds the law of another material and returns its number.
 fn given(make: &Make, mut add: impl FnMut(&Material) -> usize) -> Option<Vec<Fibre>> {
     let mut known: Vec<(MaterialId, usize)> = Vec::new();
     let mut number = |fibre: &SectionFibre| {
@@ -146,7 +146,7 @@ impl<'a> ProfileLayout<'a> {
                 .max()
                 .unwrap_or(count)
         };
-        // As many fibres at every station, so that one set goes over into the next.
+        // Equal numbers of fibres at every station, so that sets can be interpolated.
         let count = most(section.fibres);
         let unit = |(profile, size): (&Profile, SectionSize)| -> Vec<[f64; 2]> {
             let scaled = |[y, area]: [f64; 2]| [y / size.gyration(), area / size.area];

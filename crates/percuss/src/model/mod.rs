@@ -27,6 +27,7 @@ mod places;
 #[allow(missing_docs)]
 pub(crate) mod point;
 mod prescribed;
+pub(crate) mod rotations;
 pub mod scene;
 mod section_line;
 mod span_fibres;

@@ -107,6 +107,7 @@ fn contacts(
     let Standing { model, settings, state } = at;
     let effective = model.effective_masses();
     let last_instant = state.time - SAME_INSTANT * settings.step;
+    let sliding: Vec<_> = (0..model.contacts.len()).map(|i| log.sliding(i)).collect();
     (model.contacts.iter().zip(log.records).enumerate())
         .map(|(i, (contact, mut record))| {
             remove_closing_since(&mut record, last_instant);
@@ -120,6 +121,7 @@ fn contacts(
                 no_equivalent_force: None,
                 permanent_penetration: contact.law.permanent(state, pairs()),
                 pressed_in: log.pressed[i],
+                sliding: sliding[i],
                 carried_crush: contact.law.carried(state, pairs()),
                 record,
             }

@@ -271,12 +271,24 @@ pub struct ContactSummary {
     pub carried_crush: Option<CarriedCrush>,
     /// When a compliant contact was pressed in deepest, held against what touches; none of guided projectiles and of half-planes.
     pub pressed_in: Option<PressedIn>,
+    /// How far the two slid on each other, of a contact with friction.
+    pub sliding: Option<Sliding>,
     /// Static force that does what the impacts did at most, where nothing but a weight at rest acts on the structure as well.
     pub equivalent_force: Option<EquivalentForce>,
     /// Why there is none, of a guided projectile.
     pub no_equivalent_force: Option<&'static str>,
     /// What happened.
     pub record: ContactRecord,
+}
+
+/// How far the surfaces of a contact slid on each other while it pressed, and what friction took: what wear goes by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Sliding {
+    /// Sum of the sizes of the tangential displacements of one surface against the other, where several points press at once their mean,
+    /// weighted by the normal impulses \[m\].
+    pub distance: f64,
+    /// Energy that friction dissipated, a part of what impacts and persistent contact lost \[J\].
+    pub work: f64,
 }
 
 /// How deep one thing was pressed into another under a compliant law.

@@ -66,7 +66,7 @@ pub struct Envelope {
     pub s: Vec<f64>,
     /// Axial force, smallest and largest, shape (2, 3 elements) \[N\].
     pub axial: [Vec<f64>; 2],
-    /// Shear force, shape (2, 3 elements) \[N\].
+    /// Shear force, the derivative of the bending moment along the beam, shape (2, 3 elements) \[N\].
     pub shear: [Vec<f64>; 2],
     /// Bending moment, shape (2, 3 elements) \[N m\].
     pub moment: [Vec<f64>; 2],
@@ -85,7 +85,7 @@ pub struct SectionForceSummary {
     pub name: String,
     /// Axial force, positive in tension \[N\].
     pub axial: SectionRange,
-    /// Shear force \[N\].
+    /// Shear force, the derivative of the bending moment along the beam \[N\].
     pub shear: SectionRange,
     /// Bending moment, positive where it turns the tangent counter-clockwise along the beam \[N m\].
     pub moment: SectionRange,

@@ -162,7 +162,7 @@ fn settings_that_exclude_an_accuracy_are_faults() {
         (Settings { accuracy: Some(0.0), ..good }, "time.accuracy", "0"),
         (Settings { accuracy: Some(0.5), ..good }, "time.accuracy", "0.5"),
         (Settings { accuracy: Some(f64::NAN), ..good }, "time.accuracy", "NaN"),
-        (Settings { impacts: time_stepping, ..good }, "time.accuracy", "looked at once per step"),
+        (Settings { impacts: time_stepping, ..good }, "time.accuracy", "evaluated once per step"),
         (Settings { scheme: Scheme::Newmark, ..good }, "time.accuracy", "advances accelerations"),
     ] {
         let faults = Simulation::new(&model, &settings).err().unwrap();

@@ -324,7 +324,7 @@ fn contradictory_laws_are_faults() {
         "disc.ball.radius",
         "obstacle.lonely.ends",
         "obstacle.lonely.thickness",
-        "obstacle.lonely: found nothing touches it",
+        "obstacle.lonely: found no contact",
         "contact.throw.restitution",
         "contact.throw.friction",
     ] {

@@ -349,7 +349,7 @@ fn a_beam_that_yields_has_the_equivalent_force_of_the_elastic_one() {
     let model = b.build().unwrap();
     let summary = simulate(&model, &Settings::new(0.01, 1e-3), &mut NoRecorder).unwrap();
     let told = summary.contacts[0].no_equivalent_force;
-    assert_eq!(told, Some("nothing holds the structure against it"));
+    assert_eq!(told, Some("the structure is not supported in this direction"));
 }
 
 /// A column with springs between its tip and the ground, each so long without force.

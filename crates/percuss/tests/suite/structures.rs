@@ -235,9 +235,9 @@ fn a_limit_point_under_load_control_names_arc_length() {
     assert!(path.reached && path.limit_points.len() >= 2, "{:?}", path.limit_points);
     let limit = path.limit_points[0].factor;
     assert!(limit > 0.0 && limit < 1.0, "{limit}");
-    // Load control either stops before the limit point, naming arc length, or says that it has jumped past it.
+    // Load control either stops before the limit point, naming the path by arc length, or says that it has jumped past it.
     match equilibrium(&model) {
-        Err(error) => assert!(error.to_string().contains("arc length"), "{error}"),
+        Err(error) => assert!(error.to_string().contains("static --path"), "{error}"),
         Ok(found) => panic!("jumped to {:?}", found.points),
     }
 }
@@ -277,7 +277,7 @@ fn faults_are_told_all_at_once() {
         "beam.few.elements: found 1 element for 2 straight parts",
         "load.lost.at: found back@9m",
         "load.lost.function: found 1 s after 2 s",
-        "support.roller.motion: found a rotation",
+        "support.roller.motion: found a prescribed rotation",
     ] {
         assert!(all.contains(expected), "{expected} missing in\n{all}");
     }

@@ -1,13 +1,13 @@
-//! Whether the balances closed.
+//! Errors of the balances.
 
 use percuss::RunSummary;
 
 use crate::number::small;
 
-/// Largest residual of closed balances, relative to the largest amount.
+/// Largest error of a balance under `--strict`, relative to the largest amount.
 const CLOSED: f64 = 1e-10;
 
-/// What did not close, in words.
+/// The errors above it, in words.
 pub fn open(run: &RunSummary) -> Vec<String> {
     let residuals = [
         ("energy", run.energy.residual_max),
@@ -17,7 +17,7 @@ pub fn open(run: &RunSummary) -> Vec<String> {
     let closed = |residual: f64| residual.abs() <= CLOSED; // NaN is not closed
     let open = residuals.into_iter().filter(|(_, residual)| !closed(*residual));
     open.map(|(what, residual)| {
-        format!("the balance of {what} does not close: relative residual {}, at most {CLOSED:e} with --strict", small(residual))
+        format!("{what} balance error {} exceeds {CLOSED:e} (--strict)", small(residual))
     })
     .collect()
 }

@@ -41,9 +41,9 @@ impl Comparison<'_> {
                 Err(Termination::Interrupted { .. }) => return Vec::new(),
                 Err(Termination::Failed(error)) => {
                     let error = Code::from(error.code()).behind(error);
-                    warn(format!("the comparison lacks {label}: {error}"));
+                    warn(format!("{label} is missing from the comparison: {error}"));
                 }
-                Err(_) => warn(format!("the comparison lacks {label}")),
+                Err(_) => warn(format!("{label} is missing from the comparison")),
             }
         }
         all

@@ -1,4 +1,4 @@
-//! How a run went, said at its end, and the exit status that goes with it.
+//! Messages at the end of a run, and its exit status.
 
 use std::path::Path;
 
@@ -12,7 +12,7 @@ use crate::outcome::{Failure, Status};
 use crate::run_arguments::Run;
 use crate::{advisor, browser, interrupt, terminal};
 
-/// Says how the run went; the results are in their place.
+/// Prints how the run ended; the results are in the output directory.
 pub(super) fn conclude(
     ended: &Ended,
     arguments: &Run,
@@ -29,24 +29,24 @@ pub(super) fn conclude(
     }
     match &ended.summary.termination {
         Termination::Failed(error) => {
-            terminal::error(error.code(), &format!("the solver gave up: {error}"));
+            terminal::error(error.code(), &stopped(error));
             report?;
             return Ok(Status::GaveUp);
         }
         Termination::Interrupted { time } => {
-            let time = crate::number::number(*time);
-            let text = format!("interrupted at t = {time} s; the results end there");
+            let time = crate::number::quantity(*time, "s");
+            let text = format!("interrupted at t = {time}; results up to this time are written");
             terminal::warning(Caution::Interrupted, &text);
             if let Some((place, Some(time))) = ended.checkpoints.as_ref().map(Checkpoints::place) {
-                let (place, time) = (shown(place), crate::number::number(time));
+                let (place, time) = (shown(place), crate::number::quantity(time, "s"));
                 terminal::tell(&format!(
-                    "the same command with --resume goes on from t = {time} s ({})",
+                    "the same command with --resume continues from t = {time} ({})",
                     place.display()
                 ));
             }
         }
         _ if interrupt::requested() => {
-            let text = "interrupted after the run, whose results are complete";
+            let text = "interrupted after the end of the run; the results are complete";
             terminal::warning(Caution::Interrupted, text);
         }
         _ => {}
@@ -65,4 +65,13 @@ pub(super) fn conclude(
     open.iter().for_each(|text| terminal::error(AnalysisCode::Balance, text));
     denied.iter().for_each(|text| terminal::error(RequestCode::Denied, text));
     Ok(if open.is_empty() && denied.is_empty() { Status::Done } else { Status::BalanceOpen })
+}
+
+/// Why a run stopped; an iteration that did not converge is called that even where the error names an equilibrium.
+fn stopped(error: &percuss::Error) -> String {
+    let text = error.to_string();
+    match error.is_no_convergence() && !text.starts_with("no convergence") {
+        true => format!("no convergence: {text}"),
+        false => text,
+    }
 }

@@ -1,27 +1,28 @@
-//! How far strains and angular rates have drifted from the configuration, in the table at the end of a run.
+//! Drift of strains and angular rates from the configuration, in the table at the end of a run.
 
 use percuss::{AuditSummary, RunSummary};
+use serde_json::Value;
 
 use crate::number::{number, small};
 
-/// What the scheme carries beside the motion of the nodes, and how far both have come apart.
-pub(super) fn drift(run: &RunSummary) -> String {
+/// Difference between the stored strains of the scheme that stores them and those of the configuration.
+pub(super) fn drift(run: &RunSummary, summary: &Value) -> Option<(String, String)> {
     let audit = &run.audit;
-    format!(
-        "curvature {} 1/m, membrane strain {}, angular rates {} (relative)",
+    let text = format!(
+        "curvature {} 1/m, membrane strain {}",
         small(audit.curvature_drift_max),
-        small(audit.membrane_drift_max),
-        small(audit.angular_rate_drift_max)
-    )
+        small(audit.membrane_drift_max)
+    );
+    (summary["settings"]["scheme"] == "strain-rate").then(|| ("strain drift".to_owned(), text))
 }
 
-/// Said where the step does not resolve the motion.
+/// A row where the step does not resolve the motion.
 pub(super) fn unresolved(run: &RunSummary) -> Option<(String, String)> {
     let drift = run.audit.angular_rate_drift_max;
-    let said = format!(
-        "the step does not resolve the motion: kinetic energy by the slopes' velocities and by the sections' angular rates, which is conserved, differ \
-         by {} % of the energy; take a smaller step",
+    let text = format!(
+        "the time step does not resolve the motion: the kinetic energies from nodal velocities and from section rotation rates differ by {} % of \
+         the energy; use a smaller step",
         number(100.0 * drift)
     );
-    (drift > AuditSummary::UNRESOLVED).then(|| ("resolution".to_owned(), said))
+    (drift > AuditSummary::UNRESOLVED).then(|| ("resolution".to_owned(), text))
 }

@@ -15,23 +15,24 @@ use serde_json::Value;
 
 use super::drift::{drift, unresolved};
 use super::ended::Ended;
-use crate::number::{count, number, small};
+use crate::number::{count, number, quantity, small};
 use crate::terminal::{self, painted};
+use crate::yielding_words::{permanent_deflection, plastic_hinge};
 use contacts::{contact_lines, touched};
 use lines::listed;
 
-/// Results beside hand formulas listed for a contact.
+/// Hand formulas and supports listed.
 const HANDED: usize = 6;
-/// Contacts named that never closed.
+/// Contacts named that did not close.
 const NAMED: usize = 6;
 /// Terms of the balance below this share of the energy scale are nothing but rounding.
 const ROUNDING: f64 = 1e-13;
-/// Impulses beyond forces below this share of the momentum of the run are those of the instants in which a motion begins.
+/// Support impulses below this share of the momentum of the run are those of the instants in which a motion begins.
 const SMALL_IMPULSE: f64 = 1e-6;
 /// Impulses below this share of it are round-off.
 const NO_IMPULSE: f64 = 1e-9;
 
-/// What happened, whether the balances closed, where the results lie.
+/// The summary text, the balances and the results of a run, with the output directory.
 pub(super) fn table(ended: &Ended, out: &Path) -> String {
     let run = &ended.summary;
     let mut rows = vec![("status".to_owned(), status(ended))];
@@ -44,7 +45,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
             small(run.momentum.angular_residual_max)
         ),
     ));
-    rows.push(("drift".into(), drift(run)));
+    rows.extend(drift(run, &ended.value));
     rows.extend(unresolved(run));
     let (touched, untouched): (Vec<_>, Vec<_>) = run.contacts.iter().partition(|c| touched(c));
     let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
@@ -57,23 +58,21 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     if untouched.len() > 1 {
         let names: Vec<&str> = untouched.iter().map(|c| c.name.as_str()).collect();
         let names = listed(&names, names.len(), NAMED, |name| (*name).to_owned());
-        rows.push((
-            count(untouched.len(), "contact"),
-            format!("never closed: {}", names.join(", ")),
-        ));
+        rows.push((count(untouched.len(), "contact"), format!("not closed: {}", names.join(", "))));
     }
     rows.extend(run.plastic.iter().filter_map(plastic));
     rows.extend(run.yielding.iter().filter_map(yielding));
     rows.extend(run.joints.iter().map(joint));
-    let labels = ["impulses".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
+    let labels =
+        ["support impulses".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
     rows.extend(labels.zip(impulses(run)));
     rows.extend(run.step_control.as_ref().map(|control| ("steps".into(), steps(control))));
     if run.accumulated_steps > 0 {
         let steps = count(run.accumulated_steps, "step");
-        let what = "with more impacts than are followed one by one, without restitution in the rest of the step";
-        rows.push(("accumulation".into(), format!("{steps} {what}")));
+        let what = "Zeno limit reached, remaining impacts in the step treated as plastic";
+        rows.push(("accumulation".into(), format!("{steps}: {what}")));
     }
-    let by_hand = ["by hand".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
+    let by_hand = ["hand formulas".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
     rows.extend(by_hand.zip(listed(
         &ended.comparisons,
         ended.comparisons.len(),
@@ -110,34 +109,23 @@ fn wrapped(text: &str, columns: usize) -> Vec<String> {
     lines
 }
 
-/// What became of a beam that yielded.
+/// Yield, plastic hinge, permanent deflection and fracture of a beam.
 fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
     let first = beam.first_yield?;
     let mut parts = vec![
-        format!("first at s = {} m, t = {} s", number(first.s), number(first.time)),
-        format!("plastic strain up to {}", number(beam.strain_max.value)),
+        format!("first yield at s = {}, t = {}", quantity(first.s, "m"), quantity(first.time, "s")),
+        format!("largest plastic strain {}", number(beam.strain_max.value)),
         dissipated(beam.dissipated, beam.dissipated_by_preload),
     ];
     let larger =
         |a: &&PlasticHinge, b: &&PlasticHinge| a.rotation.abs().total_cmp(&b.rotation.abs());
     if let Some(hinge) = beam.hinges.iter().max_by(larger) {
-        parts.push(format!(
-            "bent by {} rad about s = {} m over {} m (elements of {} m)",
-            number(hinge.rotation),
-            number(hinge.s),
-            number(hinge.length),
-            number(hinge.element_length)
-        ));
+        let length = quantity(hinge.element_length, "m");
+        parts.push(format!("{} (element length {length})", plastic_hinge(hinge)));
     }
     match beam.permanent_set {
-        Err(reason) => parts.push(format!("no permanent set told: {reason}")),
-        Ok(set) => {
-            // What is round-off beside the other component is none.
-            let plain = |x: f64| number(if x.abs() < 1e-9 * set.size() { 0.0 } else { x });
-            let [x, y] = set.displacement.map(plain);
-            let (size, s) = (number(set.size()), number(set.s));
-            parts.push(format!("permanent set {size} m, ({x}, {y}) m at s = {s} m"));
-        }
+        Err(reason) => parts.push(format!("permanent deflection not available: {reason}")),
+        Ok(set) => parts.push(permanent_deflection(&set)),
     }
     if beam.failed > 0 {
         parts.push(format!("{} failed", count(beam.failed, "fibre")));
@@ -148,59 +136,67 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
         } else {
             format!(" and at {}", count(others.len(), "more place"))
         };
-        let (s, time) = (number(first.s), number(first.time));
-        parts.push(format!("parted at s = {s} m, t = {time} s{more}"));
+        let (s, time) = (quantity(first.s, "m"), quantity(first.time, "s"));
+        parts.push(format!("fractured at s = {s}, t = {time}{more}"));
     }
     Some((format!("yield of {}", beam.name), parts.join(", ")))
 }
 
-/// What plastic flow dissipated, and how much of it the preload of a static start.
+/// Plastic dissipation, and the part of it in a static start.
 fn dissipated(all: f64, by_preload: f64) -> String {
     match by_preload > ROUNDING * all {
         true => format!(
-            "{} J dissipated ({} J by the preload, {} J in the run)",
-            number(all),
-            number(by_preload),
-            number(all - by_preload)
+            "{} dissipated ({} in the static start, {} in the run)",
+            quantity(all, "J"),
+            quantity(by_preload, "J"),
+            quantity(all - by_preload, "J")
         ),
-        false => format!("{} J dissipated", number(all)),
+        false => format!("{} dissipated", quantity(all, "J")),
     }
 }
 
-/// What became of a joint of a given strength.
+/// Failure of a joint of a given strength, or its largest loads.
 fn joint(joint: &JointSummary) -> (String, String) {
-    let told = |force: f64, moment: f64| {
-        let moment =
-            if moment > 0.0 { format!(" and {} N m", number(moment)) } else { String::new() };
-        format!("{} N{moment}", number(force))
+    let load = |force: f64, moment: f64, joined: &str| {
+        let moment = if moment > 0.0 {
+            format!("{joined}{}", quantity(moment, "N*m"))
+        } else {
+            String::new()
+        };
+        format!("{}{moment}", quantity(force, "N"))
     };
     let text = match joint.parted {
-        Some(one) if one.force.is_nan() => "parted in the static start".to_owned(),
+        Some(one) if one.force.is_nan() => "failed in the static start".to_owned(),
         Some(one) => {
-            format!("parted at t = {} s under {}", number(one.time), told(one.force, one.moment))
+            let time = quantity(one.time, "s");
+            format!("failed at t = {time} under {}", load(one.force, one.moment, " and "))
         }
-        None => format!("held up to {}", told(joint.force_max.value, joint.moment_max.value)),
+        // The largest force and the largest moment may act at different times.
+        None => {
+            let most = load(joint.force_max.value, joint.moment_max.value, ", largest moment ");
+            format!("intact; largest force {most}")
+        }
     };
     (format!("joint {}", joint.name), text)
 }
 
-/// What became of a spring or hinge that yielded.
+/// Yield and failure of a spring or hinge.
 fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
     let first = connector.first_yield?;
     let [what, unit] = if connector.turns { ["rotation", "rad"] } else { ["extension", "m"] };
     let mut parts = vec![
-        format!("first at t = {} s", number(first)),
-        format!("plastic {what} up to {} {unit}", number(connector.plastic_max.value)),
+        format!("first yield at t = {}", quantity(first, "s")),
+        format!("largest plastic {what} {}", quantity(connector.plastic_max.value, unit)),
     ];
     match connector.failed {
-        Some(time) => parts.push(format!("failed at t = {} s", number(time))),
-        None => parts.push(format!("{} {unit} at the end", number(connector.plastic))),
+        Some(time) => parts.push(format!("failed at t = {}", quantity(time, "s"))),
+        None => parts.push(format!("{} at the end", quantity(connector.plastic, unit))),
     }
     parts.push(dissipated(connector.dissipated, connector.dissipated_by_preload));
     Some((format!("yield of {}", connector.name), parts.join(", ")))
 }
 
-/// What supports and obstacles gave beyond their forces.
+/// Impulses of supports and obstacles, in addition to their forces in the history.
 fn impulses(run: &RunSummary) -> Vec<String> {
     let parts = |s: &SupportSummary| s.impulse.map(|i| if i.is_nan() { 0.0 } else { i.abs() });
     let most = run
@@ -208,7 +204,7 @@ fn impulses(run: &RunSummary) -> Vec<String> {
         .iter()
         .map(parts)
         .fold([0.0_f64; 2], |[force, moment], [a, b, c]| [force.max(a).max(b), moment.max(c)]);
-    let gave = |s: &&SupportSummary| {
+    let counts = |s: &&SupportSummary| {
         let [a, b, c] = parts(s);
         let least =
             [SMALL_IMPULSE * run.momentum.linear_scale, SMALL_IMPULSE * run.momentum.angular_scale];
@@ -216,19 +212,22 @@ fn impulses(run: &RunSummary) -> Vec<String> {
     };
     let momentum = &run.momentum;
     let nothing = [momentum.linear_scale, momentum.angular_scale].map(|scale| NO_IMPULSE * scale);
-    let found: Vec<&SupportSummary> = run.supports.iter().filter(gave).collect();
+    let found: Vec<&SupportSummary> = run.supports.iter().filter(counts).collect();
     listed(&found, found.len(), HANDED, |support| {
-        let told = |k: usize| {
+        let impulse = |k: usize, unit: &str| {
             let i = support.impulse[k];
             let none = nothing[k / 2].max(ROUNDING * most[k / 2]);
-            number(if i.abs() <= none { 0.0 } else { i })
+            quantity(if i.abs() <= none { 0.0 } else { i }, unit)
         };
         let moment = match support.impulse[2].is_nan() {
             true => String::new(),
-            false => format!(", moment {} N m s", told(2)),
+            false => format!(", moment {}", impulse(2, "N*m*s")),
         };
-        let (x, y) = (told(0), told(1));
-        format!("{} gave {x} N s, {y} N s{moment}, beyond its forces", support.name)
+        let (x, y) = (impulse(0, "N*s"), impulse(1, "N*s"));
+        format!(
+            "'{}': (x, y) = ({x}, {y}){moment} (in addition to the force history)",
+            support.name
+        )
     })
 }
 
@@ -241,13 +240,13 @@ fn status(ended: &Ended) -> String {
         Termination::Unsolved => ("unsolved", "31"),
     };
     let mut parts = vec![
-        format!("{} at t = {} s", painted(word, style), number(run.time)),
+        format!("{} at t = {}", painted(word, style), quantity(run.time, "s")),
         count(run.steps, "step"),
         count(run.newton_iterations, "Newton iteration"),
         count(run.step_cuts, "step cut"),
     ];
     if let Value::Number(seconds) = &ended.value["wall_seconds"] {
-        parts.push(format!("{:.3} s", seconds.as_f64().unwrap_or(f64::NAN)));
+        parts.push(format!("wall time {:.3} s", seconds.as_f64().unwrap_or(f64::NAN)));
     }
     parts.join(", ")
 }
@@ -256,10 +255,10 @@ fn status(ended: &Ended) -> String {
 fn steps(control: &StepControl) -> String {
     let StepControl { accuracy, estimate, smallest, largest, mean, refused, .. } = control;
     format!(
-        "{} s to {} s, {} s in the mean, {} refused; error estimated as {} % ({} % asked for)",
-        number(*smallest),
-        number(*largest),
-        number(*mean),
+        "{} to {}, mean {}, {} rejected; estimated error {} % (requested {} %)",
+        quantity(*smallest, "s"),
+        quantity(*largest, "s"),
+        quantity(*mean, "s"),
         refused,
         number(100.0 * estimate),
         number(100.0 * accuracy),
@@ -268,8 +267,8 @@ fn steps(control: &StepControl) -> String {
 
 fn energy(run: &RunSummary) -> String {
     let energy = &run.energy;
-    let plain = |x: f64| number(if x.abs() < ROUNDING * energy.scale { 0.0 } else { x });
-    let mut parts = vec![format!("{} J to {} J", plain(energy.initial), plain(energy.final_))];
+    let plain = |x: f64| quantity(if x.abs() < ROUNDING * energy.scale { 0.0 } else { x }, "J");
+    let mut parts = vec![format!("{} to {}", plain(energy.initial), plain(energy.final_))];
     let in_contacts = run.loss_contacts();
     let before = run.plastic.iter().map(|beam| beam.dissipated_by_preload);
     let before = before.chain(run.yielding.iter().map(|one| one.dissipated_by_preload));
@@ -279,16 +278,16 @@ fn energy(run: &RunSummary) -> String {
     };
     let terms = [
         ("lost in impacts", energy.loss_impacts),
-        ("taken by damping", energy.loss_damping - in_contacts),
+        ("dissipated by damping", energy.loss_damping - in_contacts),
         ("dissipated in contacts", in_contacts),
         (plastic, energy.plastic),
-        ("stored by hardening", energy.hardening),
-        ("lost with what failed", energy.failure),
+        ("stored in hardening", energy.hardening),
+        ("lost in failed parts", energy.failure),
         ("work of loads", energy.work_loads),
         ("work of supports", energy.work_supports),
     ];
     let present = terms.iter().filter(|(_, value)| value.abs() > ROUNDING * energy.scale);
-    parts.extend(present.map(|(label, value)| format!("{label} {} J", number(*value))));
+    parts.extend(present.map(|(label, value)| format!("{label} {}", quantity(*value, "J"))));
     parts.push(format!("residual {} (relative)", small(energy.residual_max)));
     parts.join(", ")
 }
@@ -300,14 +299,14 @@ fn comparison(one: &Comparison) -> String {
         0 => String::new(),
         _ => format!("; {} not met", count(unmet, "assumption")),
     };
-    let unit = if one.unit == "1" { String::new() } else { format!(" {}", one.unit) };
+    let value = |value: f64| quantity(value, &one.unit.replace(' ', "*"));
     let sign = if one.difference_percent >= 0.0 { "+" } else { "" };
     let digits = if one.difference_percent.abs() < 0.01 { 0.0 } else { one.difference_percent };
     format!(
-        "{}, {}: {}{unit}, simulated {}{unit} ({sign}{digits:.2} %{met})",
+        "{}, {}: {}, simulated {} ({sign}{digits:.2} %{met})",
         one.formula,
         one.quantity,
-        number(one.by_hand),
-        number(one.simulated),
+        value(one.by_hand),
+        value(one.simulated),
     )
 }

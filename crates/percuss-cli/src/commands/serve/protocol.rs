@@ -166,9 +166,7 @@ fn refuse_others(request: &Value) -> Result<(), Refused> {
     match request.get("config").and_then(Value::as_object).and_then(|config| config.keys().next()) {
         None => Ok(()),
         Some(key) => {
-            let text = format!(
-                "the model takes no configuration, found `{key}`; its study says everything"
-            );
+            let text = format!("the model takes no configuration; found `{key}`");
             Err((Kind::Input, text))
         }
     }

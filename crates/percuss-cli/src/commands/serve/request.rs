@@ -73,7 +73,7 @@ impl Gate {
             return Parsed::Refused(answer);
         }
         let Some(path) = self.behind_token(about.path) else {
-            let text = "the address of this server ends in a token, which it told when it began";
+            let text = "the address ends in a token that was printed at the start";
             return refused(Kind::Forbidden, text);
         };
         let whole = head + about.length;
@@ -153,7 +153,7 @@ impl<'r> Head<'r> {
             match values(name).as_slice() {
                 [] => Ok(None),
                 &[value] => text(value).map(Some).map_err(|_| input("a header that is no text")),
-                _ => Err(input(&format!("the header `{name}` stands twice"))),
+                _ => Err(input(&format!("duplicate header `{name}`"))),
             }
         };
         if one("Transfer-Encoding")?.is_some() {

@@ -52,7 +52,7 @@ pub fn tell(
         for (name, unit, values, [min, mean, max]) in ranges(study, table) {
             let [min, mean, max] = [min, mean, max].map(number);
             let unit = if unit == "1" { "" } else { unit };
-            // Of a contact that never closed there is no peak force.
+            // A contact that did not close has no peak force.
             let of = match table.rows() {
                 all if all == values => String::new(),
                 _ => format!(" ({} with a value)", count(values, "run")),
@@ -62,8 +62,9 @@ pub fn tell(
             if let (Some(first), Some(last)) = (open.first(), open.last()) {
                 let (runs, [first, last]) =
                     (count(open.len(), "run"), [first, last].map(|value| number(*value)));
-                let text =
-                    format!("in contact at the end in {runs}, by then {first} to {last} {unit}");
+                let text = format!(
+                    "contact closed at the end in {runs}, values then {first} to {last} {unit}"
+                );
                 terminal::tell(&format!("    {}", text.trim_end()));
             }
         }

@@ -99,7 +99,7 @@ pub(super) fn columns(entries: &[Entry], several: bool) -> Vec<Column> {
         numbers("separation", "m/s", |e| e.value["separation_velocity"].as_f64()),
         Some(Column::other("restitution", restitution)),
         any(&|v| v["energy"].is_object())
-            .then(|| Column::other("energy passed on", move |e| energy(e, most))),
+            .then(|| Column::other("energy transferred", move |e| energy(e, most))),
     ];
     all.into_iter().flatten().collect()
 }
@@ -113,7 +113,7 @@ fn lasts(entry: &Entry) -> Cell {
     if !entry.touches.is_empty() {
         let (count, length) = (entry.touches.len(), brief(entry.end - entry.start, "s"));
         let still = if end.is_none() { ", still closed" } else { "" };
-        return Cell::Text(format!("{count}\u{a0}touches in {length}{still}"));
+        return Cell::Text(format!("{count}\u{a0}contacts in {length}{still}"));
     }
     match (start, end) {
         (None, _) => Cell::Text("instant".to_owned()),
@@ -147,14 +147,14 @@ fn restitution(entry: &Entry) -> Cell {
     Cell::Text(format!("{text}{mark}"))
 }
 
-/// Parts of what a contact passed on: label, energy, class of the bar's piece.
+/// Parts of the energy that a contact transferred: label, energy, class of the bar's piece.
 fn parts(entry: &Entry) -> Vec<(&str, f64, &'static str)> {
     let energy = &entry.value["energy"];
     let partner = |k: usize| entry.between[k].as_str().unwrap_or("?");
     let all = [
         (partner(0), energy["given"][0].as_f64(), "first"),
         (partner(1), energy["given"][1].as_f64(), "second"),
-        ("lost", energy["lost"].as_f64(), "lost"),
+        ("dissipated", energy["lost"].as_f64(), "lost"),
         ("stored", energy["stored"].as_f64(), "stored"),
     ];
     let positive = all.into_iter().filter_map(|(label, value, class)| {
@@ -190,22 +190,22 @@ fn energy(entry: &Entry, most: f64) -> Cell {
 
 /// What the colours and marks mean.
 pub(super) fn legend(entries: &[Entry]) -> String {
-    let mut out = "<p class=\"note\">Times and velocities along the normal, resolved within the step; an \
-         impact has an impulse and no force. Energy passed on: what the contact took from one of the two and gave to "
+    let mut out = "<p class=\"note\">Times and normal velocities, resolved within the step; an \
+         impact has an impulse and no force. Energy transferred to "
         .to_owned();
     out.push_str(
-        "<span class=\"split key\"><i class=\"first\"></i></span>\u{a0}the first, \
-         <span class=\"split key\"><i class=\"second\"></i></span>\u{a0}the second, or \
-         <span class=\"split key\"><i class=\"lost\"></i></span>\u{a0}lost",
+        "<span class=\"split key\"><i class=\"first\"></i></span>\u{a0}body 1, \
+         <span class=\"split key\"><i class=\"second\"></i></span>\u{a0}body 2, \
+         <span class=\"split key\"><i class=\"lost\"></i></span>\u{a0}dissipated",
     );
     if entries.iter().any(|e| e.value["energy"]["stored"].as_f64().is_some_and(|v| v > 0.0)) {
         out.push_str(
-            ", and <span class=\"split key\"><i class=\"stored\"></i></span>\u{a0}what its spring still holds",
+            ", <span class=\"split key\"><i class=\"stored\"></i></span>\u{a0}stored in the contact",
         );
     }
     out.push('.');
     if entries.iter().any(|e| e.value["fallback_law"] == true) {
-        out.push_str(" *\u{a0}Newton's law would have given energy; Moreau's was used.");
+        out.push_str(" *\u{a0}Moreau's law used: Newton's law would increase the energy.");
     }
     out + "</p>\n"
 }

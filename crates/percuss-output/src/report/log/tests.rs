@@ -20,8 +20,8 @@ fn run() -> Value {
 fn chatter_is_one_row_with_its_touches_folded_below() {
     let page = render(&run());
     assert!(
-        page.contains("10\u{a0}touches in 0.9\u{a0}ms")
-            || page.contains("10\u{a0}touches in 900\u{a0}\u{b5}s"),
+        page.contains("10\u{a0}contacts in 0.9\u{a0}ms")
+            || page.contains("10\u{a0}contacts in 900\u{a0}\u{b5}s"),
         "{page}"
     );
     assert_eq!(page.matches("data-time").count(), 3, "{page}");

@@ -7,7 +7,7 @@ use percuss::{
 };
 use serde_json::json;
 
-use super::{Page, largest_displacement, swinging};
+use super::{Page, swinging};
 use crate::fields::{Fields, Places, scene_value};
 use crate::report::figure::largest;
 use crate::report::html::{escape, table};
@@ -33,7 +33,6 @@ pub struct EquilibriumInfo<'a> {
 pub(crate) fn render(info: &EquilibriumInfo<'_>) -> String {
     let places = Places::of(info.scene);
     let mut frames = vec![places.still(&info.found.frame())];
-    let moved = largest_displacement(info.scene, &frames[0]);
     let mut panels = Vec::new();
     if let Some(mode) = info.linear.modes.first() {
         panels.push(swinging(&buckling_title(mode.factor), frames.len(), None));
@@ -42,61 +41,51 @@ pub(crate) fn render(info: &EquilibriumInfo<'_>) -> String {
     let found = info.found;
     let page = Page {
         title: if info.title.is_empty() { "Static equilibrium" } else { info.title },
-        status: "Static equilibrium under the loads that act at time zero; what is on its way takes no part.".to_owned(),
+        status: "Static equilibrium under the loads at time zero; moving projectiles are ignored.".to_owned(),
         alarming: false,
-        scene: scene::section(&escape(&story(found, info.linear, moved))),
+        scene: scene::section(&escape(&story(found, info.linear)), None),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "static", "panels": panels }),
         tables: tables(found),
-        fallback: "<p class=\"warning\">The drawing needs JavaScript; the numbers are in static.json beside this page.</p>".to_owned(),
+        fallback: "<p class=\"warning\">The drawing needs JavaScript; the numbers are in static.json in the same directory.</p>".to_owned(),
     };
     page.render()
 }
 
 pub(super) fn buckling_title(factor: f64) -> String {
-    format!("linear buckling at {} times the loads", number(factor))
+    format!("linear buckling mode, load factor {}", number(factor))
 }
 
 /// What the equilibrium is, in a few sentences.
-fn story(
-    found: &Equilibrium,
-    linear: &LinearBuckling,
-    moved: Option<(f64, String, f64)>,
-) -> String {
+fn story(found: &Equilibrium, linear: &LinearBuckling) -> String {
     let mut out = vec![match found.stable {
-        true => "The structure rests in a stable equilibrium.".to_owned(),
-        false => {
-            "The equilibrium is unstable: the structure leaves it at the slightest push.".to_owned()
-        }
+        true => "Stable equilibrium.".to_owned(),
+        false => "Unstable equilibrium.".to_owned(),
     }];
-    if let Some((moved, beam, s)) = moved {
-        let (moved, s) = (quantity(Some(moved), "m"), quantity(Some(s), "m"));
-        out.push(format!("The largest displacement is {moved}, of {beam} at {s} along it."));
+    if let Some(most) = &found.largest_displacement {
+        let (moved, s) = (quantity(Some(most.size()), "m"), quantity(Some(most.s), "m"));
+        let beam = &most.beam;
+        out.push(format!("Largest displacement: {moved}, in '{beam}' at s = {s}."));
     }
     out.extend(largest_section(found, |b| &b.moment, "bending moment", "N*m"));
     out.extend(largest_section(found, |b| &b.stress, "fibre stress", "Pa"));
     let press: Vec<&StaticContact> = found.contacts.iter().filter(|c| c.force > 0.0).collect();
     match press.as_slice() {
         [] => {}
-        [one] => out.push(format!(
-            "Contact {} presses with {}.",
-            one.name,
-            quantity(Some(one.force), "N")
-        )),
+        [one] => {
+            out.push(format!("Contact '{}': force {}.", one.name, quantity(Some(one.force), "N")))
+        }
         many => {
             let force = many.iter().map(|c| c.force).fold(0.0, f64::max);
             out.push(format!(
-                "{} contacts press, with up to {}.",
+                "{} closed contacts, largest force {}.",
                 many.len(),
                 quantity(Some(force), "N")
             ));
         }
     }
     if let Some(mode) = linear.modes.first() {
-        out.push(format!(
-            "Linear theory lets it buckle at {} times the loads.",
-            number(mode.factor)
-        ));
+        out.push(format!("Linear buckling factor: {}.", number(mode.factor)));
     } else if let Some(reason) =
         linear.outcome.reason().filter(|_| linear.outcome != BucklingOutcome::Unloaded)
     {
@@ -104,12 +93,12 @@ fn story(
     }
     match linear.stability {
         Some(FollowerStability::Flutter { factor, frequency }) => out.push(format!(
-            "It flutters from {} times the loads on, at {}.",
+            "Flutter above load factor {}, {}.",
             number(factor),
             quantity(Some(frequency), "Hz")
         )),
         Some(FollowerStability::Divergence { factor }) => {
-            out.push(format!("It diverges from {} times the loads on.", number(factor)));
+            out.push(format!("Divergence above load factor {}.", number(factor)));
         }
         _ => {}
     }
@@ -126,15 +115,19 @@ fn largest_section(
     let known = all.filter(|(_, peak)| peak.value.is_finite() && peak.value != 0.0);
     let (name, peak) = known.max_by(|a, b| a.1.value.abs().total_cmp(&b.1.value.abs()))?;
     let (value, s) = (quantity(Some(peak.value), unit), quantity(Some(peak.s), "m"));
-    Some(format!("The largest {what} is {value}, in {name} at {s}."))
+    Some(format!("Largest {what}: {value}, in '{name}' at s = {s}."))
 }
 
 /// Displacements, reactions, contacts, section forces.
 pub(super) fn tables(found: &Equilibrium) -> String {
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
     let told = |v: f64, scale: f64, unit: &str| quantity(Some(without_round_off(v, scale)), unit);
-    let points: Vec<Vec<String>> = (found.points.iter())
-        .map(|(name, u)| vec![name.clone(), told(u[0], moved, "m"), told(u[1], moved, "m")])
+    let turned = largest(found.rotations.iter());
+    let points: Vec<Vec<String>> = (found.points.iter().zip(&found.rotations))
+        .map(|((name, u), rotation)| {
+            let [u1, u2] = u.map(|u| told(u, moved, "m"));
+            vec![name.clone(), u1, u2, told(*rotation, turned, "rad")]
+        })
         .collect();
     let size = largest(found.reactions.iter().flat_map(|(_, r)| &r[..2]));
     let turning = largest(found.reactions.iter().map(|(_, r)| &r[2])).max(size);
@@ -150,28 +143,34 @@ pub(super) fn tables(found: &Equilibrium) -> String {
         .collect();
     let sections: Vec<Vec<String>> = found.section_forces.iter().flat_map(section_rows).collect();
     let all = [
-        ("Displacements of recorded points", &["point", "along e1", "along e2"][..], points),
+        ("Displacements of recorded points", &["point", "x", "y", "rotation"][..], points),
         (
-            "Reactions, on the structure",
-            &["support", "force 1", "force 2", "moment"][..],
+            "Reactions (of the supports on the structure)",
+            &["support", "Fx", "Fy", "M"][..],
             reactions,
         ),
         (
             "Contacts",
-            &["contact", "between", "force", "gap", "where along the beam"][..],
+            &["contact", "between", "force", "gap", "arc length on the beam"][..],
             contacts(found),
         ),
         (
-            "Springs and hinges that can yield",
-            &["", "extension or rotation", "of it plastic", "force or moment", "state"][..],
+            "Elastic-plastic springs and hinges",
+            &[
+                "spring or hinge",
+                "extension or rotation",
+                "plastic part",
+                "force or moment",
+                "state",
+            ][..],
             found.yielding.iter().map(yielding_row).collect(),
         ),
         (
-            "Failed on the way, for good",
-            &["load factor", "what"][..],
+            "Failures during loading",
+            &["load factor", "failure"][..],
             found.failures.iter().map(|f| vec![number(f.factor), f.to_string()]).collect(),
         ),
-        ("Section forces", &["", "smallest", "at", "largest", "at"][..], sections),
+        ("Section forces", &["quantity", "smallest", "at s", "largest", "at s"][..], sections),
     ];
     let filled = all.into_iter().filter(|(.., rows)| !rows.is_empty());
     filled.map(|(caption, header, rows)| table(caption, header, &rows)).collect()
@@ -199,7 +198,7 @@ fn yielding_row(found: &StaticYielding) -> Vec<String> {
     let [unit, force] = if found.turns { ["rad", "N*m"] } else { ["m", "N"] };
     let state = match (found.failed, found.yielded) {
         (true, _) => "failed",
-        (false, true) => "has yielded",
+        (false, true) => "yielded",
         (false, false) => "elastic",
     };
     vec![

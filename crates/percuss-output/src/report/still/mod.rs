@@ -16,14 +16,15 @@ use serde_json::{Value, json};
 use super::html::{self, escape};
 use super::template::{PENS, STYLE, fill_holes, page_parts};
 use super::{payload, scene};
-use crate::fields::{Fields, StoredFrame};
+use crate::fields::Fields;
 
 const TEMPLATE: &str = include_str!("../../../web/still.html");
 /// What draws the pages besides the scripts of the scene, in the order in which they use each other.
-const SCRIPTS: [&str; 7] = [
+const SCRIPTS: [&str; 8] = [
     include_str!("../../../web/columns.js"),
     include_str!("../../../web/figures.js"),
     include_str!("../../../web/exports.js"),
+    include_str!("../../../web/tables.js"),
     include_str!("../../../web/shapes.js"),
     include_str!("../../../web/chart.js"),
     include_str!("../../../web/panels.js"),
@@ -65,7 +66,7 @@ impl Page<'_> {
             "index" => html::json(&payload.index),
             "data" => payload.data.clone(),
             "script" => {
-                [&[PENS][..], &SCRIPTS[..3], &scene::SCRIPTS, &SCRIPTS[3..]].concat().join("\n")
+                [&[PENS][..], &SCRIPTS[..4], &scene::SCRIPTS, &SCRIPTS[4..]].concat().join("\n")
             }
             other => page_parts(other),
         })
@@ -75,15 +76,4 @@ impl Page<'_> {
 /// A shape drawn as it swings: the number of its frame and of that it swings about (the reference configuration without one).
 fn swinging(title: &str, shape: usize, about: Option<usize>) -> Value {
     json!({ "title": title, "shape": shape, "about": about })
-}
-
-/// Largest displacement of a beam's stations in a frame \[m\], with the beam and the arc length there \[m\].
-fn largest_displacement(
-    scene: &percuss::scene::Scene,
-    frame: &StoredFrame,
-) -> Option<(f64, String, f64)> {
-    let stations = scene.beams.iter().flat_map(|b| b.stations.iter().map(|s| (&b.name, s.s)));
-    let moved = frame.displacement.chunks_exact(4).map(|u| f64::from(u[0]).hypot(f64::from(u[1])));
-    let (moved, (name, s)) = moved.zip(stations).max_by(|a, b| a.0.total_cmp(&b.0))?;
-    Some((moved, name.clone(), s))
 }

@@ -36,21 +36,18 @@ pub(crate) fn render(
     let frames = std::iter::once(places.still(about)).chain(shapes).collect();
     let panels = titles.iter().enumerate().map(|(k, title)| swinging(title, k + 1, Some(0)));
     let taken = match info.about {
-        "static" => "about static equilibrium under the loads that act at time zero",
-        _ => "about the reference configuration, free of stress",
+        "static" => "about the static equilibrium under the loads at time zero",
+        _ => "about the stress-free reference configuration",
     };
-    let note = "Each shape swings about the configuration it is taken about, all in the same time whatever their frequencies, by a tenth of the \
-         structure's size at most and never so far that bodies would overlap. Nodal values of unit modal mass are in shapes.csv.";
+    let note = "Mode shapes, scaled for display; all are shown with the same period. Mass-normalised nodal values in shapes.csv.";
     let page = Page {
         title: if info.title.is_empty() { "Natural modes" } else { info.title },
-        status: format!(
-            "Natural modes {taken}; projectiles, discs and stops with a gap take no part."
-        ),
+        status: format!("Natural modes {taken}; projectiles, discs and open stops are ignored."),
         alarming: false,
         scene: format!("<p class=\"note\">{}</p>\n", escape(note)),
         fields: Fields { scene: scene_value(scene), frames },
         details: json!({ "kind": "modes", "panels": panels.collect::<Vec<_>>() }),
-        tables: table("Natural modes", &["mode", "frequency", "period", ""], &rows(info)),
+        tables: table("Natural modes", &["mode", "frequency", "period", "comment"], &rows(info)),
         fallback: format!("<div class=\"sheet\">{svg}</div>"),
     };
     page.render()
@@ -67,12 +64,12 @@ fn rows(info: &ModesInfo<'_>) -> Vec<Vec<String>> {
         let growth = || quantity(Some(1.0 / mode.growth()), "s");
         let note = match kind {
             ModeKind::Vibration => String::new(),
-            ModeKind::RigidBody => "motion of a rigid body, or of a mechanism".to_owned(),
+            ModeKind::RigidBody => "rigid-body mode or mechanism".to_owned(),
             ModeKind::Unstable => {
-                format!("the equilibrium is unstable: the motion grows e-fold in {}", growth())
+                format!("unstable equilibrium: exponential growth, time constant {}", growth())
             }
             ModeKind::Flutter => format!(
-                "flutter: the equilibrium is unstable, the oscillation grows e-fold in {}",
+                "flutter: unstable equilibrium, growing oscillation, time constant {}",
                 growth()
             ),
         };

@@ -58,10 +58,10 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
         frame.time = k as f64;
     }
     let limits = along.iter().enumerate().filter(|(_, one)| one.limit).take(DRAWN);
-    let still = |(k, one): (usize, &Along)| json!({ "frame": k, "title": format!("limit point at the load factor {}", number(one.factor)) });
+    let still = |(k, one): (usize, &Along)| json!({ "frame": k, "title": format!("limit point at load factor {}", number(one.factor)) });
     let mut panels: Vec<Value> = limits.map(still).collect();
     if let Some(last) = along.last() {
-        let title = format!("end, at the load factor {}", number(last.factor));
+        let title = format!("end, at load factor {}", number(last.factor));
         panels.push(json!({ "frame": along.len() - 1, "title": title }));
     }
     if let Some(mode) = info.linear.modes.first() {
@@ -70,12 +70,12 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
     }
     let factor = path.points.last().map_or(0.0, |p| p.factor);
     let status = match path.reached {
-        true => format!("Equilibrium path, to the load factor {}.", number(factor)),
+        true => format!("Equilibrium path up to load factor {}.", number(factor)),
         false => format!(
-            "Equilibrium path; it ends at the load factor {}, before the end asked for{}.",
+            "Equilibrium path; it ends at load factor {}, before the requested end{}.",
             number(factor),
             path.torn.as_ref().map_or(String::new(), |what| {
-                format!(": beyond it {} would fail", escape(what))
+                format!(": beyond it '{}' would fail", escape(what))
             })
         ),
     };
@@ -83,7 +83,7 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
         title: if info.title.is_empty() { "Equilibrium path" } else { info.title },
         status,
         alarming: !path.reached,
-        scene: format!("<div class=\"beside\">\n{}{CHART}</div>\n", scene::section(&escape(&story(path)))),
+        scene: format!("<div class=\"beside\">\n{}{CHART}</div>\n", scene::section(&escape(&story(path)), None)),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "path", "panels": panels, "chart": chart(path, along) }),
         tables: format!(
@@ -93,20 +93,20 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
             first_yields(path),
             tables(&path.end)
         ),
-        fallback: "<p class=\"warning\">The drawings need JavaScript; the path is in path.csv and path.svg beside this page.</p>".to_owned(),
+        fallback: "<p class=\"warning\">The drawings need JavaScript; the path is in path.csv and path.svg in the same directory.</p>".to_owned(),
     };
     page.render()
 }
 
 /// Place of the curve.
-const CHART: &str = "<figure class=\"chart\" id=\"chart\"><figcaption><h3>Load factor over displacements</h3><span>\
+const CHART: &str = "<figure class=\"chart\" id=\"chart\"><figcaption><h2>Load factor over displacements</h2><span>\
 <button type=\"button\" class=\"save\" data-chart=\"svg\" aria-label=\"Save the curve as SVG\">SVG</button></span>\
-<p>Click to take the structure there; every point is in path.csv.</p></figcaption><canvas></canvas></figure>\n";
+<p>Click a point to show the structure; data in path.csv.</p></figcaption><canvas></canvas></figure>\n";
 
 fn story(path: &Path) -> String {
     let names = |point: &PathPoint| {
         let moved = |(name, u): (&String, &[f64; 2])| {
-            format!("{name} moved by {}", quantity(Some(u[0].hypot(u[1])), "m"))
+            format!("displacement of '{name}' {}", quantity(Some(u[0].hypot(u[1])), "m"))
         };
         path.names
             .iter()
@@ -119,10 +119,10 @@ fn story(path: &Path) -> String {
         None => number(point.factor),
     };
     match path.limit_points.as_slice() {
-        [] => "The load grows all along the path: it has no limit point.".to_owned(),
-        [one] => format!("The load turns at the factor {}.", at(one)),
+        [] => "No limit point.".to_owned(),
+        [one] => format!("One limit point, at load factor {}.", at(one)),
         [first, rest @ ..] => format!(
-            "The load turns {} times, first at the factor {}, last at {}.",
+            "{} limit points, first at load factor {}, last at {}.",
             rest.len() + 1,
             at(first),
             at(&rest[rest.len() - 1])
@@ -144,7 +144,7 @@ fn chart(path: &Path, along: &[Along]) -> Value {
     let curve = |(k, c): (usize, &(usize, usize))| {
         let kept = along.iter().map(|one| one.displacements[c.0][c.1] * scale.factor);
         json!({
-            "label": format!("{}, along e{}", path.names[c.0], c.1 + 1),
+            "label": format!("{}, along {}", path.names[c.0], ["x", "y"][c.1]),
             "style": 1 + k,
             "x": column(*c).into_iter().map(|u| u * scale.factor).collect::<Vec<_>>(),
             "kept": kept.collect::<Vec<_>>(),
@@ -166,7 +166,7 @@ fn first_yields(path: &Path) -> String {
     }
     let row = |y: &PathYield| vec![y.name.clone(), number(y.factor)];
     let rows: Vec<Vec<String>> = path.yields.iter().map(row).collect();
-    table("First yields, in their order", &["", "load factor"], &rows)
+    table("First yields", &["spring or hinge", "load factor"], &rows)
 }
 
 /// A row each limit point or bifurcation.
@@ -176,7 +176,7 @@ fn turns(path: &Path, what: &str, points: &[PathPoint]) -> String {
     }
     let mut header = vec!["load factor".to_owned()];
     for name in &path.names {
-        header.extend((1..=2).map(|i| format!("{name}, along e{i}")));
+        header.extend((1..=2).map(|i| format!("{name}, {}", ["x", "y"][i - 1])));
     }
     let header: Vec<&str> = header.iter().map(String::as_str).collect();
     let moved = largest(points.iter().flat_map(|p| p.displacements.as_flattened()));

@@ -1,24 +1,24 @@
-//! What is told of contacts: who struck what, what they gave, and how they parted. What is round-off beside the run is not told.
+//! Contacts in the summary text: what struck what, peak force or impulses, separation. Values that are round-off beside the run are left out.
 
 use serde_json::{Map, Value};
 
-use super::words::{list, quantity};
+use super::words::{capital, instant, list, quantity};
 
 /// Beside those of the run, smaller velocities are none.
 const ROUND_OFF: f64 = 1e-9;
 /// Instants within less than this share of a step after the start are the start: impacts take as long.
 const AT_START: f64 = 1e-3;
 
-/// Instants up to this one are told as the start of a run that took so many steps up to `time` \[s\].
-pub fn told_as_start(time: f64, steps: f64) -> f64 {
+/// Instants up to this one count as the start of a run that took so many steps up to `time` \[s\].
+pub fn taken_as_start(time: f64, steps: f64) -> f64 {
     if steps > 0.0 { AT_START * time / steps } else { 0.0 }
 }
 
-/// A contact that closed, with what is told of it.
+/// A contact that closed.
 struct Touched<'v> {
     name: &'v str,
     contact: &'v Value,
-    /// Largest force, or total impulse of a rigid contact: which contact is told first.
+    /// Largest force, or total impulse of a rigid contact: the contact with the largest is described.
     size: f64,
     /// Velocities up to this one are round-off \[m/s\].
     still: f64,
@@ -38,21 +38,21 @@ fn round_off(summary: &Value, contact: &Value) -> f64 {
     let number = |pointer: &str| summary.pointer(pointer).and_then(Value::as_f64).unwrap_or(0.0);
     let (energy, momentum) = (number("/energy/scale"), number("/momentum/linear_scale"));
     let of_run = if momentum > 0.0 { 2.0 * energy / momentum } else { 0.0 };
-    let told = list(contact, "impacts").iter().chain(list(contact, "intervals"));
-    let each = told.flat_map(|one| ["approach_velocity", "separation_velocity"].map(|k| &one[k]));
+    let events = list(contact, "impacts").iter().chain(list(contact, "intervals"));
+    let each = events.flat_map(|one| ["approach_velocity", "separation_velocity"].map(|k| &one[k]));
     let largest = each.filter_map(Value::as_f64).map(f64::abs).fold(of_run, f64::max);
     ROUND_OFF * largest
 }
 
-/// What happened at contacts.
-pub(super) fn told(summary: &Value) -> String {
+/// The sentences on contacts.
+pub(super) fn contacts(summary: &Value) -> String {
     let empty = Map::new();
     let all = summary["contact"].as_object().unwrap_or(&empty);
     if all.is_empty() {
         return String::new();
     }
     let number = |key: &str| summary[key].as_f64().unwrap_or(0.0);
-    let start = told_as_start(number("time"), number("steps"));
+    let start = taken_as_start(number("time"), number("steps"));
     let mut touched: Vec<Touched<'_>> = all
         .iter()
         .filter(|(_, c)| !list(c, "intervals").is_empty() || !list(c, "impacts").is_empty())
@@ -64,48 +64,78 @@ pub(super) fn told(summary: &Value) -> String {
         .collect();
     if touched.is_empty() {
         return match all.len() {
-            1 => "Nothing touched: the one contact never closed.".into(),
-            n => format!("Nothing touched: none of the {n} contacts closed."),
+            1 => "The contact did not close.".into(),
+            n => format!("None of the {n} contacts closed."),
         };
     }
     // Forces and impulses do not compare: contacts with a force come first.
     let has_force = |t: &Touched<'_>| t.contact["peak_force"].is_object();
     touched.sort_by(|a, b| has_force(b).cmp(&has_force(a)).then(b.size.total_cmp(&a.size)));
     let main = &touched[0];
-    let projectiles = summary["projectile"].as_object().unwrap_or(&empty);
-    let mut out = vec![strike(main, projectiles), largest(main), ending(main)];
+    let mut out = vec![strike(main, summary), largest(main), ending(main)];
     let others: Vec<&str> = touched[1..].iter().map(|t| t.name).collect();
     match others.as_slice() {
         [] => {}
-        [one] => out.push(format!("Contact {one} closed as well.")),
+        [one] => out.push(format!("Contact '{one}' also closed.")),
         [some @ .., last] if some.len() < 3 => {
-            out.push(format!("Contacts {} and {last} closed as well.", some.join(", ")));
+            let some: Vec<String> = some.iter().map(|name| format!("'{name}'")).collect();
+            out.push(format!("Contacts {} and '{last}' also closed.", some.join(", ")));
         }
-        more => out.push(format!("{} other contacts closed as well.", more.len())),
+        more => out.push(format!("{} other contacts also closed.", more.len())),
     }
     out.retain(|sentence| !sentence.is_empty());
     out.join(" ")
 }
 
-/// Who struck what, how fast and when; what flies at something is named first.
-fn strike(main: &Touched<'_>, projectiles: &Map<String, Value>) -> String {
+/// What struck what, at which velocity and when.
+fn strike(main: &Touched<'_>, summary: &Value) -> String {
     let partner = |k: usize| main.contact["between"][k].as_str().unwrap_or("?");
-    let flies = |name: &str| projectiles.contains_key(name);
-    let (a, b) = match (partner(0), partner(1)) {
-        (a, b) if flies(b) && !flies(a) => (b, a),
-        partners => partners,
-    };
+    let (a, b) = (partner(0), partner(1));
     let first = first_touch(main.contact);
     let velocity = main.velocity(first, "approach_velocity");
     let time = first["start"].as_f64().or(first["time"].as_f64()).filter(|t| *t > main.start);
-    let when = match time {
-        Some(time) => format!("{} after the start", quantity(Some(time), "s")),
-        None => "at the start".into(),
+    let when = instant(Some(time.unwrap_or(0.0)));
+    let named = |name: &str| named(name, summary);
+    let sentence = match velocity.map(|v| quantity(Some(v), "m/s")) {
+        Some(v) => match struck_first(a, b, summary) {
+            Some([struck, striker]) => {
+                format!("{} was struck by {} at {v}, {when}.", named(struck), named(striker))
+            }
+            None => format!("{} and {} collided at {v}, {when}.", named(a), named(b)),
+        },
+        None if time.is_none() => {
+            format!("{} and {} are in contact from the start.", named(a), named(b))
+        }
+        None => format!(
+            "Contact between {} and {} closed at {when} without an approach velocity.",
+            named(a),
+            named(b)
+        ),
     };
-    match velocity {
-        Some(v) => format!("{a} struck {b} at {}, {when}.", quantity(Some(v), "m/s")),
-        None if time.is_none() => format!("{a} touched {b} from the start."),
-        None => format!("{a} came to touch {b} {when}."),
+    capital(&sentence)
+}
+
+/// The struck body and the one that struck it, where their kinds decide that: a projectile strikes, an obstacle is struck, and so is a
+/// beam by anything else. Of two beams or two discs either may have moved.
+fn struck_first<'n>(a: &'n str, b: &'n str, summary: &Value) -> Option<[&'n str; 2]> {
+    let is = |part: &str, name: &str| summary[part].get(name).is_some();
+    let order = |struck: &dyn Fn(&str) -> bool| match (struck(a), struck(b)) {
+        (true, false) => Some([a, b]),
+        (false, true) => Some([b, a]),
+        _ => None,
+    };
+    order(&|name| !is("projectile", name))
+        .or_else(|| order(&|name| is("support", name)))
+        .or_else(|| order(&|name| is("section_forces", name)))
+}
+
+/// A body as a sentence names it, with its kind where the summary has it.
+fn named(name: &str, summary: &Value) -> String {
+    let is = |part: &str| summary[part].get(name).is_some();
+    match (is("projectile"), is("section_forces")) {
+        (true, false) => format!("projectile '{name}'"),
+        (false, true) => format!("beam '{name}'"),
+        _ => format!("'{name}'"),
     }
 }
 
@@ -119,15 +149,16 @@ fn first_touch(contact: &Value) -> &Value {
     }
 }
 
-/// The largest force, or how many impacts gave what, and what resting contact gave beside them.
+/// The peak force, or the impulses of impacts and of persistent contact.
 fn largest(main: &Touched<'_>) -> String {
     let peak = &main.contact["peak_force"];
     if let Some(force) = peak["value"].as_f64() {
-        let (force, time) = (quantity(Some(force), "N"), quantity(peak["time"].as_f64(), "s"));
+        let (force, time) = (quantity(Some(force), "N"), instant(peak["time"].as_f64()));
         let permanent = main.contact["permanent_penetration"].as_f64().filter(|p| *p > 0.0);
-        let crushed = permanent.map(|p| format!("; {} stay crushed", quantity(Some(p), "m")));
+        let crushed =
+            permanent.map(|p| format!("; permanent indentation {}", quantity(Some(p), "m")));
         let crushed = crushed.unwrap_or_default();
-        return format!("The contact force reached {force} at {time}{crushed}.");
+        return format!("Peak contact force {force} at {time}{crushed}.");
     }
     let count = main.contact["impact_count"].as_u64().unwrap_or(0);
     let rested = main.contact["impulse_resting"].as_f64().unwrap_or(0.0);
@@ -138,21 +169,19 @@ fn largest(main: &Touched<'_>) -> String {
     let greatest = list(main.contact, "impacts").iter().max_by(by_size);
     let impacts = match (count, greatest) {
         (0, _) | (_, None) => String::new(),
-        (1, _) => format!("The impact gave {total}."),
+        (1, _) => format!("Impulse of the impact: {total}."),
         (n, Some(one)) => {
             let size = quantity(one["impulse"].as_f64(), "N*s");
-            let when = match one["time"].as_f64().filter(|t| *t > main.start) {
-                Some(time) => format!("at {}", quantity(Some(time), "s")),
-                None => "at the start".into(),
-            };
-            format!("{n} impacts gave {total} in all, the hardest {size} {when}.")
+            let time = one["time"].as_f64().filter(|t| *t > main.start).unwrap_or(0.0);
+            let when = instant(Some(time));
+            format!("{n} impacts, total impulse {total}; largest impulse {size} at {when}.")
         }
     };
-    // Neither can be told beside the other where it is round-off of their sum.
+    // An impulse that is round-off of the sum of both is left out.
     match (rested > ROUND_OFF * main.size, impacts.is_empty()) {
         (false, _) => impacts,
-        (true, true) => format!("Resting contact gave {resting}."),
-        (true, false) => format!("{impacts} Resting contact gave {resting}."),
+        (true, true) => format!("Impulse of persistent contact: {resting}."),
+        (true, false) => format!("{impacts} Impulse of persistent contact: {resting}."),
     }
 }
 
@@ -160,36 +189,39 @@ fn impulse(impact: &Value) -> f64 {
     impact["impulse"].as_f64().map_or(0.0, f64::abs)
 }
 
-/// Whether the two let go, when and how fast.
+/// Whether the bodies separated, when and at which velocity.
 fn ending(main: &Touched<'_>) -> String {
     let (intervals, impacts) = (list(main.contact, "intervals"), list(main.contact, "impacts"));
     let (last, struck) = (intervals.last(), impacts.last());
     if last.is_some_and(|i| i["end"].is_null()) {
-        return "They are still in contact at the end.".into();
+        return "The contact is closed at the end of the run.".into();
     }
-    let parted = |one: &Value, time: &Value| {
-        one["separation_velocity"].as_f64()?;
-        let time = time.as_f64().filter(|t| *t > main.start);
-        let t = time.map_or_else(|| "the start".into(), |t| quantity(Some(t), "s"));
-        let last = if times_closed(main.contact) == 1 { "" } else { "last " };
+    let separated = |one: &Value, time: &Value| {
+        let left = one["separation_velocity"].as_f64()?;
+        let when = instant(Some(time.as_f64().filter(|t| *t > main.start).unwrap_or(0.0)));
+        let what = if times_closed(main.contact) == 1 { "Separation" } else { "Final separation" };
         Some(match main.velocity(one, "separation_velocity") {
             Some(v) => {
                 let v = quantity(Some(v), "m/s");
-                format!("They {last}parted at {t}, moving apart at {v}.")
+                format!("{what} at {when} with a separation velocity of {v}.")
             }
-            None if one["end"].is_number() => format!("They {last}parted at {t}."),
-            None => format!("The last impact, at {t}, left no velocity of separation."),
+            None if one["end"].is_number() => format!("{what} at {when}."),
+            // The bodies of a multiple impact may approach each other after it.
+            None if left < -main.still => {
+                format!("The last impact, at {when}, did not separate the bodies.")
+            }
+            None => format!("The last impact, at {when}, was plastic (no separation velocity)."),
         })
     };
     let after = |i: &&Value| {
         let end = i["end"].as_f64().unwrap_or(f64::NEG_INFINITY);
         struck.is_none_or(|s| s["time"].as_f64().is_none_or(|time| time < end))
     };
-    let told = match last.filter(after) {
-        Some(interval) => parted(interval, &interval["end"]),
-        None => struck.and_then(|impact| parted(impact, &impact["time"])),
+    let sentence = match last.filter(after) {
+        Some(interval) => separated(interval, &interval["end"]),
+        None => struck.and_then(|impact| separated(impact, &impact["time"])),
     };
-    told.unwrap_or_default()
+    sentence.unwrap_or_default()
 }
 
 /// Impacts and intervals of a contact.
@@ -205,7 +237,7 @@ mod tests {
     use super::*;
 
     fn plain(summary: &Value) -> String {
-        told(summary).replace('\u{a0}', " ")
+        contacts(summary).replace('\u{a0}', " ")
     }
 
     /// A rigid contact in a run of 1000 steps of 50 us, of 200 kg at 2 m/s.
@@ -224,23 +256,28 @@ mod tests {
     }
 
     #[test]
-    fn impacts_and_resting_contact_are_told_apart() {
+    fn impulses_of_impacts_and_of_persistent_contact_are_separate() {
         let impact = json!([{ "time": 0.001, "impulse": 24.73, "approach_velocity": 2.0, "separation_velocity": 0.0 }]);
         let rest =
             json!([{ "start": 0.001, "end": 0.04, "impulse": 756.77, "separation_velocity": 1.5 }]);
         let text = rigid(&impact, &rest, 781.5);
         assert!(
-            text.contains("The impact gave 24.73 N s. Resting contact gave 756.8 N s."),
+            text.contains(
+                "Impulse of the impact: 24.73 N s. Impulse of persistent contact: 756.8 N s."
+            ),
             "{text}"
         );
-        assert!(text.contains("They last parted at 40 ms, moving apart at 1.5 m/s."), "{text}");
+        assert!(
+            text.contains("Final separation at t = 40 ms with a separation velocity of 1.5 m/s."),
+            "{text}"
+        );
         let text = rigid(&json!([]), &rest, 756.77);
-        assert!(text.contains("Resting contact gave 756.8 N s."), "{text}");
+        assert!(text.contains("Impulse of persistent contact: 756.8 N s."), "{text}");
         assert!(!text.contains("impact"), "{text}");
     }
 
     #[test]
-    fn velocities_instants_and_approaches_of_round_off_are_not_told() {
+    fn velocities_and_instants_of_round_off_are_left_out() {
         let rest = json!([{
             "start": 2.5e-11, "end": 0.04, "impulse": 3.0,
             "approach_velocity": 4e-17, "separation_velocity": 2.8e-17,
@@ -248,13 +285,47 @@ mod tests {
         let text = rigid(&json!([]), &rest, 3.0);
         assert!(
             text.starts_with(
-                "b touched p from the start. Resting contact gave 3 N s. They parted at 40 ms."
+                "'b' and 'p' are in contact from the start. Impulse of persistent contact: 3 N s. Separation at t = 40 ms."
             ),
             "{text}"
         );
         let impact = json!([{ "time": 2.5e-11, "impulse": 3.0, "approach_velocity": 2.0, "separation_velocity": -3e-17 }]);
         let text = rigid(&impact, &json!([]), 3.0);
-        assert!(text.starts_with("b struck p at 2 m/s, at the start."), "{text}");
-        assert!(text.contains("left no velocity of separation"), "{text}");
+        assert!(text.starts_with("'b' and 'p' collided at 2 m/s, t = 0 s."), "{text}");
+        assert!(text.contains("was plastic (no separation velocity)"), "{text}");
+        let impact = json!([{ "time": 0.01, "impulse": 3.0, "approach_velocity": 2.0, "separation_velocity": -0.5 }]);
+        let text = rigid(&impact, &json!([]), 3.0);
+        assert!(
+            text.contains("The last impact, at t = 10 ms, did not separate the bodies."),
+            "{text}"
+        );
+    }
+
+    /// The kinds of two bodies decide which one was struck; two beams collide.
+    #[test]
+    fn the_struck_body_is_the_one_that_the_other_moved_against() {
+        let between = |a: &str, b: &str| {
+            plain(&json!({
+                "projectile": { "car": {} },
+                "support": { "stop": {} },
+                "section_forces": { "left": {}, "right": {} },
+                "contact": { "c": {
+                    "between": [a, b], "peak_force": { "value": 10.0, "time": 0.002 },
+                    "intervals": [{ "start": 0.001, "end": 0.004, "approach_velocity": 4.0, "separation_velocity": 3.0 }],
+                } },
+                "time": 0.01, "steps": 100,
+            }))
+        };
+        for (a, b, said) in [
+            ("left", "car", "Beam 'left' was struck by projectile 'car' at 4 m/s, t = 1 ms."),
+            ("car", "left", "Beam 'left' was struck by projectile 'car' at 4 m/s, t = 1 ms."),
+            ("left", "stop", "'stop' was struck by beam 'left' at 4 m/s, t = 1 ms."),
+            ("rope", "left", "Beam 'left' was struck by 'rope' at 4 m/s, t = 1 ms."),
+            ("left", "right", "Beam 'left' and beam 'right' collided at 4 m/s, t = 1 ms."),
+            ("rope", "ball", "'rope' and 'ball' collided at 4 m/s, t = 1 ms."),
+        ] {
+            let text = between(a, b);
+            assert!(text.starts_with(said), "{text}");
+        }
     }
 }

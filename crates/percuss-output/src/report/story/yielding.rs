@@ -1,10 +1,10 @@
-//! What yielded.
+//! What yielded, fractured or failed.
 
 use serde_json::Value;
 
-use super::words::quantity;
+use super::words::{capital, instant, place, quantity};
 
-/// What the beams that can yield did: which one began, how far it went, what stays. Each is told of the beam that it is largest of.
+/// First yield, largest plastic strain and permanent deflection of beams, each of the beam with the largest value.
 pub(super) fn beams(summary: &Value) -> Option<String> {
     let all = summary["plastic"].as_object()?;
     let most =
@@ -14,92 +14,112 @@ pub(super) fn beams(summary: &Value) -> Option<String> {
     let (first, beam) = most(&|beam| began(beam).map_or(f64::NEG_INFINITY, |time| -time))?;
     let Some(time) = began(beam) else {
         return Some(match all.len() {
-            1 => format!("{first} did not yield."),
-            n => format!("None of {n} beams that can yield did."),
+            1 => format!("Beam '{first}' did not yield."),
+            n => format!("No beam yielded ({n} can yield)."),
         });
     };
-    let (time, place) =
-        (quantity(Some(time), "s"), quantity(beam["first_yield"]["s"].as_f64(), "m"));
+    let (time, s) = (instant(Some(time)), place(beam["first_yield"]["s"].as_f64()));
     let (strained, strongly) = most(&strain)?;
     let largest = quantity(strongly["strain_max"].as_f64(), "");
     let largest = largest.trim_end();
     let others = all.values().filter(|beam| began(beam).is_some()).count() - 1;
     let mut out = match others {
         0 => format!(
-            "{first} began to yield at {time}, {place} from its start, and reached a plastic strain of {largest}."
+            "First yield of beam '{first}' at {s}, {time}; largest plastic strain {largest}."
         ),
         n => format!(
-            "{first} began to yield at {time}, {place} from its start, {n} other {} later; the largest plastic strain is {largest}, in {strained}.",
+            "First yield: beam '{first}', {s}, {time}; {n} other {} also yielded. Largest plastic strain {largest} in '{strained}'.",
             if n == 1 { "beam" } else { "beams" },
         ),
     };
     let set = |beam: &Value| beam["permanent_set"].as_f64().unwrap_or(f64::NEG_INFINITY);
-    let kept = most(&set).map(|(name, beam)| (name, beam, permanent_set(beam)));
-    match kept {
-        Some((name, _, Some(set))) if all.len() > 1 => {
-            out.push_str(&format!(" Unloaded {name} keeps {set}."));
-        }
-        Some((.., Some(set))) => out.push_str(&format!(" Unloaded it keeps {set}.")),
-        Some((name, beam, None)) => {
-            // Of a beam in pieces it is told that it parted.
-            let whole = super::list(beam, "parted").is_empty();
-            if let Some(reason) = beam["permanent_set_note"].as_str().filter(|_| whole) {
-                out.push_str(&format!(" No permanent set of {name} is told: {reason}."));
-            }
-        }
-        None => {}
+    if let Some((name, beam)) = most(&set) {
+        let length = summary["section_forces"][name]["length"].as_f64();
+        let of = (all.len() > 1).then_some(name.as_str());
+        out.extend(deflection(beam, of, length).map(|sentence| format!(" {sentence}")));
     }
     Some(out)
 }
 
-/// A permanent set is told along an axis if what it has across is no more than this share of it; else by its size.
-const ASIDE: f64 = 0.1;
-
-/// What a beam keeps for good, and which way.
-fn permanent_set(beam: &Value) -> Option<String> {
-    let size = beam["permanent_set"].as_f64()?;
-    let at = &beam["permanent_set_at"]["displacement"];
-    let across =
-        |i: usize| at[1 - i].as_f64().is_some_and(|x| size > 0.0 && x.abs() <= ASIDE * size);
-    let along = (0..2).find(|i| across(*i)).and_then(|i| Some((i + 1, at[i].as_f64()?)));
-    Some(match along {
-        Some((axis, set)) => format!("a set of {} along e{axis}", quantity(Some(set), "m")),
-        None => format!("a set of {}", quantity(Some(size), "m")),
-    })
+/// The permanent deflection of a beam, or why it is not available; nothing of a beam that fractured, since that is stated elsewhere.
+fn deflection(beam: &Value, name: Option<&str>, length: Option<f64>) -> Option<String> {
+    let of = name.map_or(String::new(), |name| format!(" of beam '{name}'"));
+    if let Some(size) = permanent_deflection(beam, length) {
+        return Some(format!("Permanent deflection{of} after unloading: {size}."));
+    }
+    let whole = super::list(beam, "parted").is_empty();
+    let reason = beam["permanent_set_note"].as_str().filter(|_| whole)?;
+    Some(format!("The permanent deflection{of} is not available: {reason}."))
 }
 
-/// The joints that parted, in the order of time.
+/// The direction of a permanent deflection is given if its component across is no more than this share of it.
+const ASIDE: f64 = 0.1;
+/// A place closer to the middle of a beam than this share of its length is its mid-span.
+const MIDDLE: f64 = 1e-6;
+
+/// Size, direction and place of a permanent deflection: `162.7 mm downwards at mid-span`.
+fn permanent_deflection(beam: &Value, length: Option<f64>) -> Option<String> {
+    let size = beam["permanent_set"].as_f64()?;
+    let at = &beam["permanent_set_at"];
+    let across = |i: usize| {
+        let other = at["displacement"][1 - i].as_f64();
+        other.is_some_and(|x| size > 0.0 && x.abs() <= ASIDE * size)
+    };
+    let along =
+        (0..2).find(|i| across(*i)).and_then(|i| Some((i, at["displacement"][i].as_f64()?)));
+    let mut out = match along {
+        Some((axis, component)) => {
+            let direction = match (axis, component < 0.0) {
+                (0, true) => "to the left",
+                (0, false) => "to the right",
+                (_, true) => "downwards",
+                (_, false) => "upwards",
+            };
+            format!("{} {direction}", quantity(Some(component.abs()), "m"))
+        }
+        None => quantity(Some(size), "m"),
+    };
+    if let Some(s) = at["s"].as_f64().filter(|_| size > 0.0) {
+        let middle = length.is_some_and(|length| (2.0 * s - length).abs() <= MIDDLE * length);
+        out += &if middle { " at mid-span".to_owned() } else { format!(" at {}", place(Some(s))) };
+    }
+    Some(out)
+}
+
+/// The joints that failed, in the order of time.
 pub(super) fn joints(summary: &Value) -> Option<String> {
     let all = summary["joint"].as_object()?;
     let time = |joint: &Value| joint["parted"]["time"].as_f64();
-    let mut parted: Vec<(&String, &Value)> =
+    let mut failed: Vec<(&String, &Value)> =
         all.iter().filter(|(_, joint)| time(joint).is_some()).collect();
-    parted.sort_by(|a, b| time(a.1).unwrap_or(0.0).total_cmp(&time(b.1).unwrap_or(0.0)));
-    let (name, first) = parted.first()?;
+    failed.sort_by(|a, b| time(a.1).unwrap_or(0.0).total_cmp(&time(b.1).unwrap_or(0.0)));
+    let (name, first) = failed.first()?;
     let under = |key: &str, unit: &str| {
         let size = first["parted"][key].as_f64().filter(|size| *size > 0.0);
         size.map(|size| quantity(Some(size), unit))
     };
     let under: Vec<String> =
         [under("force", "N"), under("moment", "N*m")].into_iter().flatten().collect();
-    let told = match &under[..] {
-        // Of what parts in a static start no load is known.
-        [] => format!("The joint {name} parted in the static start."),
-        under => format!(
-            "The joint {name} parted after {} under {}.",
-            quantity(time(first), "s"),
-            under.join(" and ")
-        ),
+    let sentence = match &under[..] {
+        // The load at which a joint fails in a static start is not known.
+        [] => format!("Joint '{name}' failed in the static start."),
+        under => {
+            format!(
+                "Joint '{name}' failed at {} under {}.",
+                instant(time(first)),
+                under.join(" and ")
+            )
+        }
     };
-    Some(match parted.len() - 1 {
-        0 => told,
-        1 => format!("{told} So did another joint, later."),
-        more => format!("{told} So did {more} other joints, later."),
+    Some(match failed.len() - 1 {
+        0 => sentence,
+        1 => format!("{sentence} One more joint failed."),
+        more => format!("{sentence} {more} more joints failed."),
     })
 }
 
-/// Where and when beams parted: each place while they are few.
-pub(super) fn partings(summary: &Value) -> Option<String> {
+/// Where and when beams fractured: each place while they are few.
+pub(super) fn fractures(summary: &Value) -> Option<String> {
     let all = summary["plastic"].as_object()?;
     let mut places: Vec<(&String, &Value)> = all
         .iter()
@@ -108,19 +128,19 @@ pub(super) fn partings(summary: &Value) -> Option<String> {
     places.sort_by(|a, b| {
         a.1["time"].as_f64().unwrap_or(0.0).total_cmp(&b.1["time"].as_f64().unwrap_or(0.0))
     });
-    let told = |(name, one): &(&String, &Value)| {
-        let (s, time) = (quantity(one["s"].as_f64(), "m"), quantity(one["time"].as_f64(), "s"));
-        format!("The beam {name} parted at s = {s} after {time}.")
+    let sentence = |(name, one): &(&String, &Value)| {
+        let (s, time) = (place(one["s"].as_f64()), instant(one["time"].as_f64()));
+        format!("Beam '{name}' fractured at {s}, {time}.")
     };
-    let first = told(places.first()?);
+    let first = sentence(places.first()?);
     Some(match places.len() - 1 {
         0 => first,
-        1 => format!("{first} {}", told(&places[1])),
-        more => format!("{first} Beams parted at {more} more places."),
+        1 => format!("{first} {}", sentence(&places[1])),
+        more => format!("{first} {more} more fractures."),
     })
 }
 
-/// The spring or hinge that dissipated most.
+/// The spring or hinge with the largest dissipation.
 pub(super) fn connectors(summary: &Value) -> Option<String> {
     let lost = |one: &Value| one["dissipated"].as_f64().unwrap_or(0.0);
     let first = |one: &Value| one["first_yield"]["time"].as_f64();
@@ -128,8 +148,8 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
     let (name, most) = all.iter().max_by(|a, b| lost(a.1).total_cmp(&lost(b.1)))?;
     let Some(began) = first(most) else {
         return Some(match all.len() {
-            1 => format!("{name} did not yield."),
-            n => format!("None of {n} springs and joints that can yield did."),
+            1 => capital(&format!("{} did not yield.", connector(name))),
+            n => format!("None of the {n} springs and joints with a yield limit yielded."),
         });
     };
     let [what, unit] = if most.get("plastic_rotation").is_some() {
@@ -137,28 +157,36 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
     } else {
         ["extension", "m"]
     };
-    let time = |t: f64| quantity(Some(t), "s");
     let yielded = all.values().filter(|one| first(one).is_some()).count();
-    let began = time(began);
+    let began = instant(Some(began));
     let mut out = match all.len() {
-        1 => format!("{name} began to yield at {began}"),
+        1 => format!("First yield of {} at {began}", connector(name)),
         n => format!(
-            "{yielded} of {n} springs and joints that can yield did. {name} took most: it began to yield at {began}"
+            "{yielded} of {n} springs and joints with a yield limit yielded. Largest dissipation in {}: first yield at {began}",
+            connector(name)
         ),
     };
     match most["failure"]["time"].as_f64() {
-        Some(failed) => out.push_str(&format!(" and failed at {}", time(failed))),
+        Some(failed) => out.push_str(&format!(", failure at {}", instant(Some(failed)))),
         None => {
             let plastic = most[format!("plastic_{what}").as_str()].as_f64();
-            out.push_str(&format!(", keeps a plastic {what} of {}", quantity(plastic, unit)));
+            out.push_str(&format!(", plastic {what} {}", quantity(plastic, unit)));
         }
     }
     let preload = most["dissipated_by_preload"].as_f64().filter(|energy| *energy > 0.0);
     let preload = preload.map_or(String::new(), |energy| {
-        format!(", {} of it by the preload", quantity(Some(energy), "J"))
+        format!(", {} of it in the static start", quantity(Some(energy), "J"))
     });
-    out.push_str(&format!(", and dissipated {}{preload}.", quantity(Some(lost(most)), "J")));
+    out.push_str(&format!(", {} dissipated{preload}.", quantity(Some(lost(most)), "J")));
     Some(out)
+}
+
+/// `spring.brace` as a sentence names it: spring 'brace'.
+fn connector(name: &str) -> String {
+    match name.split_once('.') {
+        Some((kind @ ("spring" | "joint"), name)) => format!("{kind} '{name}'"),
+        _ => format!("'{name}'"),
+    }
 }
 
 #[cfg(test)]
@@ -168,7 +196,7 @@ mod tests {
 
     /// The words, without what keeps a number and its unit on one line.
     fn plain(beam: &Value) -> Option<String> {
-        permanent_set(beam).map(|text| text.replace('\u{a0}', " "))
+        permanent_deflection(beam, Some(1.0)).map(|text| text.replace('\u{a0}', " "))
     }
 
     /// Of several beams each figure is that of the beam that it is largest of.
@@ -186,29 +214,66 @@ mod tests {
         let summary = json!({ "plastic": {
             "girder": beam(0.024, -0.02, 15.6e-3), "left": beam(0.008, 0.01, 24.6e-3), "right": untouched,
         } });
-        let told = beams(&summary).unwrap().replace('\u{a0}', " ");
+        let text = beams(&summary).unwrap().replace('\u{a0}', " ");
         assert_eq!(
-            told,
-            "left began to yield at 8 ms, 500 mm from its start, 1 other beam later; the largest plastic strain is -0.02, in girder. \
-             Unloaded left keeps a set of 24.6 mm along e1."
+            text,
+            "First yield: beam 'left', s = 500 mm, t = 8 ms; 1 other beam also yielded. Largest plastic strain -0.02 in 'girder'. \
+             Permanent deflection of beam 'left' after unloading: 24.6 mm to the right at s = 1 m."
         );
         let none = json!({ "plastic": { "a": untouched, "b": untouched } });
-        assert_eq!(beams(&none).as_deref(), Some("None of 2 beams that can yield did."));
+        assert_eq!(beams(&none).as_deref(), Some("No beam yielded (2 can yield)."));
     }
 
     #[test]
-    fn a_set_is_told_along_the_axis_that_it_lies_on() {
-        let told = |x: f64, y: f64| {
+    fn a_permanent_deflection_has_its_direction_and_place() {
+        let words = |x: f64, y: f64| {
             let at = json!({ "s": 0.5, "displacement": [x, y] });
             plain(&json!({ "permanent_set": x.hypot(y), "permanent_set_at": at }))
         };
-        assert_eq!(told(1e-17, -6.9e-3).as_deref(), Some("a set of -6.9 mm along e2"));
-        assert_eq!(told(30e-3, -1e-3).as_deref(), Some("a set of 30 mm along e1"));
-        assert_eq!(told(3e-3, 4e-3).as_deref(), Some("a set of 5 mm"));
-        assert_eq!(told(0.0, 0.0).as_deref(), Some("a set of 0 m"));
-        // A result of an earlier version says no more than how much.
+        assert_eq!(words(1e-17, -6.9e-3).as_deref(), Some("6.9 mm downwards at mid-span"));
+        assert_eq!(words(1e-3, 6.9e-2).as_deref(), Some("69 mm upwards at mid-span"));
+        assert_eq!(words(30e-3, -1e-3).as_deref(), Some("30 mm to the right at mid-span"));
+        assert_eq!(words(-30e-3, 1e-3).as_deref(), Some("30 mm to the left at mid-span"));
+        assert_eq!(words(3e-3, 4e-3).as_deref(), Some("5 mm at mid-span"));
+        assert_eq!(words(0.0, 0.0).as_deref(), Some("0 m"));
+        // A result of an earlier version has the size alone.
         let old = json!({ "permanent_set": 2e-3 });
-        assert_eq!(plain(&old).as_deref(), Some("a set of 2 mm"));
+        assert_eq!(plain(&old).as_deref(), Some("2 mm"));
         assert!(plain(&json!({ "permanent_set": null })).is_none());
+    }
+
+    /// Joints, fractures and springs; names are those of the user.
+    #[test]
+    fn failures_are_described_with_time_and_load() {
+        let plain = |text: Option<String>| text.map(|text| text.replace('\u{a0}', " "));
+        let joint = |time: f64, force: f64| json!({ "parted": { "time": time, "force": force, "moment": 0.0 } });
+        let summary =
+            json!({ "joint": { "weld": joint(0.002, 4e3), "pin": joint(0.001, 2e3), "knee": {} } });
+        let text = "Joint 'pin' failed at t = 1 ms under 2 kN. One more joint failed.";
+        assert_eq!(plain(joints(&summary)).as_deref(), Some(text));
+        let early = json!({ "joint": { "pin": { "parted": { "time": 0.0, "force": null, "moment": null } } } });
+        let text = "Joint 'pin' failed in the static start.";
+        assert_eq!(plain(joints(&early)).as_deref(), Some(text));
+        let broken = json!({ "plastic": { "g": { "parted": [{ "s": 0.5, "time": 0.003 }] } } });
+        let text = "Beam 'g' fractured at s = 500 mm, t = 3 ms.";
+        assert_eq!(plain(fractures(&broken)).as_deref(), Some(text));
+        let brace = json!({
+            "first_yield": { "time": 0.0 }, "plastic_extension": -2e-3, "dissipated": 12.0, "dissipated_by_preload": 3.0,
+        });
+        let text = "First yield of spring 'brace' at t = 0 s, plastic extension -2 mm, 12 J dissipated, 3 J of it in the static start.";
+        let summary = json!({ "yielding": { "spring.brace": brace } });
+        assert_eq!(plain(connectors(&summary)).as_deref(), Some(text));
+        let calm = json!({ "yielding": { "spring.brace": { "first_yield": null }, "joint.knee": { "first_yield": null } } });
+        let text = "None of the 2 springs and joints with a yield limit yielded.";
+        assert_eq!(plain(connectors(&calm)).as_deref(), Some(text));
+    }
+
+    /// Where no permanent deflection is known its reason is given, but not for a beam in pieces.
+    #[test]
+    fn a_missing_permanent_deflection_has_its_reason() {
+        let beam = |parted: Value| json!({ "permanent_set": null, "permanent_set_note": "it is free to move", "parted": parted });
+        let text = "The permanent deflection of beam 'g' is not available: it is free to move.";
+        assert_eq!(deflection(&beam(json!([])), Some("g"), None).as_deref(), Some(text));
+        assert!(deflection(&beam(json!([{ "s": 0.5 }])), Some("g"), None).is_none());
     }
 }

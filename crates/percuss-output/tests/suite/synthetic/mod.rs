@@ -294,6 +294,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
             permanent_penetration: None,
             carried_crush: None,
             pressed_in: None,
+            sliding: None,
             equivalent_force: None,
             no_equivalent_force: None,
             record,
@@ -430,15 +431,15 @@ pub fn advice(contact: &str) -> Vec<Advice> {
         reason: None,
     };
     vec![
-        finding(Topic::Touch, 0.01, 0.15, "s", Verdict::Fine, "the first touch comes at 10 ms"),
+        finding(Topic::Touch, 0.01, 0.15, "s", Verdict::Fine, "first contact at 10 ms"),
         finding(
             Topic::EffectiveMass,
             91.2,
             17.3,
             "kg",
             Verdict::Warning,
-            "the struck point answers a blow with 91.2 kg on this mesh, with 17.3 kg on ever finer \
-             ones: take the impulse as that of this mesh, or give the contact a compliance",
+            "effective mass 91.2 kg on this mesh, tends to 17.3 kg with refinement: the impulse depends on the \
+             mesh; use a compliant contact",
         ),
     ]
 }
@@ -447,7 +448,7 @@ pub fn advice(contact: &str) -> Vec<Advice> {
 pub fn comparisons(contact: &str) -> Vec<Comparison> {
     let row = |quantity, unit, by_hand: f64, simulated: f64| Comparison {
         contact: contact.to_owned(),
-        formula: "two masses and two springs",
+        formula: "two-degree-of-freedom model",
         source: "Shivakumar, Elber and Illg 1985, with the span's reduced mass",
         quantity,
         unit,

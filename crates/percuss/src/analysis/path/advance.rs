@@ -1,23 +1,23 @@
 //! From one point of an equilibrium path to the next.
 //!
-//! Across the path, on a plane through the point that the response to the loads leads to; by the load where contacts press, which hold
-//! a structure so that an arc is no measure; up to the next contact where that closes in between, for what closes may turn the path
-//! back on any plane. From there it goes on as the contact presses more.
+//! The continuation constraint is a plane through the point predicted by the response to the loads, or the load factor with active contacts, which
+//! constrain a structure so that an arc is no measure; it leads up to the next contact if that closes in between, since a closing contact may turn
+//! the path back on any plane. From there the path continues with growing contact force.
 
 use super::PathPoint;
 use super::tracer::{MOST_ITERATIONS, Mark, SETTLED, Tracer};
 use crate::analysis::static_contacts::Pressing;
 use crate::analysis::static_search::largest;
 
-/// Looks for a limit point: to round-off.
+/// Search for a limit point, to round-off.
 const BISECTIONS: usize = 40;
-/// Looks for a bifurcation.
+/// Search for a bifurcation.
 const BISECTIONS_OF_STABILITY: usize = 30;
 /// Contacts that are tried as the next to close.
 const MOST_TOUCHES: usize = 5;
 /// Least cosine between the ways of two points an arc longer than the first apart; less and the path turns unseen between them.
 const LEAST_COSINE: f64 = 0.9;
-/// Least cosine between a plane's normal and the path that is sought on it: what closes may turn it.
+/// Least cosine between a plane's normal and the path: closing contacts may turn it.
 const LEAST_ACROSS: f64 = 0.05;
 /// Most by which a rise of the load factor is longer than that before, or than the first, where contacts press.
 const LONGEST_RISE: f64 = 1.5;
@@ -25,12 +25,12 @@ const LONGEST_RISE: f64 = 1.5;
 /// (Fritsch, Carlson 1980).
 const STEEPEST: f64 = 3.0;
 
-/// Where an arc begins, and what its end is held against.
+/// Start of an arc, with which its end is compared.
 struct Departure {
     start: Mark,
     /// Whether each place of the contacts, in their order, is rigid and presses there, shape (places).
     pressed: Vec<bool>,
-    /// The arc, the least that is gone unless something closes or opens, and the largest change of the load factor.
+    /// The arc, its least length unless a contact closes or opens, and the largest change of the load factor.
     arc: f64,
     least: f64,
     most: f64,
@@ -40,12 +40,12 @@ struct Departure {
 pub(super) struct FactorAlongArc {
     /// Whether it turned: an odd number of times.
     pub turned: bool,
-    /// Whether the arc tells it well enough for it not to have turned twice unseen.
+    /// Whether the arc represents it well enough to exclude two unnoticed turns.
     pub resolved: bool,
 }
 
 impl Tracer<'_> {
-    /// Advances by an arc; returns the corrections it took, or nothing if it found no point.
+    /// Advances by an arc; returns the number of corrections, or `None` if no point was found.
     pub(super) fn advance(&mut self, arc: f64) -> Option<usize> {
         self.arc = arc;
         self.search.contacts.begin(Pressing::Exactly);
@@ -58,7 +58,7 @@ impl Tracer<'_> {
         let start = self.mark();
         let length = self.inner(&self.response.nodal, &self.response.nodal).sqrt();
         self.slope = 1.0 / length;
-        // Held by contacts a structure hardly moves, and an arc is no measure of how far its load goes.
+        // A structure constrained by contacts hardly moves, and an arc is no measure of its load.
         let presses = pressed.contains(&true);
         let shorter = (arc / self.first_arc).min(1.0);
         let longest = LONGEST_RISE * self.changed.abs().max(self.first) * shorter;
@@ -72,15 +72,15 @@ impl Tracer<'_> {
         if presses {
             return self.by_load(&from, rise).or_else(|| self.by_plane(&from, rise));
         }
-        // What closes may turn the load; where nothing does, a change of the load leads back where the path came from.
+        // Closing contacts may reverse the load; otherwise a change of the load leads back along the path.
         let found = self.by_plane(&from, rise);
         let found = found.or_else(|| self.by_touching(&from, rise));
         let found = found.or_else(|| self.by_closing(&from, rise));
         found.or_else(|| self.by_closing(&from, -rise))
     }
 
-    /// Notes the way from a departure to the point found; whether it is one of the same branch: a point far behind or beyond the arc is
-    /// not, but that what closes may well stop the way.
+    /// Records the way from a departure to the point found; whether it is on the same branch: a point far behind or beyond the arc is not, except
+    /// that closing contacts may stop the way.
     fn arrive(&mut self, from: &Departure, by_load: bool) -> bool {
         let (end, start) = (&self.search.work.increment, &from.start.reached.increment);
         let moved = |(a, b): (&[f64; 4], &[f64; 4])| std::array::from_fn(|i| a[i] - b[i]);
@@ -103,7 +103,7 @@ impl Tracer<'_> {
         self.arrive(from, true).then_some(found)
     }
 
-    /// Advances to where the next contact closes, as far as a load that changes the way `rise` tells leads there.
+    /// Advances to the closing of the next contact, as far as a load that changes in the direction `rise` leads there.
     fn by_touching(&mut self, from: &Departure, rise: f64) -> Option<usize> {
         self.back_to(&from.start);
         let regular = self.prepare();
@@ -121,7 +121,7 @@ impl Tracer<'_> {
         None
     }
 
-    /// Goes to where an open contact just touches, the load factor free; what presses stays closed.
+    /// Goes to the point at which an open contact touches, with a free load factor; active contacts stay closed.
     fn touch(&mut self, place: usize) -> Option<usize> {
         for iteration in 1..=MOST_ITERATIONS {
             if !self.direction_held() {
@@ -145,7 +145,7 @@ impl Tracer<'_> {
         None
     }
 
-    /// The same where that closes a contact: without it this may well be the way that the path came.
+    /// The same if a contact closes there: without this contact the way may be the one along which the path arrived.
     fn by_closing(&mut self, from: &Departure, rise: f64) -> Option<usize> {
         let found = self.by_load(from, rise);
         found.filter(|_| self.search.contacts.pressing() != from.pressed)
@@ -167,15 +167,15 @@ impl Tracer<'_> {
             let response = &tracer.response.nodal;
             let across = tracer.inner(&plane, response);
             let straight = LEAST_ACROSS * long * tracer.inner(response, response).sqrt();
-            // What runs along the plane never meets it, and what closes on the way to it may turn the path back from it.
+            // A motion along the plane does not intersect it, and contacts that close before it may turn the path back from it.
             let back = across * rise < 0.0 && tracer.search.contacts.pressing() != from.pressed;
             (across.abs() > straight && !back).then(|| -tracer.inner(&plane, correction) / across)
         })?;
         self.arrive(from, false).then_some(found)
     }
 
-    /// Whether the path goes on from the current point as the load factor rises: as it did where that was given, as contacts that
-    /// have come to press since where the last way began press more, and as it came otherwise.
+    /// Whether the path continues from the current point with a rising load factor: in the given direction if there is one, else so that the
+    /// contacts that have closed since the start of the last way press more, else as it arrived.
     pub(super) fn leads_up(&self) -> bool {
         if self.given {
             return self.changed > 0.0;
@@ -184,7 +184,7 @@ impl Tracer<'_> {
         pressing.unwrap_or_else(|| self.inner(&self.way, &self.response.nodal)) > 0.0
     }
 
-    /// How the load factor went on the way from a point to the current one.
+    /// Change of the load factor on the way from a point to the current one.
     pub(super) fn factor_along_arc(&mut self, before: &Mark) -> FactorAlongArc {
         let then = if self.rising { self.slope } else { -self.slope };
         let gone = self.inner(&self.way, &self.way).sqrt();
@@ -207,7 +207,7 @@ impl Tracer<'_> {
         self.prepare().then(|| self.leads_up())
     }
 
-    /// Goes to where on an arc from a place before it the number of motions without stiffness is no longer the one there.
+    /// Goes to the point of an arc from a point before it at which the number of motions without stiffness changes.
     pub(super) fn bifurcation(&mut self, before: &Mark, arc: f64, number: usize) -> PathPoint {
         let (mut low, mut high) = (0.0, arc);
         for _ in 0..BISECTIONS_OF_STABILITY {
@@ -225,8 +225,7 @@ impl Tracer<'_> {
         self.point()
     }
 
-    /// Goes to the limit point within an arc from a place before it, by bisection: of the points looked at the one of the most load, or
-    /// the least.
+    /// Goes to the limit point within an arc from a point before it, by bisection: the tested point with the largest load, or the least.
     pub(super) fn limit_point(&mut self, before: &Mark, arc: f64) -> Option<PathPoint> {
         let (mut low, mut high) = (0.0, arc);
         let rising = self.rising;

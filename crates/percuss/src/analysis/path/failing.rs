@@ -1,18 +1,18 @@
-//! What fails along an equilibrium path: the arc ends where it bears its whole strength, and what it gave is let go there, the load
-//! factor held or the displacement that the path goes to.
+//! Failure along an equilibrium path: the arc ends where a part reaches its strength, and its forces are released there, with constant load factor
+//! or displacement, whichever controls the path.
 
 use super::goal::Goal;
 use super::tracer::{Mark, Tracer};
 use crate::analysis::failure::{StaticFailure, first_failure};
 
-/// What it gave is let go in steps no shorter than this before the path ends.
+/// The path ends if its forces cannot be released in steps of at least this size.
 const SMALLEST_STEP: f64 = 1e-4;
-/// Uses of strengths beyond one by more than this, in steps longer than that, are gone back from: what fails first does so first.
+/// Steps longer than this are repeated if uses of strengths exceed one by more than this: the part that fails first then fails first.
 const BEYOND: f64 = 1e-6;
 const FINEST_STEP: f64 = 1e-3;
 
 impl Tracer<'_> {
-    /// Goes back on an arc from a mark to where the first thing fails; the arc that leads there.
+    /// Goes back on an arc from a mark to the first failure; returns the arc that leads there.
     pub(super) fn locate_failure(&mut self, before: &Mark, arc: f64) -> Option<f64> {
         let end = self.search.largest_use() - 1.0;
         self.back_to(before);
@@ -26,9 +26,9 @@ impl Tracer<'_> {
         self.advance(at).map(|_| at)
     }
 
-    /// Fails what bears its whole strength at the point at hand, and goes on to an equilibrium without it; nothing where there is none.
+    /// Lets the part at its full strength fail at the current point, and goes to an equilibrium without it; `None` without one.
     pub(super) fn fail(&mut self, goal: &Goal) -> Option<Vec<StaticFailure>> {
-        // A joint that tears ends the path; `static` goes on without it.
+        // A joint that tears ends the path; `static` continues without it.
         if self.search.first_to_fail().is_some_and(|name| name.starts_with("joint.")) {
             return None;
         }
@@ -47,7 +47,7 @@ impl Tracer<'_> {
         found
     }
 
-    /// The same with what is held.
+    /// The same with the control of the path held constant.
     fn let_go(&mut self, held: &Goal) -> Option<Vec<StaticFailure>> {
         let mut failures = self.withhold_failing();
         let mut start = self.mark();

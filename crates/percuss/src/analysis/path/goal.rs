@@ -3,7 +3,7 @@
 use crate::model::Model;
 use crate::settings::PathEnd;
 
-/// What ends a path.
+/// Condition that ends a path.
 pub(super) enum Goal {
     Factor(f64),
     Displacement { point: usize, component: usize, value: f64 },

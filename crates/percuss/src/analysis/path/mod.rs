@@ -40,22 +40,22 @@ pub struct Path {
     pub points: Vec<PathPoint>,
     /// Points where the load factor turns, in their order, shape (such points).
     pub limit_points: Vec<PathPoint>,
-    /// Points where a motion loses or gains its stiffness while the load factor goes on, in their order, shape (such points): another
-    /// path may branch off there.
+    /// Points at which a motion loses or gains stiffness while the load factor continues, in their order, shape (such points): another path may
+    /// branch off there.
     pub bifurcations: Vec<PathPoint>,
-    /// What has failed for good, in its order, shape (such failures).
+    /// Failures, in their order, shape (such failures).
     pub failures: Vec<StaticFailure>,
     /// First yields of springs and hinges, in their order, shape (springs and hinges that have yielded).
     pub yields: Vec<PathYield>,
     /// The equilibrium at its end.
     pub end: Equilibrium,
-    /// Whether the end asked for was reached.
+    /// Whether the requested end was reached.
     pub reached: bool,
-    /// What fails at the end of the path and leaves no equilibrium: `joint.knee`, `spring.brace`, `beam.girder`.
+    /// Part whose failure at the end of the path leaves no equilibrium: `joint.knee`, `spring.brace`, `beam.girder`.
     pub torn: Option<String>,
 }
 
-/// Wants nothing.
+/// Requests no equilibria.
 struct Nothing;
 
 impl PathRecorder for Nothing {
@@ -68,9 +68,10 @@ impl PathRecorder for Nothing {
 
 /// Follows the equilibrium path of `model` under its loads, all growing with one factor, from rest.
 ///
-/// Prescribed motions take no part. A path of [`PathEnd::Displacement`](crate::PathEnd::Displacement) ends exactly there, one of
-/// [`PathEnd::Factor`](crate::PathEnd::Factor) where the factor is first met. Where something fails (fibres, springs, hinges, joints of a given strength) an arc ends, and what it gave is
-/// let go at that load factor, or at that displacement if the path goes to one; where that leads to no equilibrium the path ends.
+/// Prescribed motions are ignored. A path of [`PathEnd::Displacement`](crate::PathEnd::Displacement) ends exactly there, one of
+/// [`PathEnd::Factor`](crate::PathEnd::Factor) where the factor is first reached. At a failure (fibres, springs, hinges, joints of a given
+/// strength) an arc ends, and the forces of the failed part are released at this load factor, or at this displacement for a path to a displacement;
+/// without an equilibrium the path ends.
 ///
 /// # Errors
 /// No point beyond the first found, or an end that names no recorded point.
@@ -78,7 +79,7 @@ pub fn equilibrium_path(model: &Model, settings: &PathSettings) -> Result<Path, 
     equilibrium_path_recorded(model, settings, &mut Nothing)
 }
 
-/// The same, with the equilibria on the way for a recorder.
+/// The same, with a recorder for the equilibria of the path.
 ///
 /// # Errors
 /// As [`equilibrium_path`].
@@ -121,13 +122,13 @@ pub fn equilibrium_path_recorded(
     Ok(path)
 }
 
-/// A path on its way.
+/// State of a path.
 struct Following<'m, 'r> {
     tracer: Tracer<'m>,
     path: Path,
     recorder: &'r mut dyn PathRecorder,
     goal: Goal,
-    /// The first arc, the one to be tried, the longest, and the one to go on with where one was cut.
+    /// The first arc, the next one, the longest, and the one to continue with after a cut.
     first: f64,
     arc: f64,
     longest: f64,
@@ -137,7 +138,7 @@ struct Following<'m, 'r> {
 }
 
 impl Following<'_, '_> {
-    /// Goes on by an arc, or finds it too long; whether the path goes on then.
+    /// Advances by an arc, or finds it too long; returns whether the path continues.
     fn go_on(&mut self) -> bool {
         let (tracer, first) = (&mut self.tracer, self.first);
         let before = tracer.mark();
@@ -179,7 +180,7 @@ impl Following<'_, '_> {
             return false;
         }
         let ease = (WANTED_ITERATIONS / iterations as f64).sqrt().clamp(0.5, EASIEST);
-        // Contacts that close and open one after the other take corrections however short the arc.
+        // Contacts that close and open one after the other require corrections for any length of the arc.
         let ease = if self.tracer.given { EASIEST } else { ease };
         self.arc = (self.whole.take().unwrap_or(self.arc) * ease).min(self.longest);
         true
@@ -191,7 +192,7 @@ impl Following<'_, '_> {
         self.arc >= SMALLEST_ARC * self.first
     }
 
-    /// Takes in the point at the end of an arc, and the limit point or the bifurcation on it.
+    /// Records the point at the end of an arc, and the limit point or the bifurcation on it.
     fn accept(&mut self, before: &Mark, turned: bool, yields: Vec<PathYield>) {
         let Self { tracer, path, recorder, arc, .. } = self;
         let found = tracer.stability();
@@ -213,7 +214,7 @@ impl Following<'_, '_> {
         tracer.show(*recorder, false, path.points.len() - 1);
     }
 
-    /// What bears its whole strength fails; whether the path goes on without it.
+    /// Lets the part at its full strength fail; returns whether the path continues without it.
     fn fail(&mut self) -> bool {
         let Self { tracer, path, recorder, goal, .. } = self;
         let Some(failures) = tracer.fail(goal) else {
@@ -246,7 +247,7 @@ impl Path {
         }
     }
 
-    /// Ends at the goal, which lies between a mark and the point at hand; whether it is met there.
+    /// Ends at the goal, which is between a mark and the current point; returns whether it is reached there.
     fn arrive(
         &mut self,
         tracer: &mut Tracer,
@@ -267,7 +268,7 @@ impl Path {
 }
 
 impl Goal {
-    /// The same where the path stands now: what is held there.
+    /// The controlled quantities at the current point of the path.
     fn here(&self, tracer: &Tracer) -> Self {
         match self {
             Self::Factor(_) => Self::Factor(tracer.factor),

@@ -1,4 +1,4 @@
-//! A point of a path of equilibria, and who is told of it.
+//! A point of a path of equilibria, and its recorder.
 
 use crate::analysis::equilibrium::Equilibrium;
 
@@ -15,10 +15,9 @@ pub struct PathPoint {
 
 /// Receives equilibria along a path, for drawings.
 pub trait PathRecorder {
-    /// Whether the equilibrium at a point reached is wanted; `limit` where the load factor turns there. Limit points come between
-    /// the points before and after them.
+    /// Whether the equilibrium at a point is requested; `limit` at a limit point. Limit points come between the points before and after them.
     fn wants(&mut self, limit: bool) -> bool;
 
-    /// Called with an equilibrium that is wanted, and the factor on its loads.
+    /// Called with a requested equilibrium and its load factor.
     fn equilibrium(&mut self, factor: f64, limit: bool, found: &Equilibrium);
 }

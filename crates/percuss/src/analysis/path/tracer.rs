@@ -13,11 +13,11 @@ use crate::model::Model;
 /// Corrections of a point; more and the arc is halved. Contacts close and open one after the other.
 pub(super) const MOST_ITERATIONS: usize = 16;
 const MOST_WITH_CONTACTS: usize = 60;
-/// A correction longer than so many arcs (or first arcs) leads to no point of the branch.
+/// A correction longer than this number of arcs (or first arcs) does not lead to a point of the branch.
 const WILDEST: f64 = 20.0;
 /// Last correction of a point relative to its displacements; the next would be its square.
 pub(super) const SETTLED: f64 = 1e-9;
-/// Share of the loads by which discs settle on what holds them.
+/// Share of the loads at which discs come to rest on their supports.
 const LITTLE: f64 = 1e-4;
 
 /// A place on the path.
@@ -70,8 +70,8 @@ impl<'m> Tracer<'m> {
         if stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) > 0.0) {
             search.solve(0.0);
         }
-        // Discs lie on what holds them, and stops that hold a structure are closed, before the path is followed: nothing answers to the
-        // loads till then.
+        // Discs rest on their supports, and stops that support a structure are closed, before the path is followed: the structure has no response
+        // to the loads before.
         let settles = search.contacts.has_discs() || leans_on_stops(model);
         let start = search.reached();
         if settles && !search.solve(LITTLE) && !search.relax_from(&start, LITTLE) {
@@ -110,7 +110,7 @@ impl<'m> Tracer<'m> {
         PathPoint { factor: self.factor, displacements, stable }
     }
 
-    /// Whether the equilibrium at hand is stable, under its loads as they are.
+    /// Whether the current equilibrium is stable, under its current loads.
     pub(super) fn stability(&mut self) -> Stability {
         let here = self.mark();
         self.search.set_share(self.factor);
@@ -119,7 +119,7 @@ impl<'m> Tracer<'m> {
         found
     }
 
-    /// Hands the equilibrium reached after so many steps to a recorder that wants it, and comes back to it.
+    /// Passes the equilibrium after the given number of steps to a recorder that requests it, and returns to it.
     pub(super) fn show(&mut self, recorder: &mut dyn PathRecorder, limit: bool, steps: usize) {
         if !recorder.wants(limit) {
             return;
@@ -187,7 +187,7 @@ impl<'m> Tracer<'m> {
         regular
     }
 
-    /// The same while what presses stays closed, and nothing rigid closes.
+    /// The same with active contacts kept closed and no rigid contact closing.
     pub(super) fn direction_held(&mut self) -> bool {
         if !self.search.contacts.press_exactly() {
             return self.direction();
@@ -196,7 +196,7 @@ impl<'m> Tracer<'m> {
         self.search.hold_pressed().is_some_and(|closed| self.respond(&load, Some(&closed)))
     }
 
-    /// The response to a load of what was factored last; whether there is one.
+    /// Solves for the response of the last factored structure to a load; returns whether there is one.
     pub(super) fn respond(&mut self, load: &[[f64; 4]], closed: Option<&Programme>) -> bool {
         self.response = if let Some(closed) = closed {
             closed.response(&mut self.search, load)
@@ -242,7 +242,7 @@ impl<'m> Tracer<'m> {
         self.search.contacts.respond(&self.response, share);
     }
 
-    /// Corrections, each with the change of the load factor that `control` asks for; nothing where it knows none.
+    /// Corrections, each with the change of the load factor that `control` requires; `None` without one.
     pub(super) fn iterate(
         &mut self,
         control: impl Fn(&Self, &[[f64; 4]]) -> Option<f64>,
@@ -270,7 +270,7 @@ impl<'m> Tracer<'m> {
         None
     }
 
-    /// Goes to where the goal is met exactly, from a point before it.
+    /// Goes to the point at which the goal is reached exactly, from a point before it.
     pub(super) fn hit(&mut self, goal: &Goal) -> bool {
         match goal {
             Goal::Factor(factor) => {

@@ -10,7 +10,7 @@ const SHORT: f64 = 1e-3;
 /// How far beyond it a cut arc ends, relative.
 const BEYOND: f64 = 1e-6;
 
-/// What the arc advanced last has brought.
+/// Result of the last arc.
 pub(super) enum Yielded {
     /// First yields, in their order, shape (those on the arc); most arcs have none.
     Here(Vec<PathYield>),
@@ -19,14 +19,14 @@ pub(super) enum Yielded {
 }
 
 impl Tracer<'_> {
-    /// Whether what yielded on the way to a point beyond has done so here.
+    /// Whether parts that yielded on the way to a later point have yielded here.
     pub(super) fn has_yielded(&mut self, one: &PathYield) -> bool {
         let here = self.search.reached();
         let mut all = self.search.model.yielding();
         all.any(|(.., own)| own.name == one.name && here.memories[own.memory].accumulated > 0.0)
     }
 
-    /// First yields on the way from a mark by an arc, `first` the first one of the path.
+    /// First yields from a mark along an arc, `first` the first one of the path.
     pub(super) fn yielded(&mut self, before: &Mark, arc: f64, first: f64) -> Yielded {
         if self.search.model.memory_count() == 0 {
             return Yielded::Here(Vec::new());

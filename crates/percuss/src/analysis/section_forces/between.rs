@@ -1,9 +1,10 @@
 //! Extremes of section forces and stresses between the places at which every element is looked at.
 
-use super::element::{ElementForces, FLAT, PLACES, station};
+use super::element::{ElementForces, PLACES, station};
 use super::fibres::Fibres;
 use super::line::{Rise, SectionForces};
-use crate::summary::{SectionForceSummary, SectionRange};
+use super::screen::{depth_of, extremes, may_exceed_between, stress_may_exceed};
+use crate::summary::SectionForceSummary;
 
 /// Pieces in which extremes between two places are looked for.
 const PIECES: usize = 4;
@@ -19,62 +20,52 @@ impl ElementForces<'_> {
         places: &[SectionForces; 3],
         time: f64,
     ) {
-        let stressed = self.stress_may_exceed(out, places);
         for j in 1..PLACES.len() {
-            let wanted = may_exceed(out, &places[j - 1], &places[j]);
-            let known = Some([&places[j - 1], &places[j]]);
-            self.take_within(out, ([PLACES[j - 1], PLACES[j]], known), wanted, stressed, time);
+            let ends = [&places[j - 1], &places[j]];
+            self.take_within(out, [PLACES[j - 1], PLACES[j]], ends, time);
         }
-    }
-
-    /// Whether the stress may be an extreme between the places: further beyond them than they differ it hardly gets.
-    fn stress_may_exceed(&self, out: &SectionForceSummary, places: &[SectionForces; 3]) -> bool {
-        if !self.has_fibres() {
-            return false;
-        }
-        let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-        for (xi, forces) in PLACES.iter().zip(places) {
-            if let Some(Fibres { stress: [least, most], .. }) = self.fibres(*xi, forces) {
-                range = [range[0].min(least), range[1].max(most)];
-            }
-        }
-        let reach = range[1] - range[0];
-        range[1] + reach > out.stress.max.value || range[0] - reach < out.stress.min.value
     }
 
     /// Takes what is behind and ahead of every force inside, and where section forces are largest between them.
     pub(super) fn take_between_forces(&self, out: &mut SectionForceSummary, time: f64) {
         let mut from = 0.0;
+        let mut ahead = self.line.at(from, self.inner, true);
         while from < 1.0 {
             let stops = self.inner.iter().map(|one| one.xi).chain(PLACES);
             let to = stops.filter(|xi| *xi > from).fold(1.0, f64::min);
-            self.take_within(out, ([from, to], None), [true; 3], self.has_fibres(), time);
-            for ahead in [false, true] {
-                self.take_at(out, to, &self.line.at(to, self.inner, ahead), time);
-            }
+            let behind = self.line.at(to, self.inner, false);
+            self.take_within(out, [from, to], [&ahead, &behind], time);
+            self.take_at(out, to, &behind, time);
+            ahead = self.line.at(to, self.inner, true);
+            self.take_at(out, to, &ahead, time);
             from = to;
         }
     }
 
-    /// Takes the wanted of axial force, shear force and moment, and the stress, where they are largest between two places with nothing
-    /// inside: in pieces, for each may turn more than once. What is known at both places is not asked for again.
+    /// Takes axial force, shear force and moment, and the stress, where they may be largest between two places with nothing inside: in
+    /// pieces, for each may turn more than once. What is known at both places is not asked for again.
     fn take_within(
         &self,
         out: &mut SectionForceSummary,
-        ([from, to], known): ([f64; 2], Option<[&SectionForces; 2]>),
-        wanted: [bool; 3],
-        stressed: bool,
+        [from, to]: [f64; 2],
+        ends: [&SectionForces; 2],
         time: f64,
     ) {
+        let known = [&out.axial, &out.shear, &out.moment].map(extremes);
+        let wanted = may_exceed_between(ends, to - from, &known);
+        let stressed = self.has_fibres() && {
+            let depth = [from, to].map(|xi| depth_of(&self.span.section_at(self.k, xi)));
+            stress_may_exceed(ends, to - from, depth, &extremes(&out.stress))
+        };
         if !stressed && wanted == [false; 3] {
             return;
         }
         let at: [f64; PIECES + 1] =
             std::array::from_fn(|k| station(from, to, k as f64 / PIECES as f64));
-        let forces: [SectionForces; PIECES + 1] = std::array::from_fn(|k| match known {
-            Some([first, _]) if k == 0 => *first,
-            Some([_, last]) if k == PIECES => *last,
-            _ => self.line.at(at[k], self.inner, k == 0),
+        let forces: [SectionForces; PIECES + 1] = std::array::from_fn(|k| match k {
+            0 => *ends[0],
+            PIECES => *ends[1],
+            _ => self.line.at(at[k], self.inner, false),
         });
         for (of, _) in RISES.into_iter().zip(wanted).filter(|(_, wanted)| *wanted) {
             for k in 1..=PIECES {
@@ -121,24 +112,4 @@ impl ElementForces<'_> {
             }
         }
     }
-}
-
-/// Whether axial force, shear force and moment between two places half an element apart may be an extreme there, shape (3).
-fn may_exceed(out: &SectionForceSummary, a: &SectionForces, b: &SectionForces) -> [bool; 3] {
-    let beyond = |range: &SectionRange, [a, b]: [f64; 2], rise: [f64; 2]| {
-        // Further than by its steepest rise it does not get.
-        let reach = 0.5 * rise[0].abs().max(rise[1].abs());
-        // It turns once, or, where the rise half-way is of another sign than at both ends, twice.
-        let half_way = 3.0 * (b - a) - 0.25 * (rise[0] + rise[1]);
-        let turns = rise[0] * rise[1] < 0.0 || rise[0] * half_way < 0.0;
-        turns
-            && reach > FLAT * a.abs().max(b.abs())
-            && (a.max(b) + reach > range.max.value || a.min(b) - reach < range.min.value)
-    };
-    let (c, d) = (&a.rise, &b.rise);
-    [
-        beyond(&out.axial, [a.axial, b.axial], [c.axial, d.axial]),
-        beyond(&out.shear, [a.shear, b.shear], [c.shear, d.shear]),
-        beyond(&out.moment, [a.moment, b.moment], [c.moment, d.moment]),
-    ]
 }

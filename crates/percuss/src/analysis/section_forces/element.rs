@@ -33,7 +33,7 @@ pub(super) struct ElementForces<'a> {
 }
 
 impl<'a> ElementForces<'a> {
-    /// Elastic, with stresses if they are asked for, else with axial force, shear force and moment alone; strains as they follow from the forces.
+    /// Elastic, with stresses if they are asked for, else with axial force, shear force and moment alone; strains are not, and are zero.
     pub(super) fn elastic(
         span: &'a Span,
         k: usize,
@@ -41,7 +41,8 @@ impl<'a> ElementForces<'a> {
         inner: &'a [Inner],
         stresses: bool,
     ) -> Self {
-        Self { span, k, line, inner, strained: None, yielded: None, stresses }
+        let strained = Some([Strained { stretch: 0.0, turn: 0.0 }; 2]);
+        Self { span, k, line, inner, strained, yielded: None, stresses }
     }
 
     /// Whether it has extreme fibres anywhere, and they are asked for.

@@ -5,11 +5,11 @@ use pulp::{Simd, WithSimd};
 use super::element::{ElementForces, PLACES, station};
 use super::line::{Line, SectionForces};
 use super::lines::Lines;
-use super::screen::{BeamExtremes, look_at};
+use super::screen::{BeamExtremes, extremes, look_at};
 use crate::model::frozen::Span;
 use crate::scalar::{Lanes, Mask, Number};
 use crate::state::State;
-use crate::summary::{SectionForceSummary, SectionRange};
+use crate::summary::SectionForceSummary;
 
 /// No register holds more numbers.
 const MOST_LANES: usize = 8;
@@ -60,9 +60,8 @@ impl PlainSpan<'_> {
     /// The extremes of the beam so far, as every element compares itself with them.
     #[inline(always)]
     fn known<S: Number>(&self, like: S) -> BeamExtremes<S> {
-        let pair =
-            |range: &SectionRange| [like.constant(range.min.value), like.constant(range.max.value)];
-        [pair(&self.out.axial), pair(&self.out.shear), pair(&self.out.moment)]
+        let SectionForceSummary { axial, shear, moment, .. } = &*self.out;
+        [axial, shear, moment].map(|range| extremes(range).map(|value| like.constant(value)))
     }
 
     #[inline(always)]

@@ -3,10 +3,10 @@
 //! What the neighbours exert on the ends of an element, and what acts along it, inertia included, determine its section
 //! forces everywhere: with the force f per share of the way that accelerates the element beyond what loads do,
 //!
-//! `dn/dxi = f`, `dM/dxi = mu - dx/dxi x n`, `N = n . t`, `V = n . J t`,
+//! `dn/dxi = f`, `dM/dxi = mu - dx/dxi x n`, `N = n . t`, `V = -n . J t`,
 //!
-//! t the unit tangent and mu the rotary inertia, spread evenly: it is what the balance of moments leaves over. The force f
-//! is the cubic that does the same work as nodal loads and inertia on every motion the element knows, so the balance closes.
+//! t the unit tangent, J its turn by a quarter counter-clockwise, and mu the rotary inertia, spread evenly: it is what the balance of
+//! moments leaves over. But for that `V = dM/ds`, s the arc length of the deformed beam. The force f is the cubic that does the same work as nodal loads and inertia on every motion the element knows, so the balance closes.
 
 use pulp::Simd;
 use serde::{Deserialize, Serialize};
@@ -72,7 +72,7 @@ pub struct Line<S = f64> {
 pub struct SectionForces<S = f64> {
     /// Axial force, positive in tension \[N\].
     pub axial: S,
-    /// Shear force \[N\].
+    /// Shear force, the derivative of the bending moment along the beam but for the rotary inertia \[N\].
     pub shear: S,
     /// Bending moment \[N m\].
     pub moment: S,
@@ -186,18 +186,18 @@ impl<S: Real> Line<S> {
             more[i] = f[1][i] + (f[2][i] * 2.0 + (f[3][i] * 3.0 + f[4][i] * (4.0 * xi)) * xi) * xi;
         }
         let inverse = (way[0] * way[0] + way[1] * way[1]).sqrt().recip();
-        let turn = across(&way, force);
+        let turn = across(force, &way);
         // What the rotary inertia adds is the difference of the first coefficients.
         let rotary = self.moment[1] + across(&self.way[0], &self.force[0]);
         let (axial, shear) = (within(&way, force) * inverse, turn * inverse);
         // The length of dx/dxi changes, too.
         let longer = within(&way, &turn_of_way) * inverse * inverse;
         let along = within(&turn_of_way, force) + within(&way, &more);
-        let beside = across(&turn_of_way, force) + across(&way, &more);
+        let beside = across(force, &turn_of_way) + across(&more, &way);
         let rise = Rise {
             axial: along * inverse - axial * longer,
             shear: beside * inverse - shear * longer,
-            moment: rotary - turn,
+            moment: rotary + turn,
         };
         SectionForces { axial, shear, moment, rise }
     }

@@ -5,7 +5,7 @@
 use super::element::{ElementForces, PLACES, widen};
 use super::line::{ElementShape, Inner, Line, OnNodes, SectionForces};
 use super::lines::{inner_of, take};
-use super::screen::{BeamExtremes, Depth, look_at, look_at_stresses, stresses_at};
+use super::screen::{BeamExtremes, Depth, depth_of, look_at, look_at_stresses, stresses_at};
 use super::unset;
 use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span};
@@ -254,7 +254,7 @@ impl<S: Number> Stresses<S> {
             for (mine, xi) in self.depth[element].iter_mut().zip(PLACES) {
                 let section = span.section_at(k, xi);
                 let own = match span.has_depth() {
-                    true => [section.area.recip(), section.half_depth / section.inertia],
+                    true => depth_of(&section),
                     false => [0.0; 2],
                 };
                 mine.iter_mut()

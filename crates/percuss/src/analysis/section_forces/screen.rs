@@ -2,7 +2,9 @@
 
 use super::element::FLAT;
 use super::line::SectionForces;
+use crate::element::beam::SectionValues;
 use crate::scalar::Number;
+use crate::summary::SectionRange;
 
 /// Least and largest axial force, shear force and moment of a beam so far, shape (3, 2) \[N, N, N m\].
 pub type BeamExtremes<S> = [[S; 2]; 3];
@@ -20,48 +22,93 @@ pub fn look_at<S: Number>(places: &[SectionForces<S>; 3], known: &BeamExtremes<S
         if j == 0 {
             continue;
         }
-        let before = &places[j - 1];
-        let (c, d) = (&before.rise, &at.rise);
-        turns = turns
-            | may_exceed([before.axial, at.axial], [c.axial, d.axial], &known[0])
-            | may_exceed([before.shear, at.shear], [c.shear, d.shear], &known[1])
-            | may_exceed([before.moment, at.moment], [c.moment, d.moment], &known[2]);
+        let [axial, shear, moment] = may_exceed_between([&places[j - 1], at], 0.5, known);
+        turns = turns | axial | shear | moment;
     }
     [exceeds, turns]
 }
 
-/// Whether something turns between two places half an element apart, given its values and rises, and may be an extreme there: further
-/// than by its steepest rise it does not get.
+/// Whether axial force, shear force and moment between two places so many elements apart may be an extreme there, shape (3).
 #[inline(always)]
-fn may_exceed<S: Number>([a, b]: [S; 2], rise: [S; 2], range: &[S; 2]) -> S::Mask {
-    let (reach, turns) = reach([a, b], rise);
-    let (most, least) = (a.max(b) + reach, -((-a).max(-b)) - reach);
-    let beyond = is_outside(most, range) | is_outside(least, range);
-    let flat = a.abs().max(b.abs()) * FLAT;
-    beyond & flat.less(reach) & turns
+pub fn may_exceed_between<S: Number>(
+    [a, b]: [&SectionForces<S>; 2],
+    apart: f64,
+    known: &BeamExtremes<S>,
+) -> [S::Mask; 3] {
+    let (c, d) = (&a.rise, &b.rise);
+    let piece = |values: [S; 2], rise: [S; 2]| Piece { values, rise, apart };
+    [
+        piece([a.axial, b.axial], [c.axial, d.axial]).may_exceed(&known[0]),
+        piece([a.shear, b.shear], [c.shear, d.shear]).may_exceed(&known[1]),
+        piece([a.moment, b.moment], [c.moment, d.moment]).may_exceed(&known[2]),
+    ]
 }
 
-/// How far something may get beyond its values at two places half an element apart, given these and its rises, and whether it turns
-/// between them at all.
-#[inline(always)]
-fn reach<S: Number>([a, b]: [S; 2], rise: [S; 2]) -> (S, S::Mask) {
-    let reach = rise[0].abs().max(rise[1].abs()) * 0.5;
-    // It turns once, or, where the rise half-way is of another sign than at both ends, twice.
-    let half_way = (b - a) * 3.0 - (rise[0] + rise[1]) * 0.25;
-    let turn = (rise[0] * rise[1]).less(reach.constant(0.0));
-    (reach, turn | (rise[0] * half_way).less(reach.constant(0.0)))
+/// A curve between two places so many elements apart: values and rises at both.
+#[derive(Clone, Copy)]
+struct Piece<S> {
+    values: [S; 2],
+    rise: [S; 2],
+    apart: f64,
 }
 
-/// How far something gets beyond its values at these places at most.
+impl<S: Number> Piece<S> {
+    /// Whether it turns and may be an extreme.
+    #[inline(always)]
+    fn may_exceed(&self, range: &[S; 2]) -> S::Mask {
+        let ([a, b], [c, d]) = (self.values, self.rise);
+        let [least, most] = self.bounds();
+        let beyond = is_outside(most, range) | is_outside(least, range);
+        let flat = a.abs().max(b.abs()) * FLAT;
+        beyond & flat.less(c.abs().max(d.abs()) * self.apart) & self.turns()
+    }
+
+    /// Least and largest that it may be. A cubic with these values and rises stays between the values and what a third of the way along
+    /// the tangents at both ends leads to (the control points of Bezier); twice as far along these what is of fifth degree stays, too.
+    #[inline(always)]
+    fn bounds(&self) -> [S; 2] {
+        let ([a, b], [c, d]) = (self.values, self.rise);
+        let way = 2.0 / 3.0 * self.apart;
+        let (p, q) = (a + c * way, b - d * way);
+        [least(least(a, b), least(p, q)), a.max(b).max(p.max(q))]
+    }
+
+    /// Whether it turns: once, or, where the rise half-way is of another sign than at both ends, twice.
+    #[inline(always)]
+    fn turns(&self) -> S::Mask {
+        let ([a, b], [c, d]) = (self.values, self.rise);
+        let zero = a.constant(0.0);
+        let half_way = (b - a) * (1.5 / self.apart) - (c + d) * 0.25;
+        (c * d).less(zero) | (c * half_way).less(zero)
+    }
+
+    /// How far it gets beyond its values at both places at most.
+    #[inline(always)]
+    fn farther(&self) -> S {
+        let ([a, b], [lower, upper]) = (self.values, self.bounds());
+        let beyond = (upper - a.max(b)).max(least(a, b) - lower);
+        S::choose(self.turns(), beyond, a.constant(0.0))
+    }
+}
+
 #[inline(always)]
-fn farther<S: Number>(values: [S; 2], rise: [S; 2]) -> S {
-    let (reach, turns) = reach(values, rise);
-    S::choose(turns, reach, reach.constant(0.0))
+fn least<S: Number>(a: S, b: S) -> S {
+    a.if_less(b, a, b)
 }
 
 /// What axial force and moment make of stress in the extreme fibres at both ends and in the middle of an element, shape (3, 2)
 /// \[1/m^2, 1/m^3\].
 pub type Depth<S> = [[S; 2]; 3];
+
+/// The same of a section.
+pub fn depth_of(section: &SectionValues) -> [f64; 2] {
+    [section.area.recip(), section.half_depth / section.inertia]
+}
+
+/// Least and largest so far, shape (2).
+pub fn extremes(range: &SectionRange) -> [f64; 2] {
+    [range.min.value, range.max.value]
+}
 
 /// Least and largest stress at these places, shape (3, 2) \[Pa\].
 #[inline(always)]
@@ -75,8 +122,7 @@ pub fn stresses_at<S: Number>(places: &[SectionForces<S>; 3], depth: &Depth<S>) 
     all
 }
 
-/// Whether stresses of an element may exceed those so far: at the places looked at, and between them, where axial force and moment are
-/// no larger together than each is alone.
+/// Whether stresses of an element exceed those so far at the places looked at, and whether they may between them.
 #[inline(always)]
 pub fn look_at_stresses<S: Number>(
     places: &[SectionForces<S>; 3],
@@ -88,19 +134,34 @@ pub fn look_at_stresses<S: Number>(
     let mut may = !exceeds & exceeds;
     for j in 1..3 {
         exceeds = exceeds | is_outside(stresses[j][0], known) | is_outside(stresses[j][1], known);
-        let ([p, q], [d, e]) = ([&places[j - 1], &places[j]], [&depth[j - 1], &depth[j]]);
-        let (n, m) = ([p.axial, q.axial], [p.moment.abs(), q.moment.abs()]);
-        let far = farther(n, [p.rise.axial, q.rise.axial]);
-        let turned = farther([p.moment, q.moment], [p.rise.moment, q.rise.moment]);
-        let bent = (m[0].max(m[1]) + turned) * d[1].max(e[1]);
-        let (wide, narrow) = (d[0].max(e[0]), -((-d[0]).max(-e[0])));
-        let (pulled, pushed) = (n[0].max(n[1]) + far, (-n[0]).max(-n[1]) + far);
-        let zero = far.constant(0.0);
-        let most = pulled * zero.if_less(pulled, wide, narrow) + bent;
-        let least = pushed * zero.if_less(pushed, wide, narrow) + bent;
-        may = may | is_outside(most, known) | is_outside(-least, known);
+        let pair = [&places[j - 1], &places[j]];
+        may = may | stress_may_exceed(pair, 0.5, [depth[j - 1], depth[j]], known);
     }
     [exceeds, may]
+}
+
+/// Whether stresses between two places so many elements apart may exceed those so far: axial force and moment are no larger together
+/// than each is alone.
+#[inline(always)]
+pub fn stress_may_exceed<S: Number>(
+    [a, b]: [&SectionForces<S>; 2],
+    apart: f64,
+    [d, e]: [[S; 2]; 2],
+    known: &[S; 2],
+) -> S::Mask {
+    let n = [a.axial, b.axial];
+    let pulling = Piece { values: n, rise: [a.rise.axial, b.rise.axial], apart };
+    let bending =
+        Piece { values: [a.moment, b.moment], rise: [a.rise.moment, b.rise.moment], apart };
+    let far = pulling.farther();
+    let most_bent = a.moment.abs().max(b.moment.abs()) + bending.farther();
+    let bent = most_bent * d[1].max(e[1]);
+    let (wide, narrow) = (d[0].max(e[0]), least(d[0], e[0]));
+    let (pulled, pushed) = (n[0].max(n[1]) + far, (-n[0]).max(-n[1]) + far);
+    let zero = far.constant(0.0);
+    let most = pulled * zero.if_less(pulled, wide, narrow) + bent;
+    let least = pushed * zero.if_less(pushed, wide, narrow) + bent;
+    is_outside(most, known) | is_outside(-least, known)
 }
 
 /// Whether values are less than the least or more than the largest so far.

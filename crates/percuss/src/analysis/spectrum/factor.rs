@@ -8,7 +8,7 @@ use crate::scalar::Wide;
 pub struct Factored<'l> {
     layout: &'l Layout<'l>,
     factors: Factors<'l>,
-    /// Negative eigenvalues within what supports and joints leave free.
+    /// Negative eigenvalues in the space that supports and joints leave free.
     pub negative: usize,
 }
 

@@ -1,4 +1,4 @@
-//! Motions that strain nothing: of rigid bodies, of mechanisms.
+//! Strain-free motions: of rigid bodies, of mechanisms.
 
 use super::krylov::{Krylov, Nodal};
 use super::matrix::Layout;
@@ -17,7 +17,7 @@ const NONE: f64 = 1e-9;
 /// Energy of stress below this share of that of bending is round-off.
 const ROUND_OFF: f64 = 1e-9;
 
-/// Motions of a structure that strain nothing.
+/// Strain-free motions of a structure.
 pub struct FreeMotions {
     /// Nodal values of a basis, shape (motions, nodes, 4) \[-, 1/m, to a common factor\].
     pub motions: Vec<Nodal>,
@@ -41,7 +41,7 @@ fn found_by_stiffness(layout: &Layout, search: &StaticSearch) -> FreeMotions {
     let model = layout.model;
     let length = size(model);
     let metric = metric(model, true);
-    // Formed again where it is needed again: few structures have free motions, and it is what takes most memory.
+    // Formed again when needed: few structures have free motions, and it uses most memory.
     let shifted = |shift: f64| {
         let mut stiffness = layout.kinematic(search, length);
         layout.add_band(&mut stiffness, &metric, shift);
@@ -77,8 +77,8 @@ fn found_by_stiffness(layout: &Layout, search: &StaticSearch) -> FreeMotions {
     FreeMotions { motions, stops }
 }
 
-/// Whether supports hold each beam by itself, whatever joins it to others: an elastic beam strains in all motions but those of a rigid
-/// body. Beams that may have parted are not looked at, nor are those that joints make of several parts.
+/// Whether supports restrain each beam by itself, for any joints: an elastic beam strains in all motions except those of a rigid body. Fractured
+/// beams and beams of several parts are not considered.
 fn is_held_beam_by_beam(model: &Model, search: &StaticSearch) -> bool {
     let elastic = model.spans.iter().all(|span| span.fibres.is_none());
     elastic && model.constraints.is_empty() && model.beams.iter().all(|b| is_held(model, search, b))
@@ -100,7 +100,7 @@ fn is_held(model: &Model, search: &StaticSearch, beam: &BeamData) -> bool {
         let slope: [f64; 2] =
             std::array::from_fn(|i| model.nodes[n].tangent[i] + displacement[n][2 + i]);
         for normal in &dofs.normals {
-            // What it does to translations along the axes, and to a rotation about the first node by one over the length.
+            // Its effect on translations along the axes, and on a rotation about the first node divided by the length.
             let along = [normal[0], normal[1]];
             let slopes = [normal[2], normal[3]];
             let turn = dot(along, rot90(arm)) + dot(slopes, rot90(slope)) / beam.length;
@@ -130,7 +130,7 @@ pub fn strain_share(layout: &Layout, search: &StaticSearch, x: &Nodal) -> f64 {
     energy / inner(x, &metric(layout.model, true).multiply(x))
 }
 
-/// What the stiffness `total` of a motion is of the magnitudes of its parts, element by element.
+/// Ratio of the stiffness `total` of a motion to the magnitudes of its parts, element by element.
 pub fn stress_share(layout: &Layout, search: &StaticSearch, x: &Nodal, total: f64) -> f64 {
     let mut parts = 0.0;
     layout.each_energy(search, x, StressTerms::Taken, |e| parts += e.abs());
@@ -138,7 +138,7 @@ pub fn stress_share(layout: &Layout, search: &StaticSearch, x: &Nodal, total: f6
     if parts <= ROUND_OFF * scale { 0.0 } else { total.abs() / parts }
 }
 
-/// Components that tell the motions apart, by elimination with pivots sought everywhere; slopes count by a length.
+/// Components that distinguish the motions, by elimination with complete pivoting; slopes are multiplied by a length.
 fn stops(motions: &[Nodal], length: f64) -> Vec<(usize, usize)> {
     let mut rest = motions.to_vec();
     for x in &mut rest {
@@ -193,7 +193,7 @@ mod tests {
 
     #[test]
     fn supports_hold_a_beam_where_its_stiffness_leaves_no_motion_free() {
-        // Directions in the axes of the beam. What holds it along its axis stands at an end: inside, it makes two parts of it.
+        // Directions in the axes of the beam. An axial support is at an end: inside, it would divide the beam.
         let (cos, sin) = (0.75_f64.sqrt(), 0.5);
         let roller = |x: f64, y: f64| SupportKind::Roller {
             direction: [cos * x - sin * y, sin * x + cos * y],
@@ -207,7 +207,7 @@ mod tests {
             // It turns about the pin: the other support holds it along its axis.
             (&[(0.0, SupportKind::Pin), (1.0, roller(0.0, 1.0))], 1),
             (&[(0.0, across()), (1.0, across())], 1),
-            // What three rollers hold meets in one point, about which it turns.
+            // The lines of three rollers meet in one point, about which the beam rotates.
             (&[(0.0, roller(-1.0, 1.0)), (0.5, across()), (1.0, roller(1.0, 1.0))], 1),
             (&[(0.0, roller(-1.0, 1.0)), (0.25, across()), (1.0, roller(1.0, 1.0))], 0),
         ];

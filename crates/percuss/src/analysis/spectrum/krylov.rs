@@ -1,7 +1,7 @@
 //! Krylov subspaces of an operator that is symmetric in some inner product, or of one that is not.
 //!
-//! Lanczos's and Arnoldi's processes with all vectors kept and orthogonalised twice. Vectors wait in a row for their images, so
-//! that new directions may join at any time: multiple eigenvalues need as many.
+//! Lanczos's and Arnoldi's processes with all vectors stored and orthogonalised twice. Vectors are queued for their images, so that new directions
+//! can be added at any time: multiple eigenvalues need as many.
 
 use nalgebra::{Complex, DMatrix, DVector, SymmetricEigen};
 
@@ -19,7 +19,7 @@ pub struct ImagePair {
     pub image: Nodal,
 }
 
-/// What is left of a vector after orthogonalisation, below this share of it, is round-off.
+/// The remainder of a vector after orthogonalisation below this share of it is round-off.
 const DEPENDENT: f64 = 1e-11;
 /// Residual of an eigenvalue that has settled, as a share of it; eigenvalues are better by its square.
 const SETTLED: f64 = 1e-9;
@@ -36,8 +36,8 @@ pub struct Krylov<'a> {
     deflated: &'a [ImagePair],
     /// The vectors of the basis with their images, shape (size of the basis).
     basis: Vec<ImagePair>,
-    /// Images of the basis in it, vector by vector as far as they are formed, shape (images, coefficients of one)
-    /// \[unit of the operator's eigenvalues\].
+    /// Coordinates of the images of the basis, for the vectors whose images are formed, shape (images, coefficients of one) \[unit of the
+    /// operator's eigenvalues\].
     columns: Vec<Vec<f64>>,
     seed: u64,
     nodes: usize,
@@ -73,11 +73,11 @@ impl<'a> Krylov<'a> {
         Self { image_of, solve, deflated, basis, columns, seed: 1, nodes }
     }
 
-    /// Lets a new direction join; `false` if the operator leads nowhere new.
+    /// Adds a new direction; `false` if the operator yields no new one.
     pub fn join(&mut self) -> bool {
         let x = random(self.nodes, &mut self.seed);
         let mut pair = self.pair(x);
-        // Twice: what remains is smooth and within the operator's range.
+        // Twice: the remainder is smooth and within the operator's range.
         for _ in 0..2 {
             self.deflate(&mut pair);
             pair = self.pair((self.solve)(&pair.image));
@@ -98,7 +98,7 @@ impl<'a> Krylov<'a> {
         }
     }
 
-    /// Appends a vector to the basis and tells its coordinates; `false` if it depends on the basis.
+    /// Appends a vector to the basis and returns its coordinates; `false` if it depends on the basis.
     fn append(&mut self, mut pair: ImagePair, coordinates: &mut Vec<f64>) -> bool {
         coordinates.clear();
         coordinates.resize(self.basis.len(), 0.0);
@@ -110,7 +110,7 @@ impl<'a> Krylov<'a> {
                 subtract(&mut pair, along, other);
                 *c += along;
             }
-            // Anew: what vectors and images differ by would grow from step to step.
+            // Computed again: differences of vectors and images would grow from step to step.
             pair.image = (self.image_of)(&pair.x);
         }
         let size = inner(&pair.x, &pair.image).max(0.0).sqrt();
@@ -135,7 +135,7 @@ impl<'a> Krylov<'a> {
         true
     }
 
-    /// Lets the subspace grow until `done` or `most` vectors; `false` if the operator leads nowhere new.
+    /// Extends the subspace until `done` or `most` vectors; `false` if the operator yields no new direction.
     pub fn grow(&mut self, least: usize, most: usize, done: impl Fn(&Self) -> bool) -> bool {
         while self.size() < most.max(least) {
             if !self.advance() && !self.join() {
@@ -161,7 +161,7 @@ impl<'a> Krylov<'a> {
     pub fn symmetric(&self) -> Vec<Ritz> {
         let n = self.size();
         if n == 0 {
-            return Vec::new(); // a structure whose mass or stiffness is nothing, or no number, leads nowhere
+            return Vec::new(); // a structure without mass or stiffness, or with NaN, yields no direction
         }
         let matrix = DMatrix::from_fn(n, n, |i, j| 0.5 * (self.entry(i, j) + self.entry(j, i)));
         let eigen = SymmetricEigen::new(matrix);

@@ -1,7 +1,7 @@
 //! Matrices of the linearised structure in [`Wide`] numbers.
 //!
-//! Element matrices are sums of products of strains' gradients, which know differences of displacements alone: formed in Wide
-//! numbers, motions of a rigid body stay without strain against any number of elements.
+//! Element matrices are sums of products of strain gradients, which depend only on differences of displacements: formed in Wide numbers, rigid-body
+//! motions remain strain-free for any number of elements.
 
 use super::held::Held;
 use crate::geometry::row::Row;
@@ -28,7 +28,7 @@ pub struct Layout<'m> {
     pub(super) home: Vec<(usize, usize)>,
     /// The same for the multipliers, shape (constraints) \[index of a group, index within it\].
     pub(super) multiplier: Vec<(usize, usize)>,
-    /// What holds leave free, by their number, shape (nodes held, 4, 4) \[-\].
+    /// Free directions of supported nodes, by their number, shape (nodes held, 4, 4) \[-\].
     pub(super) free: Vec<WideBlock>,
     /// Number of a node's hold, shape (nodes) \[index of a hold\].
     pub(super) hold: Vec<Option<usize>>,
@@ -43,7 +43,7 @@ pub struct Matrix {
     pub(super) values: Vec<Wide>,
     /// Constraints that act: as many eigenvalues are negative for them alone.
     pub(super) constrained: usize,
-    /// Largest entry of what loads, turning springs and turning joints add: its round-off is that of symmetry.
+    /// Largest entry of the terms of loads, rotating springs and rotating joints: its round-off limits the symmetry.
     pub(super) turning: f64,
 }
 
@@ -93,7 +93,7 @@ impl<'m> Layout<'m> {
         }
     }
 
-    /// Adds a block between two nodes, without what is held.
+    /// Adds a block between two nodes, without fixed degrees of freedom.
     pub(super) fn add(&self, matrix: &mut Matrix, i: usize, j: usize, block: &WideBlock) {
         let mut block = *block;
         if let Some(h) = self.hold[j] {
@@ -139,7 +139,7 @@ impl<'m> Layout<'m> {
         self.add(matrix, node, node, &block);
     }
 
-    /// Product with nodal values; constraints have no part in it.
+    /// Product with nodal values, without constraints.
     pub fn multiply(&self, matrix: &Matrix, x: &[[f64; 4]]) -> Vec<[f64; 4]> {
         let n = self.model.node_count();
         let mut y = vec![[Wide::ZERO; 4]; n];
@@ -198,7 +198,7 @@ impl<'m> Layout<'m> {
                 }
             }
         }
-        // Round-off: of f64 in what loads add, of Wide numbers elsewhere.
+        // Round-off: of f64 in terms of loads, of Wide numbers elsewhere.
         most <= 1e-9 * matrix.turning + 1e-24 * all
     }
 
@@ -272,7 +272,7 @@ pub(super) fn times(x: &[Wide; 4], block: &WideBlock) -> [Wide; 4] {
 }
 
 impl Layout<'_> {
-    /// Adds contacts held closed, with what the turning of the given share of their forces does.
+    /// Adds contacts that are kept closed, with the terms of the rotation of the given share of their forces.
     pub fn add_held(&self, matrix: &mut Matrix, share: f64) {
         for held in &self.held {
             self.add_product(matrix, [&held.row; 2], held.stiffness);

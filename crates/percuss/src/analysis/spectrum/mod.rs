@@ -1,7 +1,7 @@
 //! Eigenvalues of linearised structures.
 //!
-//! Matrices are formed and factored in [`crate::scalar::Wide`] numbers, eigenvalues counted by the signs of pivots and found in
-//! Krylov subspaces of the inverse. Which motions strain nothing is a matter of geometry alone.
+//! Matrices are formed and factored in [`crate::scalar::Wide`] numbers, eigenvalues counted by the signs of pivots and found in Krylov subspaces of
+//! the inverse. Strain-free motions follow from the geometry alone.
 
 mod factor;
 mod held;
@@ -33,7 +33,7 @@ pub fn metric(model: &Model, unit: bool) -> Chain {
     metric_of(model, unit, |_| true)
 }
 
-/// The same of those elements whose first node is told to count.
+/// The same of the elements whose first node is marked.
 pub fn metric_of(model: &Model, unit: bool, counts: impl Fn(usize) -> bool) -> Chain {
     let mut chain = Chain::zeros(model.node_count());
     let length = size(model);

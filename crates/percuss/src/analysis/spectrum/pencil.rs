@@ -6,9 +6,9 @@ use super::krylov::{ImagePair, Krylov, Nodal, Ritz};
 use super::matrix::{Layout, Matrix};
 use crate::linalg::chain::Chain;
 
-/// Vectors of a subspace, beside six for each eigenvalue asked for.
+/// Additional vectors of a subspace, beside six for each requested eigenvalue.
 const SPARE: usize = 60;
-/// Times that missing eigenvalues are looked for.
+/// Number of attempts to find missing eigenvalues.
 const MOST_COUNTS: usize = 8;
 /// Eigenvalues above this many times the lowest of a search have lost digits: another search begins there.
 const REACH: f64 = 1e8;
@@ -44,8 +44,8 @@ impl Pencil<'_> {
         Some(self.layout.factor(self.shifted(-value), true)?.negative)
     }
 
-    /// The `count` lowest eigenvalues above minus `shift`, in ascending order: all there are, by count. `springs` stand in for
-    /// the stiffness that motions lack; those `deflated` are left out.
+    /// The `count` lowest eigenvalues above minus `shift`, in ascending order, complete by count. `springs` replace missing stiffness of motions;
+    /// those of `deflated` are omitted.
     pub fn lowest(
         &self,
         shift: f64,
@@ -59,7 +59,7 @@ impl Pencil<'_> {
             let wanted = count - found.len();
             let more = self.slice(shift, springs, &left_out, wanted)?;
             let Some(least) = more.first().map(|e| e.value.re) else { break };
-            // What lies beyond reach is sought from nearer by.
+            // Eigenvalues that are not found are searched with a closer shift.
             let reach = REACH * (least + shift) - shift;
             let near = more.iter().take_while(|e| e.value.re <= reach).cloned();
             let before = found.len();
@@ -126,7 +126,7 @@ impl Pencil<'_> {
         let solve = |image: &Nodal| factored.solve(image);
         let mut krylov = Krylov::new(self.layout.model.node_count(), &[], image_of, solve);
         (0..2).for_each(|_| _ = krylov.join());
-        // Some more: what grows may hide behind what does not.
+        // Some additional ones: unstable eigenvalues may come after stable ones.
         let wanted = count + 4;
         krylov.grow(wanted, 6 * wanted + SPARE, |k| {
             let found = k.general();

@@ -46,7 +46,7 @@ fn stressed(search: &StaticSearch, span: &Span, k: usize, e: usize) -> Stored {
     equivalent_strains(&search.base, span, k).unwrap_or(search.base.strain[e])
 }
 
-/// Whether an element is a gap, all its fibres having failed: nothing holds its nodes together.
+/// Whether an element is a gap after the failure of all its fibres: its nodes are not connected.
 fn is_gap(search: &StaticSearch, span: &Span, k: usize) -> bool {
     let fibres = span.fibres.as_ref();
     fibres.is_some_and(|of| search.base.fibres[of.range(k)].iter().all(|state| state.failed))
@@ -88,8 +88,8 @@ impl Layout<'_> {
         matrix
     }
 
-    /// Stiffness without stress of the same geometry and supports, but of unit bending stiffness throughout: what it leaves
-    /// free no stiffness holds, whatever it may be. `length` makes springs as stiff as beams.
+    /// Stress-free stiffness of the same geometry and supports with unit bending stiffness throughout: motions that it leaves free have no
+    /// stiffness for any beam stiffness. `length` makes the stiffness of springs comparable with that of beams.
     pub fn kinematic(&self, search: &StaticSearch, length: f64) -> Matrix {
         let mut matrix = self.zeros();
         self.add_elements(&mut matrix, search, |span, k, _| (unit(span.table(k)), [[0.0; 2]; 3]));
@@ -113,7 +113,7 @@ impl Layout<'_> {
         weigh: impl Fn(&Span, usize, usize) -> (Wide, Stored),
     ) {
         let u = &search.base.displacement;
-        // Of an element that differs in nothing from the one before the matrix is known.
+        // The matrix of an element that is equal to the previous one is known.
         let mut known = None;
         for (span, k, a, e) in self.model.each_element() {
             if is_gap(search, span, k) {
@@ -135,7 +135,7 @@ impl Layout<'_> {
         }
     }
 
-    /// Twice the energy of small motions `x` in each element and spring, and what loads and turning add to it.
+    /// Twice the energy of small motions `x` in each element and spring, and the contribution of loads and rotation.
     pub fn each_energy(
         &self,
         search: &StaticSearch,
@@ -200,7 +200,7 @@ impl Layout<'_> {
         }
     }
 
-    /// Adds what loads that follow the beams and joints that turn add to the tangent.
+    /// Adds the terms of follower loads and rotating joints to the tangent.
     fn add_turning(&self, search: &StaticSearch, still: &[[f64; 4]], rest: &mut Tangent) {
         let (base, forcing) = (&search.base, &search.forcing);
         let mut residual = still.to_vec();

@@ -1,4 +1,4 @@
-//! What has no stiffness of its own, discs and beams without supports: weak springs hold it to where the iteration stands, to no
+//! Bodies without stiffness, discs and beams without supports: weak springs connect them to their current position in the iteration, not to a fixed
 //! place.
 
 use super::place::RestingDisc;
@@ -12,18 +12,18 @@ use crate::model::frozen::BeamData;
 use crate::step::forcing::Forcing;
 use crate::step::tangent::Tangent;
 
-/// What has moved by so many times the size of everything is held by nothing.
+/// A body that has moved by more than this multiple of the total size is unsupported.
 const LOST: f64 = 1e2;
-/// A disc is pushed no deeper into a compliant contact than where it presses with so many times its weight.
+/// Limit of the penetration of a disc in a compliant contact, as a multiple of the one under its weight.
 const DEEP: f64 = 4.0;
 
 impl StaticContacts {
-    /// Discs move cautiously at first: on a beam that has not yet given way their tangent tells little of where they roll to.
+    /// Corrections of discs are limited at first: on a beam that has not yet deformed, their tangent is a poor prediction of their motion.
     pub fn slow_discs(&mut self) {
         self.damping = 1.0;
     }
 
-    /// Whether a correction moves a disc against the force on it, which a tangent that is not positive does; discs are slower then.
+    /// Whether a correction moves a disc against the force on it, as with a tangent that is not positive; discs are slower then.
     pub fn climb(&mut self, residual: &[[f64; 4]], correction: &[[f64; 4]]) -> bool {
         let uphill = |d: &RestingDisc| {
             let (r, c) = (&residual[d.node], &correction[d.node]);
@@ -36,7 +36,7 @@ impl StaticContacts {
         climbs
     }
 
-    /// Bodies: weight of the discs that take part; all others stand still.
+    /// Bodies: weight of the discs in the analysis; all others do not move.
     pub(super) fn bodies<const TANGENT: bool>(
         &self,
         model: &Model,
@@ -65,7 +65,7 @@ impl StaticContacts {
         }
     }
 
-    /// The share of a correction that discs can take: up to what is in their way, and not much further.
+    /// Share of a correction that discs can follow: up to the next obstacle, and not much further.
     pub fn share(&self, model: &Model, correction: &[[f64; 4]]) -> f64 {
         let mut share: f64 = 1.0;
         for disc in &self.discs {
@@ -98,7 +98,7 @@ impl StaticContacts {
         share
     }
 
-    /// Notes what has left for good.
+    /// Records unsupported bodies.
     pub fn look_for_lost(&mut self, model: &Model, u: &[[f64; 4]]) {
         let far = |n: &[f64; 4]| {
             let moved = norm([n[0], n[1]]);
@@ -110,7 +110,7 @@ impl StaticContacts {
         self.lost = disc.or_else(beam);
     }
 
-    /// A disc or a beam that nothing holds.
+    /// A disc or a beam without support.
     pub fn lost<'m>(&self, model: &'m Model) -> Option<&'m str> {
         let body = |lost: usize| model.bodies[lost - model.beams.len()].name.as_str();
         self.lost.map(|lost| model.beams.get(lost).map_or_else(|| body(lost), |b| b.name.as_str()))
@@ -121,7 +121,7 @@ impl StaticContacts {
         self.lost
     }
 
-    /// Takes something for lost.
+    /// Marks a body as unsupported.
     pub fn lose(&mut self, lost: Option<usize>) {
         self.lost = lost;
     }
@@ -151,7 +151,7 @@ impl StaticContacts {
         }
     }
 
-    /// Discs that take part.
+    /// Discs in the analysis.
     pub fn has_discs(&self) -> bool {
         !self.discs.is_empty()
     }
@@ -170,7 +170,7 @@ impl StaticContacts {
         }
     }
 
-    /// Takes the weak springs out of an assembled tangent.
+    /// Removes the weak springs from an assembled tangent.
     pub fn without_springs(&self, tangent: &mut Tangent) {
         for disc in &self.discs {
             let diagonal = &mut tangent.chain_mut().diag[disc.node];
@@ -181,7 +181,7 @@ impl StaticContacts {
         }
     }
 
-    /// How deep a disc of the pair may be pushed in by a correction \[m\].
+    /// Limit of the penetration of the pair's disc in a correction \[m\].
     pub(super) fn deep(&self, model: &Model, pair: &Pair) -> f64 {
         let stride = STRIDE * self.size;
         if pair.target.is_round() {

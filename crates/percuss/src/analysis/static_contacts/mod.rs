@@ -1,10 +1,10 @@
 //! Contacts at rest, without friction: compliant ones by their potential, rigid ones as `0 <= gap  perp  force >= 0`.
 //!
-//! Rigid contacts keep a multiplier each. Those between beams, and of beams with obstacles, press with it; corrections find it with
-//! the closed set ([`pressing`]). Those of discs press with `multiplier - stiffness gap` while that is positive (augmented Lagrangian:
-//! Alart, Curnier 1991); multipliers follow wherever the closed set has come to rest. Their stiffness only speeds the iteration up:
-//! in equilibrium gaps are round-off and forces are the multipliers. Discs have no stiffness of their own; a weak spring to where
-//! the iteration stands, not to any place, keeps the tangent regular.
+//! Rigid contacts have a multiplier each. Those between beams, and of beams with obstacles, act with it; corrections determine it with the closed
+//! set ([`pressing`]). Those of discs act with `multiplier - stiffness gap` while that is positive (augmented Lagrangian: Alart, Curnier 1991);
+//! multipliers are updated when the closed set no longer changes. Their stiffness only accelerates the iteration: in equilibrium gaps are round-off
+//! and forces are the multipliers. Discs have no stiffness of their own; a weak spring to their current position in the iteration, not to a fixed
+//! place, keeps the tangent regular.
 
 mod discs;
 mod place;
@@ -28,10 +28,10 @@ use crate::step::tangent::Tangent;
 pub(super) use place::Pressing;
 use place::{CandidatePair, ROUND_OFF, RestingDisc};
 
-/// Gaps below this share of the largest coordinate are closed: a tenth of what a transient holds to be none.
+/// Gaps below this share of the largest coordinate are closed: a tenth of the tolerance of a transient.
 const CLOSED: f64 = 1e-13;
-/// A rigid contact begins as stiff as a foundation that lets its beam sink in over this share of its length: whole stretches come and go
-/// at once on it, which on a stiff one would one by one.
+/// Initial stiffness of a rigid contact: that of a foundation into which its beam sinks by this share of its length. Whole regions close and open
+/// at once on it, which on a stiff one would do so one by one.
 const SOFT: f64 = 0.1;
 /// Stiffness of a rigid contact in the end, in units of its element's.
 const STIFFER: f64 = 1e3;
@@ -50,16 +50,16 @@ const SETTLED_EXACTLY: f64 = 1e-9;
 /// A disc moves by no more than this share of the structure in a correction, once it touches.
 const STRIDE: f64 = 0.05;
 
-/// Contacts and discs that take part in statics.
+/// Contacts and discs in statics.
 #[derive(Clone, Debug, Default)]
 pub(super) struct StaticContacts {
-    /// Pairs that take part, in the model's order, shape (such pairs).
+    /// Pairs in the analysis, in the model's order, shape (such pairs).
     places: Vec<CandidatePair>,
-    /// What these have left on faces, shape (such pairs); empty where no law crushes.
+    /// Their indentations of faces, shape (such pairs); empty without crushing.
     dents: Vec<Dents>,
-    /// Discs at rest that take part, shape (such discs).
+    /// Discs at rest in the analysis, shape (such discs).
     discs: Vec<RestingDisc>,
-    /// Bodies in the model: all of them stand still but those discs.
+    /// Bodies in the model: all of them are fixed except those discs.
     has_bodies: bool,
     /// Scale of positions \[m\].
     size: f64,
@@ -71,28 +71,28 @@ pub(super) struct StaticContacts {
     /// Components of nodes that, held, would stop all motions of beams that neither supports nor joints do, and their weak springs,
     /// shape (such components) \[index of a node, index of a component, N/m or N m\].
     loose: Vec<(usize, usize, f64)>,
-    /// What has left for good: beams first, then bodies.
+    /// Unsupported bodies: beams first, then bodies.
     lost: Option<usize>,
     /// Length that no element of a beam exceeds, one a beam, shape (beams) \[m\]; empty if not known.
     arcs: Vec<f64>,
     pressing: Pressing,
 }
 
-/// Whether a body takes part in an equilibrium: at rest, and not on a line of flight.
+/// Whether a body is included in an equilibrium: at rest, and not a guided projectile.
 fn rests(model: &Model, body: usize) -> bool {
     let body = &model.bodies[body];
     let is_disc_at_rest = body.kind.is_disc() && body.velocity == [0.0; 2] && body.spin == 0.0;
     body.kind.is_obstacle() || is_disc_at_rest
 }
 
-/// Whether a pair takes part.
+/// Whether a pair is included.
 pub(crate) fn takes_part(model: &Model, pair: &Pair) -> bool {
     let beams = model.beams.len();
     !pair.target.is_guided() && pair.movers.iter().all(|m| *m < beams || rests(model, m - beams))
 }
 
 impl StaticContacts {
-    /// Contacts as they stand in `base`.
+    /// Contacts in the configuration `base`.
     pub fn new(model: &Model, base: &State) -> Self {
         let size = model.position_scale();
         let extent = model.extent().max(f64::MIN_POSITIVE);
@@ -167,7 +167,7 @@ impl StaticContacts {
         [a[0].min(b[0]), a[1].min(b[1])]
     }
 
-    /// Whether there is nothing that could touch or has to be held.
+    /// Whether there are no contacts and no unsupported bodies.
     pub fn is_empty(&self) -> bool {
         self.places.is_empty() && self.discs.is_empty()
     }
@@ -183,7 +183,7 @@ impl StaticContacts {
         self.places.iter_mut().for_each(|p| p.stiffness = p.stiffnesses[0]);
     }
 
-    /// What is closed stays closed and resists any move.
+    /// Closed contacts remain closed and resist any motion.
     pub fn hold(&mut self) {
         self.damping = WEAK;
         if self.pressing == Pressing::Exactly {
@@ -196,7 +196,7 @@ impl StaticContacts {
         self.pressing == Pressing::Exactly && self.places.iter().any(|p| p.is_exact)
     }
 
-    /// The equilibrium at hand is one: sides and closest points are those seen in it, and what crushes has crushed so far.
+    /// Accepts the current equilibrium: sides, closest points and crushing depths are updated from it.
     pub fn accept(&mut self, model: &Model) {
         self.places.iter_mut().for_each(|place| place.accepted = place.seen);
         for (place, dents) in self.places.iter_mut().zip(&mut self.dents) {
@@ -210,7 +210,7 @@ impl StaticContacts {
         }
     }
 
-    /// Writes what has crushed into a state.
+    /// Writes crushing depths into a state.
     pub fn remember_crushing(&self, state: &mut State) {
         for place in &self.places {
             state.pairs[place.pair].deepest = place.deepest;
@@ -286,19 +286,19 @@ impl StaticContacts {
             }
         }
         if TANGENT {
-            // What presses next to nothing may come and go by round-off.
+            // Contacts with negligible forces may open and close by round-off.
             self.changed = flips > NEXT_TO_NOTHING * most;
             self.opened = held && !closed(self);
             self.damping = (0.5 * self.damping).max(WEAK);
         }
     }
 
-    /// Whether everything has come open at once, which was not what the tangent before had in mind.
+    /// Whether all contacts have opened at once, contrary to the prediction of the previous tangent.
     pub fn opened(&self) -> bool {
         self.opened
     }
 
-    /// Takes in a correction, of which a share was taken.
+    /// Records a correction, of which a share was applied.
     pub fn correct(&mut self, correction: &[[f64; 4]], share: f64) {
         let (size, follows) = (self.size, !self.changed);
         let exactly = self.press_exactly();
@@ -332,7 +332,7 @@ impl StaticContacts {
         self.changed
     }
 
-    /// Whether the last look found nothing to change, and the last correction hardly changed a force.
+    /// Whether the last check changed no contact, and the last correction hardly changed a force.
     pub fn settled(&self) -> bool {
         let most = self.places.iter().map(|p| p.force.abs()).fold(0.0, f64::max);
         let exactly = self.press_exactly();
@@ -352,7 +352,7 @@ impl StaticContacts {
         ROUND_OFF * self.size
     }
 
-    /// Writes pairs as they stand to a state of the model.
+    /// Writes the state of the pairs to a state of the model.
     pub fn enter(&self, state: &mut State) {
         for place in &self.places {
             let seen = &mut state.pairs[place.pair];

@@ -1,4 +1,4 @@
-//! A pair of a contact at rest: its gap, its force, its part in the tangent.
+//! A pair of a contact at rest: its gap, its force, its terms of the tangent.
 
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Pair};
@@ -10,22 +10,22 @@ use crate::model::frozen::PrescribedDofs;
 use crate::step::contacts::{add_tangent, add_turning};
 use crate::step::tangent::Tangent;
 
-/// A pair that takes part.
+/// A pair in the analysis.
 #[derive(Clone, Copy, Debug)]
 pub struct CandidatePair {
     pub pair: usize,
     /// Rigid, and not of a disc.
     pub is_exact: bool,
-    /// Side and closest point in the equilibrium found last, and the closest point seen last.
+    /// Side and closest point in the last equilibrium, and the last closest point.
     pub accepted: Memory,
     pub seen: Memory,
     /// Deepest penetration in the equilibria so far, of a law that crushes \[m\].
     pub deepest: f64,
-    /// Where along the face of the target it was nearest at the last look; NaN where that is no other place whatever moves \[m\].
+    /// Position of the closest point along the face of the target at the last check; NaN where it does not change with any motion \[m\].
     pub on_face: f64,
-    /// Gap at the last look; infinite where nothing can touch \[m\].
+    /// Gap at the last check; infinite where contact is impossible \[m\].
     pub gap: f64,
-    /// Force at the last look \[N\].
+    /// Force at the last check \[N\].
     pub force: f64,
     /// Slope of the force of a compliant pair \[N/m\].
     pub slope: f64,
@@ -35,12 +35,12 @@ pub struct CandidatePair {
     pub stiffness: f64,
     /// The one an iteration begins with, and the largest, shape (2) \[N/m\].
     pub stiffnesses: [f64; 2],
-    /// Rigid and closed at the last look, and in the tangent assembled last.
+    /// Rigid and closed at the last check, and in the last assembled tangent.
     pub closed: bool,
     pub was_closed: bool,
     /// Force in the tangent assembled last \[N\].
     pub held: f64,
-    /// How deep a disc may be pushed in by a correction \[m\].
+    /// Limit of the penetration of a disc in a correction \[m\].
     pub deep: f64,
     pub row: Row,
     /// Arc length along the beam \[m\].
@@ -108,7 +108,7 @@ impl CandidatePair {
             None if self.is_exact && pressing == Pressing::Held => {
                 (self.stiffnesses[1], self.multiplier)
             }
-            // What closes has not yet a force of which the turning could be told.
+            // A closing contact has no force yet, whose rotation would contribute.
             None => (self.stiffness, self.multiplier.max(0.0)),
         };
         let row = moving(model, &self.row);
@@ -120,7 +120,7 @@ impl CandidatePair {
     }
 }
 
-/// A form on the nodes that can move: the others would only tie together what they touch.
+/// A form on the movable nodes: the others would only connect the bodies in contact.
 pub fn moving(model: &Model, row: &Row) -> Row {
     let mut out = Row::default();
     for (node, c) in row.iter() {
@@ -151,6 +151,6 @@ pub(in crate::analysis) enum Pressing {
     Following,
     /// With multipliers that corrections find.
     Exactly,
-    /// With their multipliers; what is closed resists any move.
+    /// With their multipliers; closed contacts resist any motion.
     Held,
 }

@@ -1,12 +1,11 @@
 //! Which rigid contacts of a structure carry a load, and how much: a quadratic programme in each of Newton's corrections.
 //!
-//! About a configuration with residual r, tangent K, gaps g and their gradients G the correction d is the least of
-//! `1/2 d.K d + r.d` with `g + G d >= 0`. Several candidates an element may lie closer than its shape functions tell apart: forces
-//! of neighbours are then not unique, and the programme has no single dual solution. The proximal method of multipliers
-//! (Rockafellar 1976) asks for none: about multipliers m it minimises `1/2 d.K d + r.d + sum max(0, m - k (g + G d))^2 / 2k` and
-//! sets `m = max(0, m - k (g + G d))`, until gaps are none. Each of these functions is convex and piecewise quadratic where K is
-//! positive: Newton's method with an exact line search ends on the right closed set after finitely many steps, however many
-//! contacts come and go in one.
+//! About a configuration with residual r, tangent K, gaps g and their gradients G the correction d is the minimiser of `1/2 d.K d + r.d` with `g +
+//! G d >= 0`. Several candidates of an element may be closer than its shape functions resolve: forces of neighbours are then not unique, and
+//! neither is the dual solution of the programme. The proximal method of multipliers (Rockafellar 1976) does not need uniqueness: about multipliers
+//! m it minimises `1/2 d.K d + r.d + sum max(0, m - k (g + G d))^2 / 2k` and sets `m = max(0, m - k (g + G d))`, until gaps are zero. Each of these
+//! functions is convex and piecewise quadratic if K is positive: Newton's method with an exact line search finds the closed set in finitely many
+//! steps, for any number of contacts that open and close in one.
 
 mod closed;
 
@@ -21,8 +20,8 @@ use crate::step::tangent::Tangent;
 /// Changes of the closed set about the same multipliers, and changes of multipliers, of one correction.
 const MOST_SETS: usize = 200;
 const MOST_ROUNDS: usize = 40;
-/// Gaps below the first share of the largest coordinate are none; what a correction leaves is held to be none below the second. A gap
-/// that comes and goes by round-off would change the forces of neighbours by far more.
+/// Gaps below the first share of the largest coordinate are zero; remaining gaps after a correction below the second one are accepted. A gap that
+/// opens and closes by round-off would change the forces of neighbours by far more.
 const ZERO_GAP: f64 = 16.0 * f64::EPSILON;
 const ROUND_OFF: f64 = 2.0 * f64::EPSILON;
 /// Forces below this share of the largest come and go by round-off.
@@ -65,7 +64,7 @@ struct Balanced {
     constraints: Vec<f64>,
 }
 
-/// What of a search stays the same during a correction.
+/// Constant data of a search during a correction.
 struct Linear {
     tangent: Tangent,
     /// Unbalanced forces without those of the contacts, shape (nodes, 4) \[N, N m\].
@@ -75,8 +74,7 @@ struct Linear {
 }
 
 impl StaticSearch<'_> {
-    /// The correction that the assembled tangent and its rigid contacts ask for, with the contacts that it leaves closed; nothing
-    /// where the tangent is singular.
+    /// The correction for the assembled tangent and its rigid contacts, with the contacts that are closed after it; `None` for a singular tangent.
     pub fn press(&mut self) -> Option<Programme> {
         let mut programme = Programme::new(self.model, &self.contacts);
         let mut linear = self.linear();
@@ -100,7 +98,7 @@ impl StaticSearch<'_> {
         Some(programme)
     }
 
-    /// Factors the assembled tangent with the rigid contacts closed that press; nothing where it is singular.
+    /// Factors the assembled tangent with the active rigid contacts closed; `None` if it is singular.
     pub fn factor_pressed(&mut self) -> Option<Programme> {
         let programme = Programme::new(self.model, &self.contacts);
         let linear = self.linear();
@@ -189,8 +187,8 @@ impl Programme {
         at
     }
 
-    /// The response to a nodal load of the structure factored last, what is closed in it held closed: multipliers follow until the
-    /// closed gaps do not move.
+    /// The response of the last factored structure to a nodal load, with closed contacts kept closed: multipliers are updated until the closed gaps
+    /// do not change.
     pub fn response(&self, search: &mut StaticSearch, load: &[[f64; 4]]) -> Response {
         let mut forces = vec![0.0; self.rows.len()];
         let mut nodal = Vec::new();
@@ -240,7 +238,7 @@ impl Programme {
         trial.iter().zip(&self.closed).any(flips)
     }
 
-    /// Closes what presses and opens what pulls; whether anything changed.
+    /// Closes contacts under pressure and opens contacts under tension; returns whether any changed.
     fn flip(&mut self, trial: &[f64]) -> bool {
         let flips = self.would_flip(trial);
         if flips {
@@ -291,7 +289,7 @@ impl Programme {
             }
             sum
         };
-        // Uphill from the start where the tangent is not positive: nothing to minimise.
+        // Ascent from the start for a tangent that is not positive: there is no minimum.
         if slope(1.0) <= 0.0 || slope(0.0) >= 0.0 {
             return 1.0;
         }
@@ -325,7 +323,7 @@ impl Balanced {
     }
 }
 
-/// How a structure answers to a load while what is closed stays closed.
+/// Response of a structure to a load with constant closed contacts.
 #[derive(Clone, Debug, Default)]
 pub struct Response {
     /// Displacements, shape (nodes, 4) \[m, -\].

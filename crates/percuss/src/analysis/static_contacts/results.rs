@@ -1,4 +1,4 @@
-//! What contacts at rest transmit, for those who read it.
+//! Forces of contacts at rest, for output.
 
 use super::place::{CandidatePair, moving};
 use super::{NEXT_TO_NOTHING, StaticContacts};
@@ -24,13 +24,13 @@ pub struct StaticContact {
     pub force: f64,
     /// Resultant on the first of the two partners, shape (2) \[N\].
     pub resultant: [f64; 2],
-    /// Least gap \[m\]; negative where a compliant contact is pressed in, infinite where nothing can touch.
+    /// Least gap \[m\]; negative for a compressed compliant contact, infinite where contact is impossible.
     pub gap: f64,
     /// Where it is closed along the beam: from and to, arc length, shape (2) \[m\]; NaN where it is open or on no beam.
     pub s: [f64; 2],
     /// Arc length at which the forces have their centre \[m\]; NaN likewise.
     pub centre: f64,
-    /// Whether its law has friction, which takes no part.
+    /// Whether its law has friction, which statics ignores.
     pub frictional: bool,
 }
 impl StaticContacts {
@@ -77,7 +77,7 @@ impl StaticContacts {
             let of_beams = row.iter().all(|(node, _)| node < beams) && !row.is_empty();
             of_beams.then_some(Held { row, stiffness, force: place.force, turnings })
         };
-        // What presses by round-off alone may as well open.
+        // A contact whose force is round-off may as well be open.
         let most = self.places.iter().map(|p| p.force).fold(0.0, f64::max);
         let presses = |p: &&CandidatePair| p.force > NEXT_TO_NOTHING * most;
         self.places.iter().filter(presses).filter_map(held).collect()
@@ -92,14 +92,14 @@ impl StaticContacts {
             let c = row.at(node);
             let arm = [0, 1].map(|i| data.position[i] - model.nodes[node].position[i]);
             let own = &mut out[data.support];
-            // What it gives is the opposite of what it takes.
+            // The force on one body is opposite to that on the other.
             own[0] -= force * c[0];
             own[1] -= force * c[1];
             own[2] -= force * (c[2] - cross(arm, [c[0], c[1]]));
         }
     }
 
-    /// Contacts of which any pair takes part, in the model's order.
+    /// Contacts with at least one pair in the analysis, in the model's order.
     pub fn results(&self, model: &Model) -> Vec<StaticContact> {
         let mut out: Vec<(usize, StaticContact)> = Vec::new();
         for place in &self.places {

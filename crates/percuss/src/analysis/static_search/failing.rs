@@ -1,16 +1,15 @@
-//! What has failed on the way to an equilibrium, and the forces that it gave, which are let go slowly.
+//! Failed parts in a static search, and their forces, which are released gradually.
 
 use super::{Motions, StaticSearch, constraint_step};
 use crate::analysis::spectrum::metric_of;
 use crate::model::frozen::JointLoad;
 use crate::step::joints;
 
-/// Stiffness of an element that has parted, in the measure of [`metric_of`]: enough for a tangent where a piece hangs on nothing, and
-/// no force.
+/// Stiffness of a fractured element, in the measure of [`metric_of`]: enough for a regular tangent with an unsupported piece, and without a force.
 const OF_A_GAP: f64 = 1e-6;
 
 impl StaticSearch<'_> {
-    /// Sets a share of the loads; what has torn stays so.
+    /// Sets a share of the loads; torn joints remain torn.
     pub fn set_share(&mut self, share: f64) {
         self.forcing.set_static(self.model, share);
         match &self.motions {
@@ -21,13 +20,13 @@ impl StaticSearch<'_> {
         self.forcing.part(self.model, &self.base.joints_parted);
     }
 
-    /// What joints of a given strength carry where the search stands.
+    /// Forces of joints of a given strength at the current configuration.
     pub fn joint_loads(&self) -> impl Iterator<Item = JointLoad> {
         let step = constraint_step(&self.base, &self.work.increment, &self.forcing);
         joints::loads(self.model, &step, &self.work.multiplier).collect::<Vec<_>>().into_iter()
     }
 
-    /// Displacements where the search stands, shape (nodes, 4) \[m, -\].
+    /// Displacements at the current configuration, shape (nodes, 4) \[m, -\].
     pub fn displacement(&self) -> Vec<[f64; 4]> {
         let both = self.base.displacement.iter().zip(&self.work.increment);
         both.map(|(u, d)| std::array::from_fn(|i| u[i] + d[i])).collect()
@@ -50,7 +49,7 @@ impl StaticSearch<'_> {
         self.weigh_gaps();
     }
 
-    /// The weak stiffness of what has parted.
+    /// The weak stiffness of fractured elements.
     pub(super) fn weigh_gaps(&mut self) {
         self.gaps = None;
         if self.base.parted.is_empty() {
@@ -63,7 +62,7 @@ impl StaticSearch<'_> {
         self.gaps = Some(gaps);
     }
 
-    /// Takes the forces that are unbalanced where the search stands for held: [`StaticSearch::let_go`] lets them go.
+    /// Holds the forces that are unbalanced at the current configuration: [`StaticSearch::let_go`] releases them.
     pub fn withhold(&mut self) {
         self.withheld.clear();
         self.assemble::<false>();
@@ -71,12 +70,12 @@ impl StaticSearch<'_> {
         self.let_go = 0.0;
     }
 
-    /// Nothing is withheld any more.
+    /// Ends the holding of forces.
     pub fn release(&mut self) {
         self.withheld.clear();
     }
 
-    /// Takes what is withheld off the unbalanced forces.
+    /// Subtracts the held forces from the unbalanced forces.
     pub(super) fn hold_back(&mut self) {
         let share = 1.0 - self.let_go;
         for (r, held) in self.work.residual.iter_mut().zip(&self.withheld) {

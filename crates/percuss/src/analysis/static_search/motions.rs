@@ -5,7 +5,7 @@ use crate::model::Model;
 use crate::state::State;
 
 impl<'m> StaticSearch<'m> {
-    /// A structure as a run has left it, without loads: what has let go by then holds it no more, and supports stand where they are.
+    /// A structure in its state after a run, without loads: released supports and connections are removed, and supports have their current position.
     pub fn as_left(model: &'m Model, state: &State) -> Self {
         let mut search = Self::at_share(model, state, 0.0);
         search.motions = Motions::Left { time: state.time, followed: state.followed.clone() };

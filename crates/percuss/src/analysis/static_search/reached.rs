@@ -1,4 +1,4 @@
-//! What an equilibrium that was reached tells: its state, whether it is stable, section forces and reactions.
+//! Results of an equilibrium: its state, stability, section forces and reactions.
 
 use super::{INVERSE_ITERATIONS, Motions, RULE, Reached, StaticSearch, constraint_step};
 use crate::analysis::section_forces::{self, Acting, Lines};
@@ -15,7 +15,7 @@ use crate::step::{connectors, external, fibres};
 use crate::summary::SectionForceSummary;
 
 impl StaticSearch<'_> {
-    /// The place reached, an equilibrium: what has yielded on the way to it stays so.
+    /// The current equilibrium; plastic strains up to it are accepted.
     pub fn reached(&mut self) -> Reached {
         if self.model.is_inelastic() {
             let displacement = self.displacement();
@@ -34,7 +34,7 @@ impl StaticSearch<'_> {
         }
     }
 
-    /// Goes back to a place.
+    /// Returns to a stored configuration.
     pub fn go_back(&mut self, place: &Reached) {
         self.work.increment.copy_from_slice(&place.increment);
         self.work.multiplier.copy_from_slice(&place.multiplier);
@@ -49,15 +49,15 @@ impl StaticSearch<'_> {
         self.foresee(true);
     }
 
-    /// Whether no motion about the equilibrium reached grows, with what is closed held closed: by the sign of the lowest
-    /// eigenvalue of the tangent, found by inverse iteration.
+    /// Whether all motions about the current equilibrium are stable, with closed contacts kept closed: by the sign of the lowest eigenvalue of the
+    /// tangent, found by inverse iteration.
     pub fn is_stable_touching(&mut self) -> bool {
         let model = self.model;
         self.foresee(true);
         self.contacts.hold();
         self.assemble::<true>();
         self.contacts.without_springs(&mut self.work.tangent);
-        // Measured by stiffness: density has no part in it.
+        // Normalised by stiffness: density has no influence.
         let mut mass = metric(model, false);
         self.contacts.measure_bodies(&mut mass, model);
         let longest = model.beams.iter().map(|b| b.length).fold(0.0, f64::max);
@@ -91,7 +91,7 @@ impl StaticSearch<'_> {
         alone
     }
 
-    /// Loads as they act where the search stands, but weights: nodal forces, shape (nodes, 2) \[N\].
+    /// Loads at the current configuration, without weights: nodal forces, shape (nodes, 2) \[N\].
     pub fn applied(&mut self) -> Vec<[f64; 2]> {
         let Self { model, base, work, forcing, .. } = self;
         let mut nodal = vec![[0.0; 4]; model.node_count()];
@@ -100,7 +100,7 @@ impl StaticSearch<'_> {
         nodal.iter().map(|f| [-f[0], -f[1]]).collect()
     }
 
-    /// What connector `i` does where the search stands.
+    /// Forces of connector `i` at the current configuration.
     pub fn connector_step(&self, i: usize, connector: &Connector) -> ConnectorStep {
         connector.step(i, &RULE, &self.forcing, &self.base, &self.work.increment)
     }

@@ -1,9 +1,9 @@
 //! Equilibria of structures with members that may be slack and with stops that may be open.
 //!
-//! What bears no stress or force of one sign has no stiffness where it is slack or open: Newton's iteration finds no correction there, or
-//! one that leads far away. With a stiffness against motion added to the tangent every correction goes down the slope of the energy, as in a
-//! motion without inertia against a drag. The less is left unbalanced, the less is added, and the last corrections are Newton's own: what is found
-//! is an equilibrium of the structure as it is.
+//! Parts without stress or force of one sign have no stiffness while they are slack or open: Newton's iteration finds no correction there, or one
+//! that leads far away. With a stiffness against motion added to the tangent every correction decreases the energy, as in a motion without inertia
+//! under viscous drag. The added stiffness decreases with the unbalanced forces, and the last corrections are Newton's: the result is an
+//! equilibrium of the unmodified structure.
 
 use super::{Pressing, Reached, StaticContacts, StaticSearch, constraint_step, largest};
 use crate::analysis::spectrum::{metric, size};
@@ -22,13 +22,13 @@ const TURN: f64 = 0.2;
 /// Factors by which more and less is added.
 const MORE: f64 = 4.0;
 const LESS: f64 = 0.25;
-/// Corrections whose work is less than foretold by this share end uphill and are not made; those beyond this one are good.
+/// Corrections whose work is less than the predicted work by this share increase the energy and are rejected; those beyond this one are good.
 const UPHILL: f64 = 0.5;
 const GOOD: f64 = 0.2;
-/// Range of what is added, against the bending stiffness of the structure.
+/// Range of the added stiffness, relative to the bending stiffness of the structure.
 const RANGE: [f64; 2] = [1e-12, 1e12];
-/// Shares of the forces in play left unbalanced below which Newton's iteration takes over, and at which an equilibrium is one where that
-/// finds no correction: a slack member without weight lies anywhere.
+/// Unbalanced forces relative to the acting forces below which Newton's iteration takes over, and at which the configuration is an equilibrium if
+/// Newton finds no correction: the position of a slack member without weight is arbitrary.
 const NEAR: f64 = 1e-3;
 const ROUND_OFF: f64 = 1e-11;
 /// Error of a constraint that is none, against the size of the structure.
@@ -42,12 +42,11 @@ fn may_give_way(model: &Model) -> bool {
         || model.connectors.iter().any(|c| c.law.is_one_sided())
 }
 
-/// Increment, multipliers and contacts of a place on the way.
+/// Increment, multipliers and contacts of an intermediate configuration.
 type Place = (Vec<[f64; 4]>, Vec<f64>, StaticContacts);
 
 impl StaticSearch<'_> {
-    /// The same from an equilibrium that was reached, where members may be slack, stops open, or contacts hold what nothing else does;
-    /// elsewhere there is none.
+    /// The same from a known equilibrium, for structures with slack members, open stops, or contacts as the only support; without effect for others.
     pub fn relax_from(&mut self, accepted: &Reached, share: f64) -> bool {
         if !may_give_way(self.model) && !self.contacts.holds_beams() {
             return false;
@@ -56,13 +55,13 @@ impl StaticSearch<'_> {
         self.go_back(accepted);
         let found = self.relax(share);
         if !found {
-            // What the iteration before found that nothing holds is still what is to be told.
+            // Bodies that the previous iteration found unsupported are still to be reported.
             self.contacts.lose(lost);
         }
         found
     }
 
-    /// Equilibrium at a share of the loads from the increment that stands in the workspace, with as much stiffness added as it takes.
+    /// Equilibrium at a share of the loads from the increment in the workspace, with the added stiffness that convergence requires.
     fn relax(&mut self, share: f64) -> bool {
         self.begin_relaxed(share);
         let mass = metric(self.model, false);
@@ -92,7 +91,7 @@ impl StaticSearch<'_> {
             self.assemble::<true>();
             self.work.tangent.chain_mut().add_scaled(&mass, added * unit);
             let before = self.relaxed_direction();
-            // What is still apart is brought together first.
+            // Separate parts are brought into contact first.
             if !together && before.is_some() && self.correct() {
                 continue;
             }
@@ -124,7 +123,7 @@ impl StaticSearch<'_> {
         self.contacts.slow_discs();
     }
 
-    /// Finds the correction for the tangent at hand; its work against the unbalanced forces.
+    /// Solves for the correction with the current tangent; returns its work against the unbalanced forces.
     fn relaxed_direction(&mut self) -> Option<f64> {
         if self.contacts.press_exactly() {
             self.press()?;
@@ -136,7 +135,7 @@ impl StaticSearch<'_> {
         work.is_finite().then_some(work)
     }
 
-    /// Whether the correction goes no farther than a distance \[m\], nor changes slopes by more than is followed.
+    /// Whether the correction is within a distance \[m\], and its changes of slopes within their limit.
     fn correction_within(&self, reach: f64) -> bool {
         let within = |c: &[f64; 4]| {
             c[0].abs().max(c[1].abs()) <= reach && c[2].abs().max(c[3].abs()) <= TURN
@@ -151,7 +150,7 @@ impl StaticSearch<'_> {
         inner(&self.work.residual, &self.work.correction)
     }
 
-    /// What is left unbalanced, as a share of the largest of loads and reactions.
+    /// Unbalanced forces relative to the largest of loads and reactions.
     fn left_unbalanced(&mut self) -> f64 {
         self.foresee(true);
         self.assemble::<false>();
@@ -168,7 +167,7 @@ impl StaticSearch<'_> {
         self.model.constraints.iter().map(error).fold(0.0, f64::max)
     }
 
-    /// Largest force that the loads put on a node \[N\]: what stands against it where it acts leaves no reaction elsewhere.
+    /// Largest force of the loads on a node \[N\]: a load that is carried where it acts leaves no reaction elsewhere.
     fn load(&mut self) -> f64 {
         let mut loads = self.applied();
         for (span, k, a, _) in self.model.each_element() {

@@ -1,4 +1,4 @@
-//! A structure between its reference and an equilibrium, and a place on the way: what the search works on, without its rules.
+//! A structure between its reference and an equilibrium: the data of the search, without its rules.
 
 use crate::analysis::static_contacts::StaticContacts;
 use crate::element::fibre::FibreState;
@@ -17,18 +17,18 @@ pub(in crate::analysis) struct StaticSearch<'m> {
     pub forcing: Forcing,
     pub contacts: StaticContacts,
     pub iterations: usize,
-    /// Forces that what has failed gave, shape (nodes, 4) \[N, N m\]; empty where none are held. The share that is let go.
+    /// Forces of failed parts, shape (nodes, 4) \[N, N m\]; empty if none are held. The released share.
     pub(super) withheld: Vec<[f64; 4]>,
     pub let_go: f64,
-    /// Whether springs are stressed as their lengths say.
+    /// Whether springs have the forces of their lengths.
     pub stressed: bool,
-    /// What prescribed motions do.
+    /// Treatment of prescribed motions.
     pub motions: Motions,
     /// A weak stiffness of elements that have parted, for the tangent alone; none while no beam has.
     pub(super) gaps: Option<Chain>,
 }
 
-/// A place on the way to an equilibrium.
+/// An intermediate configuration of a search.
 #[derive(Clone)]
 pub(in crate::analysis) struct Reached {
     /// Increment of the nodal displacements from the base, shape (nodes, 4) \[m, -\].
@@ -36,9 +36,9 @@ pub(in crate::analysis) struct Reached {
     /// Multipliers of the constraints, shape (constraints) \[N, N m\].
     pub(super) multiplier: Vec<f64>,
     pub(super) contacts: StaticContacts,
-    /// What fibres remember, shape (fibres).
+    /// State variables of fibres, shape (fibres).
     pub(super) fibres: Vec<FibreState>,
-    /// What connectors that yield remember, shape (connectors that yield).
+    /// State variables of connectors that yield, shape (connectors that yield).
     pub memories: Vec<FibreState>,
     /// Which joints of a given strength have parted, shape (such joints).
     pub(super) joints_parted: Vec<bool>,
@@ -51,13 +51,13 @@ pub(in crate::analysis) fn largest(nodal: &[[f64; 4]]) -> f64 {
     nodal.as_flattened().iter().fold(0.0, |m, x| if x.is_nan() { f64::NAN } else { m.max(x.abs()) })
 }
 
-/// What prescribed motions do in a search.
+/// Treatment of prescribed motions in a search.
 pub enum Motions {
-    /// They grow with the loads to what they are at time zero.
+    /// They grow with the loads to their values at time zero.
     Growing,
     /// They are left out.
     LeftOut,
-    /// They stand as a run has left them, and what was to hold until an earlier time holds no more.
+    /// They have their values at the end of a run, and supports whose time has ended are removed.
     Left {
         /// The time \[s\].
         time: f64,

@@ -1,11 +1,10 @@
 //! The impact problem as a linear complementarity problem, for where sweeps are slow.
 //!
-//! Coulomb's law in the plane is piecewise linear (Anitescu and Potra, *Nonlinear Dynamics* 14, 1997, with two directions): with
-//! tangential impulses forwards and backwards, both positive, and the sliding speed g, `g + z_t >= 0` is complementary to the one
-//! forwards, `g - z_t >= 0` to the one backwards, and what friction could still give, `mu L_n` without their sum, to g. The unknowns
-//! are the normal impulse and, with friction, these three. The matrix is copositive, so that Lemke's method finds a solution wherever
-//! contacts that wedge each other ask for nothing impossible. Impulses are measured such that the operator has ones on its diagonal,
-//! rates such that the largest is of order one.
+//! Coulomb's law in the plane is piecewise linear (Anitescu and Potra, *Nonlinear Dynamics* 14, 1997, with two directions): with positive
+//! tangential impulses forwards and backwards, and the sliding speed g, `g + z_t >= 0` is complementary to the one forwards, `g - z_t >= 0` to the
+//! one backwards, and the unused friction, `mu L_n` minus their sum, to g. The unknowns are the normal impulse and, with friction, these three. The
+//! matrix is copositive, so that Lemke's method finds a solution unless wedged contacts have none. Impulses are scaled such that the operator has a
+//! unit diagonal, rates such that the largest is of order one.
 
 use super::problem::{Direct, ImpactProblem, Unknown};
 
@@ -17,7 +16,7 @@ impl ImpactProblem {
         let Direct { lemke, matrix, right, values, units, .. } = &mut direct;
         let mut residual = self.residual(impulses);
         let most = self.most();
-        // The unit of the lightest is the smallest; what it lets through of heavier ones is looked at below.
+        // The unit of the lightest is the smallest; its tolerance for heavier bodies is checked below.
         let unit = units.iter().copied().filter(|u| *u > 0.0).fold(f64::INFINITY, f64::min);
         if lemke.solve(matrix, right, most / (unit * self.scale()), values).is_finite() {
             self.read(&mut direct);
@@ -55,7 +54,7 @@ impl ImpactProblem {
         }
     }
 
-    /// Change of what is complementary to the unknown `row` with the unknown `column`.
+    /// Change of the complementary variable of the unknown `row` with the unknown `column`.
     fn entry(&self, units: &[f64], row: Unknown, column: Unknown) -> f64 {
         use Unknown::{Normal, Speed, Tangent};
         let w = |a: usize, b: usize| units[a] * self.delassus[a + 2 * self.count() * b] * units[b];
@@ -76,7 +75,7 @@ impl ImpactProblem {
         self.contacts[contact].friction * units[2 * contact] / units[2 * contact + 1]
     }
 
-    /// What is complementary to an unknown where all of them vanish.
+    /// Complementary variable of an unknown for vanishing unknowns.
     fn constant(&self, units: &[f64], unknown: Unknown) -> f64 {
         let (row, sign) = match unknown {
             Unknown::Normal(i) => (2 * i, 1.0),

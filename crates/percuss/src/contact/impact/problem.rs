@@ -1,4 +1,4 @@
-//! What an impact is asked for, contact by contact, and the room for its solution.
+//! Impact problem for all contacts, and the memory for its solution.
 
 use crate::linalg::complementarity::Lemke;
 use crate::linalg::dense::DenseLu;
@@ -17,8 +17,7 @@ pub struct Conditions {
 }
 
 impl Conditions {
-    /// Least and largest impulse along the tangent for one along the normal; none but what takes back what was carried if the
-    /// contact does not press.
+    /// Least and largest tangential impulse per unit of normal impulse; without normal impulse only the impulse that cancels the previous one.
     pub(super) fn friction_limits(&self, normal: f64) -> [f64; 2] {
         let most = (self.friction * (normal + self.carried[0])).max(0.0);
         [-most - self.carried[1], most - self.carried[1]]
@@ -30,11 +29,11 @@ impl Conditions {
 pub struct ImpactProblem {
     /// Contacts, shape (contacts).
     pub contacts: Vec<Conditions>,
-    /// Delassus operator, shape (2 contacts, 2 contacts), column by column \[1/kg\]; without friction those of the tangent are not looked at.
+    /// Delassus operator, shape (2 contacts, 2 contacts), column by column \[1/kg\]; without friction the tangential entries are not used.
     pub delassus: Vec<f64>,
     /// Rates without impulses, shape (2 contacts) \[m/s\].
     pub free: Vec<f64>,
-    /// Rates with the impulses at hand, shape (2 contacts) \[m/s\].
+    /// Rates with the current impulses, shape (2 contacts) \[m/s\].
     pub(super) rates: Vec<f64>,
     pub(super) newton: Newton,
     pub(super) direct: Direct,
@@ -44,7 +43,7 @@ pub struct ImpactProblem {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stalled;
 
-/// Room for Newton's iteration.
+/// Memory for Newton's iteration.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Newton {
     pub(super) lu: DenseLu,
@@ -56,13 +55,13 @@ pub(super) struct Newton {
     pub(super) matrix: Vec<f64>,
     /// Rates that are missing, then the changes of the impulses sought, shape (sought) \[m/s, then N s\].
     pub(super) right: Vec<f64>,
-    /// What each contact does, shape (contacts).
+    /// State of each contact, shape (contacts).
     pub(super) statuses: Vec<Status>,
     /// Rows of the impulses sought, shape (sought) \[index of a row\].
     pub(super) sought: Vec<usize>,
 }
 
-/// What a contact does.
+/// State of a contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Status {
     Open,
@@ -71,25 +70,25 @@ pub(super) enum Status {
     Slides(f64),
 }
 
-/// Room for the direct solution.
+/// Memory for the direct solution.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Direct {
     pub(super) lemke: Lemke,
     /// The matrix of the complementarity problem, row by row, shape (unknowns, unknowns) \[-\].
     pub(super) matrix: Vec<f64>,
-    /// What is complementary to the unknowns where all of them vanish, shape (unknowns) \[kg^(1/2)\].
+    /// Complementary variables for vanishing unknowns, shape (unknowns) \[kg^(1/2)\].
     pub(super) right: Vec<f64>,
     /// The unknowns found, shape (unknowns) \[kg^(1/2)\].
     pub(super) values: Vec<f64>,
-    /// What each unknown is, shape (unknowns).
+    /// Kind of each unknown, shape (unknowns).
     pub(super) unknowns: Vec<Unknown>,
-    /// `1 / sqrt(W)` of each row's diagonal, shape (2 contacts) \[kg^(1/2)\]; none for what cannot move or has no friction.
+    /// `1 / sqrt(W)` of each row's diagonal, shape (2 contacts) \[kg^(1/2)\]; zero for rows without mobility or friction.
     pub(super) units: Vec<f64>,
     /// Impulses along normal and tangent, shape (2 contacts) \[N s\].
     pub(super) impulses: Vec<f64>,
 }
 
-/// An unknown of the complementarity problem, and what is complementary to it.
+/// An unknown of the complementarity problem, and its complementary variable.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Unknown {
     /// Impulse along the normal of a contact; rate of the gap above its bound.

@@ -1,5 +1,5 @@
-//! Newton's iteration on what the contacts do: open, sticking or sliding. It needs a few small linear systems where it converges,
-//! which it mostly does from where sweeps have come to; redundant contacts with friction can keep it from that.
+//! Newton's iteration on the states of the contacts: open, sticking or sliding. It needs a few small linear systems if it converges, which it
+//! mostly does after the sweeps; redundant contacts with friction can prevent it.
 
 use super::problem::{ImpactProblem, Newton, Status};
 
@@ -7,10 +7,10 @@ use super::problem::{ImpactProblem, Newton, Status};
 const REDUNDANT: f64 = 1e-13;
 
 impl ImpactProblem {
-    /// Changes of what the contacts do; where it converges, it needs one to five.
+    /// Changes of contact states; a convergent iteration needs one to five.
     const CHANGES: usize = 8;
 
-    /// Newton's iteration on what the contacts do; kept is what meets the conditions best. Returns the residual.
+    /// Newton's iteration on the states of the contacts; the impulses with the least violation are stored. Returns the residual.
     pub(super) fn follow_statuses(&mut self, impulses: &mut [f64]) -> f64 {
         let mut newton = std::mem::take(&mut self.newton);
         newton.impulses.clear();
@@ -42,7 +42,7 @@ impl ImpactProblem {
         best
     }
 
-    /// What contact `i` does by the proximal points of its impulses.
+    /// State of contact `i` from the proximal points of its impulses.
     fn status(&self, i: usize, impulses: &[f64], rates: &[f64]) -> Status {
         let contact = &self.contacts[i];
         let toward = |row: usize, goal: f64| {
@@ -61,7 +61,7 @@ impl ImpactProblem {
         if along.abs() <= most { Status::Sticks } else { Status::Slides(along.signum()) }
     }
 
-    /// Impulses for which each contact does what it is said to do.
+    /// Impulses for which each contact has its assumed state.
     fn solve_statuses(&self, newton: &mut Newton) -> bool {
         let m = 2 * self.count();
         let Newton { lu, impulses, rates, matrix, right, statuses, sought } = newton;
@@ -76,7 +76,7 @@ impl ImpactProblem {
                 Status::Slides(_) => sought.push(2 * i),
             }
         }
-        // What is sought stands above what would leave nothing of what was carried; sliding goes with its normal impulse.
+        // Unknowns are relative to the values that cancel the previous impulses; sliding impulses are proportional to the normal impulse.
         matrix.clear();
         right.clear();
         self.find_rates(impulses, rates);

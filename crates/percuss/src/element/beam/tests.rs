@@ -98,7 +98,7 @@ fn point_from(v: [f64; 8], angle: f64) -> StepPoint<f64> {
     }
 }
 
-/// The point, with derivatives by what changes over the step.
+/// The point, with derivatives with respect to the increments of the step.
 fn lift(p: &StepPoint<f64>) -> StepPoint<DualFour> {
     let number = |value: f64| DualFour { value, slope: [0.0; 4] };
     let c = |v: [f64; 2]| v.map(number);

@@ -1,11 +1,11 @@
-//! The bending strain over a step of the energy-momentum scheme, for sections whose moment does not follow from it alone.
+//! The bending strain over a step of the energy-momentum scheme, for sections whose moment does not depend on it alone.
 
 use super::{End, Step, StepStates};
 use crate::element::point::{Form, PointResponse, SectionLaw, Stress, form_b};
 use crate::element::strain::StrainMeasure;
 use crate::scalar::Real;
 
-/// The bending strain over a step, where the moment does not follow from it alone.
+/// The bending strain over a step, for a moment that does not depend on it alone.
 #[derive(Clone, Copy, Debug)]
 pub struct BendingStep<S> {
     /// Bending strain at the start and at the end, shape (2) \[1/m\].

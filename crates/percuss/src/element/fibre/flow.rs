@@ -1,14 +1,14 @@
-//! Fibres on their way to the end of a step.
+//! Fibres over a step.
 
 use super::{Fibre, FibreState, StressLaw};
 use crate::scalar::Number;
 
-/// What the fibres of all beams, and the connectors that yield, take over a step.
+/// Dissipation of the fibres of all beams, and of the connectors that yield, over a step.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FibreLosses {
     /// By plastic flow \[J\].
     pub plastic: f64,
-    /// Stored in what fails at its end \[J\].
+    /// Energy stored in failing fibres at its end \[J\].
     pub failure: f64,
     /// By the viscosity of their materials \[J\].
     pub viscous: f64,
@@ -16,19 +16,19 @@ pub struct FibreLosses {
     pub yielded: bool,
 }
 
-/// What fibres do on their way to the end of a step (theory, section 11).
+/// Result of moving fibres to the end of a step (theory, section 11).
 #[derive(Clone, Copy, Debug)]
 pub struct FibreFlow<S: Number> {
-    /// What plastic flow and the viscosity of their materials take, shape (2) \[J\].
+    /// Dissipation by plastic flow and by the viscosity of their materials, shape (2) \[J\].
     pub taken: [S; 2],
-    /// Where any that bears has come to its failure strain.
+    /// Lanes in which a fibre that carries force has reached its failure strain.
     pub failing: S::Mask,
     /// Where any has flowed.
     pub flowed: S::Mask,
 }
 
 impl<S: Number> FibreFlow<S> {
-    /// Nothing yet, beside what others took.
+    /// Zero, with the lanes of the given number.
     #[inline(always)]
     pub fn beside(taken: [S; 2]) -> Self {
         let none = taken[0].less(taken[0]);
@@ -36,7 +36,7 @@ impl<S: Number> FibreFlow<S> {
     }
 
     /// Moves a fibre to the end of a step, from the membrane and bending strains at its Gauss point, of the given weight, to those at the end;
-    /// `times` are as in [`StressLaw::advance`]. Returns what plastic flow takes \[J/m^3\].
+    /// `times` are as in [`StressLaw::advance`]. Returns the plastic dissipation \[J/m^3\].
     #[inline(always)]
     pub fn advance(
         &mut self,

@@ -1,9 +1,9 @@
-//! Laws of fibres and their states, without what a step makes of them.
+//! Laws of fibres and their states, without their integration over a step.
 
 use crate::scalar::Number;
 use serde::{Deserialize, Serialize};
 
-/// What a fibre remembers.
+/// State variables of a fibre.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct FibreState<S = f64> {
     /// Plastic strain \[-\].
@@ -12,7 +12,7 @@ pub struct FibreState<S = f64> {
     pub accumulated: S,
     /// Energy dissipated so far, per volume \[J/m^3\].
     pub dissipated: S,
-    /// Whether it has failed: it bears nothing any more.
+    /// Whether it has failed and carries no force.
     pub failed: bool,
 }
 
@@ -36,7 +36,7 @@ pub struct Overstress<S = f64> {
     pub exponent: S,
 }
 
-/// Which sign of stress a fibre cannot bear.
+/// Sign of stress that a fibre cannot carry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slack {
     /// Tension.
@@ -65,7 +65,7 @@ pub enum StressLaw<S = f64> {
         /// Young's modulus \[Pa\].
         young: S,
     },
-    /// In proportion on one side, nothing on the other.
+    /// Linear on one side, zero on the other.
     OneSided {
         /// Young's modulus \[Pa\].
         young: S,
@@ -79,8 +79,7 @@ pub enum StressLaw<S = f64> {
 /// Yielding with isotropic and kinematic hardening, rate and failure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plasticity<S = f64> {
-    /// Parts of the curve of the yield stress over accumulated plastic strain, the first from zero on, shape (parts); the last goes on for
-    /// ever.
+    /// Parts of the curve of the yield stress over accumulated plastic strain, the first from zero on, shape (parts); the last one is unbounded.
     pub curve: Vec<Hardening<S>>,
     /// Kinematic plastic modulus, d(back stress)/d(plastic strain) \[Pa\].
     pub kinematic: S,
@@ -90,14 +89,14 @@ pub struct Plasticity<S = f64> {
     pub failure_strain: Option<S>,
 }
 
-/// What a material does beyond Hooke's law.
+/// Behaviour of a material beyond Hooke's law.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Inelasticity {
-    /// It bears no stress of one sign.
+    /// It carries no stress of one sign.
     OneSided(Slack),
     /// It yields.
     Plastic(Plasticity),
-    /// It bears no stress of one sign, and yields under the other.
+    /// It carries no stress of one sign, and yields under the other.
     OneSidedPlastic(Slack, Plasticity),
 }
 
@@ -123,7 +122,7 @@ pub struct FibreStep<S = f64> {
     pub stress: S,
     /// Its derivative with respect to the strain at the end \[Pa\].
     pub tangent: S,
-    /// What it remembers at the end, failure apart.
+    /// Its state variables at the end, except failure.
     pub state: FibreState<S>,
     /// Energy dissipated per volume \[J/m^3\].
     pub dissipated: S,

@@ -40,11 +40,11 @@ impl<S: Copy> StressLaw<S> {
     }
 }
 
-/// What laws of stress of one kind have in common.
+/// Common properties of stress laws of one kind.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawShape {
     slack: Option<super::Slack>,
-    /// Parts of the hardening curve; none of what does not yield.
+    /// Number of parts of the hardening curve; zero for elastic laws.
     parts: usize,
     feels_rate: bool,
     fails: bool,

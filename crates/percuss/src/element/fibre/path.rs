@@ -21,7 +21,7 @@ impl<S: Number> StressPath<S> {
         Self { start, length, at: none, sums: [none; 3], modulus: none }
     }
 
-    /// Goes on to the share `to` of the path with a tangent modulus.
+    /// Continues to the share `to` of the path with a tangent modulus.
     #[inline(always)]
     pub fn go_on(&mut self, modulus: S, to: S) {
         let (share, middle) = (to - self.at, (self.at + to) * 0.5);
@@ -32,7 +32,7 @@ impl<S: Number> StressPath<S> {
         (self.at, self.modulus) = (to, modulus);
     }
 
-    /// Goes on to where a fibre begins or ceases to gape, if it does, `rest` of the strain away from the start.
+    /// Continues to the point at which a fibre opens or closes, if any, `rest` of the strain away from the start.
     #[inline(always)]
     pub fn cross(&mut self, gaped: S::Mask, gapes: S::Mask, modulus: S, rest: S) {
         let crosses = gaped & !gapes | gapes & !gaped;

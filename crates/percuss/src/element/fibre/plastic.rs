@@ -63,7 +63,7 @@ impl<S: Number> Plasticity<S> {
     }
 }
 
-/// Stresses this close to the limit at which a fibre yields are on it, relative: what is stiff knows its stress to no more digits.
+/// Stresses this close to the yield limit are on it, relative: the stress of a stiff fibre is not more accurate.
 const ON_LIMIT: f64 = 1e-6;
 
 impl PlasticLaw {
@@ -119,7 +119,7 @@ impl<S: Number> PlasticLaw<S> {
         self.flow_on(path, state, sign)
     }
 
-    /// Goes on to the end of a path along the hardening curve, part after part; what is at the end already stays there.
+    /// Continues to the end of a path along the hardening curve, part after part; a fibre that is already at the end does not change.
     #[inline(always)]
     fn flow_on(&self, mut path: StressPath<S>, state: &FibreState<S>, sign: S) -> FibreStep<S> {
         let (one, length) = (sign.constant(1.0), path.length.abs());

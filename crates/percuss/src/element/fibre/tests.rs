@@ -21,7 +21,7 @@ fn random(seed: &mut u64) -> f64 {
     (*seed >> 11) as f64 / (1u64 << 52) as f64 - 1.0
 }
 
-/// The largest error of the balance, relative to the energies at hand, and the least dissipation relative likewise.
+/// The largest error of the balance, relative to the current energies, and the least relative dissipation.
 fn walk(law: &StressLaw, steps: usize, size: f64) -> (f64, f64) {
     let (mut state, mut strain, mut seed) = (FibreState::default(), 0.0, 7);
     let energy = |s: &FibreState, e: f64| law.elastic_energy(s, e) + law.hardening_energy(s);
@@ -31,7 +31,7 @@ fn walk(law: &StressLaw, steps: usize, size: f64) -> (f64, f64) {
         let step = law.step(&state, strain, next, 1e-4);
         let change = energy(&step.state, next) - energy(&state, strain);
         let work = step.mean * (next - strain);
-        // Against the energy at first yield, and what is stored, of which changes are differences.
+        // Relative to the energy at first yield and the stored energy, of which changes are differences.
         let scale = 250e6_f64.powi(2) / (2.0 * 200e9) + work.abs() + law.hardening_energy(&state);
         worst = worst.max((work - change - step.dissipated).abs() / scale);
         least = least.min(step.dissipated / scale);
@@ -59,7 +59,7 @@ fn work_is_what_is_stored_and_what_is_dissipated_for_any_step() {
             assert!(worst < 1e-12 && least >= 0.0, "{law:?}: {worst:e}, {least:e}");
         }
     }
-    // Also those whose stress and relative stress differ in sign, or whose yield stress has grown to many times what it was.
+    // Also laws whose stress and relative stress differ in sign, or whose yield stress has grown to many times its initial value.
     for law in
         [law(0.0, 0.0, rate), law(0.0, 3e9, rate), law(0.0, 1e11, rate), law(5e10, 1e10, rate)]
     {
@@ -121,7 +121,7 @@ fn one_sided_of(slack: Slack, law: PlasticLaw) -> StressLaw {
     StressLaw::Plastic(PlasticLaw { slack: Some(slack), ..law })
 }
 
-/// It yields in compression, gapes from its plastic strain on, and bears again where the gap closes.
+/// It yields in compression, opens at its plastic strain, and carries force again when the gap closes.
 #[test]
 fn a_gaping_fibre_closes_at_its_plastic_strain() {
     let law = one_sided_of(Slack::Tension, law_of(law(0.0, 0.0, None)));

@@ -3,8 +3,7 @@
 use super::law::{FibreState, FibreStep, Hardening, Overstress, PlasticLaw};
 use crate::scalar::{Mask, Number, Task};
 
-/// Corrections of the root that viscous flow follows from, which converges in some five, and the last of them, relative; the balance
-/// does not depend on it.
+/// Corrections of the root for viscous flow, which converges in about five, and the relative size of the last one; the balance does not depend on it.
 const MOST_ROOTS: usize = 100;
 const ROOT: f64 = 1e-14;
 
@@ -28,9 +27,8 @@ impl<S: Number> Task for Viscous<'_, S> {
 }
 
 impl<S: Number> PlasticLaw<S> {
-    /// With viscous overstress. The path is cut where it reaches the yield stress, as nothing flows before, and at every corner of the
-    /// hardening curve: on each part what flows does so under a mean stress that is never less than the mean yield stress, and gives no
-    /// energy.
+    /// With viscous overstress. The path is divided where it reaches the yield stress, as there is no flow before, and at every corner of the
+    /// hardening curve: on each part the flow has a mean stress that is never less than the mean yield stress, and does not create energy.
     #[inline(always)]
     fn viscous(
         &self,
@@ -78,7 +76,7 @@ struct Cut<S> {
 
 /// A path with viscous overstress, gathered from parts on which the yield stress is a straight line; stress is taken as one on each.
 ///
-/// What has flowed by a cut does not depend on the length of the path; when it is reached does.
+/// The flow up to a division does not depend on the length of the path; its instant does.
 struct ViscousPath<'a, S> {
     law: &'a PlasticLaw<S>,
     overstress: &'a Overstress<S>,
@@ -86,7 +84,7 @@ struct ViscousPath<'a, S> {
     ends: [S; 2],
     /// Sign of the flow.
     sign: S,
-    /// Time it takes \[s\].
+    /// Its duration \[s\].
     h: S,
     /// How far it has been gathered, from 0 to 1, and by how much that falls with the length of the path.
     at: S,
@@ -128,7 +126,7 @@ impl<'a, S: Number> ViscousPath<'a, S> {
         }
     }
 
-    /// Goes on to a cut, where the stress has a derivative with respect to the strain at the end.
+    /// Continues to a division, at which the stress has a derivative with respect to the strain at the end.
     #[inline(always)]
     fn go_on(&mut self, here: S::Mask, to: &Cut<S>, tangent: S) {
         let (share, mean) = (to.at - self.at, (self.stress + to.stress) * 0.5);
@@ -142,7 +140,7 @@ impl<'a, S: Number> ViscousPath<'a, S> {
         self.tangent = S::choose(here, tangent, self.tangent);
     }
 
-    /// Goes on along one part of the hardening curve: to where that ends, if the path gets there.
+    /// Continues along one part of the hardening curve: to its end, if the path extends to it.
     #[inline(always)]
     fn flow_on(&mut self, here: S::Mask, part: &Hardening<S>, until: Option<S>) {
         let (none, one) = (self.h.constant(0.0), self.h.constant(1.0));
@@ -212,7 +210,7 @@ struct FlowLine<'a, S> {
     part: &'a Hardening<S>,
     /// Accumulated plastic strain at the start \[-\].
     accumulated: S,
-    /// Where the line ends, if it does.
+    /// End of the line, if the path extends to it.
     until: Option<S>,
 }
 
@@ -284,9 +282,9 @@ impl<S: Number> FlowLine<'_, S> {
         (S::choose(flows, found, none), [by_stress, by_time], crosses)
     }
 
-    /// Share x of a path after which the line has ended, the root of `xi + rise x - (E + Hk) flow - Y (1 + z)` with
-    /// `flow = h x C z^q` known, from the relative stress xi where the line is entered, its rise and the time over all of the path, and
-    /// what is left of it; with the derivative at the root, and its part by the time.
+    /// Share x of a path at the end of the line, the root of `xi + rise x - (E + Hk) flow - Y (1 + z)` with `flow = h x C z^q` known, from the
+    /// relative stress xi at the start of the line, its rise and the time over all of the path, and the rest of the path; with the derivative at
+    /// the root, and its part by the time.
     #[inline(always)]
     fn corner(&self, crosses: S::Mask, [relative, rise, h, rest]: [S; 4]) -> [S; 3] {
         let (none, one) = (h.constant(0.0), h.constant(1.0));
@@ -327,7 +325,7 @@ impl<S: Number> FlowLine<'_, S> {
 /// Largest exponent of a power that products make faster than logarithms.
 const MOST_FACTORS: u32 = 16;
 
-/// An exponent that is one small whole number in all lanes, as that of most metals; none where derivatives are wanted.
+/// An exponent that is the same small whole number in all lanes, as for most metals; `None` if derivatives are needed.
 #[inline(always)]
 fn whole<S: Number>(exponent: S) -> Option<u32> {
     let first = exponent.lane(0);

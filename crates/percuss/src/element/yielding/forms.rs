@@ -1,4 +1,4 @@
-//! Forces of a section of fibres, and what they add to an element along the gradients of its strains.
+//! Forces of a fibre section, and their contribution to an element along the gradients of its strains.
 
 use crate::element::beam::{ElementSums, GaussRow};
 use crate::element::fibre::Fibre;
@@ -20,7 +20,7 @@ pub struct SectionResponse<S> {
     pub tangent: [[S; 2]; 2],
 }
 
-/// Value at a Gauss point of what is known at the sampling points.
+/// Value at a Gauss point from the values at the sampling points.
 #[inline(always)]
 pub fn interpolate<S: Real>(at: &[S; SAMPLES], values: &[S; SAMPLES]) -> S {
     let mut sum = at[0] * values[0];
@@ -48,7 +48,7 @@ impl<S: Number> SectionResponse<S> {
         self.tangent[1][1] += arm * fibre.height;
     }
 
-    /// The sum of what has been added: its tangent is symmetric.
+    /// The sum of the contributions: its tangent is symmetric.
     #[inline(always)]
     pub fn close(mut self) -> Self {
         self.tangent[1][0] = self.tangent[0][1];
@@ -77,7 +77,7 @@ pub fn sampled<S: Real>(
     out
 }
 
-/// Values at a Gauss point of what is known at the sampling points.
+/// Values at a Gauss point from the values at the sampling points.
 #[inline(always)]
 pub fn interpolated<S: Real>(
     at: &[S; SAMPLES],
@@ -86,7 +86,7 @@ pub fn interpolated<S: Real>(
     array(|k| interpolate(at, &[forms[0][k], forms[1][k], forms[2][k]]))
 }
 
-/// What a Gauss point adds to an element: forces along the gradients of its strains, and their tangent.
+/// Contribution of a Gauss point to an element: forces along the gradients of its strains, and their tangent.
 #[inline(always)]
 pub fn add_section<S: Real, const TANGENT: bool>(
     sums: &mut ElementSums<S>,

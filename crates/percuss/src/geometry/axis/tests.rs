@@ -39,7 +39,7 @@ proptest! {
         let all = Axis { arc: f64::INFINITY, ..bounded };
         let unbounded = all.nearest(y, &at, from, 0.0).map_or(from, |n| n.closest.point);
         prop_assert!((away(unbounded) - away(nearest)).abs() <= 1e-12);
-        // No point of a fine sampling is nearer, but by what lies between points of the search's own.
+        // No point of a fine sampling is closer, except between the points of the search.
         for k in 0..3 {
             for j in 0..=200 {
                 let sample = away(AxisPoint { element: k, xi: f64::from(j) / 200.0 });

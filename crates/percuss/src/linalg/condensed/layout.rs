@@ -1,4 +1,4 @@
-//! What lies where: runs between interface nodes, blocks between them, joints. Found once.
+//! Layout: runs between interface nodes, blocks between them, joints. Determined once.
 
 use super::super::block::ZERO;
 use super::super::cluster::Cluster;

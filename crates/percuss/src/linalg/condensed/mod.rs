@@ -1,9 +1,8 @@
 //! Chains tied together at some of their nodes: a block band with couplings beyond it and a border of constraints.
 //!
-//! Nodes that anything beyond the band touches are interface nodes. The runs of nodes between them are eliminated by blocks,
-//! each run onto the interface nodes at its ends. Interface nodes tied to each other by constraints form clusters, reduced to
-//! what their constraints leave free. What remains is a small system, dense or sparse. Order and pattern are found once.
-//! Without interface nodes this is the chain alone.
+//! Nodes with couplings beyond the band are interface nodes. The runs of nodes between them are eliminated by blocks, each run onto the interface
+//! nodes at its ends. Interface nodes connected by constraints form clusters, reduced to the space that their constraints leave free. The remaining
+//! system is small, dense or sparse. Order and pattern are determined once. Without interface nodes this is the chain alone.
 
 mod layout;
 mod runs;
@@ -18,7 +17,7 @@ use super::cluster::Cluster;
 use super::schur::SchurComplement;
 use runs::{NodeRun, runs};
 
-/// Joints of up to so many components are reduced to what their constraints leave free.
+/// Joints of up to this number of components are reduced to the space that their constraints leave free.
 const LARGEST_CLUSTER: usize = 64;
 
 /// The matrix, and after [`Condensed::factor`] its factors.
@@ -34,7 +33,7 @@ pub struct Condensed {
     pub columns: Vec<BorderVector>,
     /// Border rows, likewise, shape (constraints, nodes of one, 4) \[index of a node, unit of the constraint by that of the component\].
     pub rows: Vec<BorderVector>,
-    /// Border diagonal: zero for a constraint, one for one that does not act, shape (constraints) \[-\].
+    /// Border diagonal: zero for a constraint, one for an inactive one, shape (constraints) \[-\].
     pub corner: Vec<f64>,
     /// Runs of nodes between interface nodes, ascending, shape (runs).
     runs: Vec<NodeRun>,
@@ -52,20 +51,20 @@ pub struct Condensed {
     clusters: Vec<Cluster>,
     /// Cluster of a slot, and its number there, shape (interface nodes) \[index of a cluster, index within it\].
     home: Vec<(usize, usize)>,
-    /// Constraints that no cluster took, shape (such constraints) \[index of a constraint\].
+    /// Constraints outside of clusters, shape (such constraints) \[index of a constraint\].
     border: Vec<usize>,
     schur: SchurComplement,
     scratch: Scratch,
 }
 
-/// Room for a solution.
+/// Memory for a solution.
 #[derive(Clone, Debug, Default)]
 struct Scratch {
     /// Right side on the interface, shape (4 interface nodes) \[N, N m\].
     right: Vec<f64>,
     /// Values of the interface nodes, shape (4 interface nodes) \[m, -\].
     nodal: Vec<f64>,
-    /// What these leave of the right side, shape (4 interface nodes) \[N, N m\].
+    /// Remainder of the right side after these, shape (4 interface nodes) \[N, N m\].
     left_over: Vec<f64>,
     /// Right side and solution of the reduced system, shape (reduced unknowns) \[N, N m, then m, -\].
     reduced: Vec<f64>,
@@ -81,8 +80,8 @@ pub struct BorderPattern {
 }
 
 impl Condensed {
-    /// A zero matrix of `n` nodes. `links(i)` tells whether node i is linked to i + 1 by the band; `couplings` are the
-    /// pairs of nodes with a block beyond it.
+    /// A zero matrix of `n` nodes. `links(i)` is whether node i is coupled to i + 1 by the band; `couplings` are the pairs of nodes with a block
+    /// beyond it.
     pub fn new(
         n: usize,
         links: impl Fn(usize) -> bool,
@@ -176,7 +175,7 @@ impl Condensed {
         }
     }
 
-    /// Reduces the interface matrix, `Tm^T A T1`, with what is left of the border.
+    /// Reduces the interface matrix, `Tm^T A T1`, with the rest of the border.
     fn fill_core(&mut self) {
         let mut schur = std::mem::replace(&mut self.schur, SchurComplement::Empty);
         schur.clear();
@@ -227,7 +226,7 @@ impl Condensed {
             let chain = &self.chain;
             (to_left, from_left) = (chain.lower[run.start - 1], chain.upper[run.start - 1]);
         }
-        // What a run leaves at its left end is summed up before it is entered.
+        // Contributions of a run to its left end are summed up before they are entered.
         let mut at_left = ZERO;
         for i in run.start..run.end {
             let chain = &mut self.chain;

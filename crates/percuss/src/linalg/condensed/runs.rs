@@ -1,6 +1,6 @@
 //! Runs of nodes between interface nodes, which are eliminated onto these.
 
-/// A run of nodes that touch nothing beyond the band.
+/// A run of nodes without couplings beyond the band.
 #[derive(Clone, Debug)]
 pub(super) struct NodeRun {
     pub(super) start: usize,

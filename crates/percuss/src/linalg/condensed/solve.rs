@@ -56,7 +56,7 @@ impl Condensed {
         }
     }
 
-    /// Right side of the reduced system: `Tm^T (right - A x0)`, and what x0 leaves of the border.
+    /// Right side of the reduced system: `Tm^T (right - A x0)`, and the remainder of the border for x0.
     fn reduce_right(&self, border: &[f64], nodal: &[f64], left_over: &[f64], out: &mut Vec<f64>) {
         out.clear();
         for cluster in &self.clusters {

@@ -36,7 +36,7 @@ pub struct LuFactors {
 }
 
 impl LuFactors {
-    /// The pattern of factors whose pivots stand on the diagonal: that of the factors of the matrix and its transpose together.
+    /// The pattern of factors with pivots on the diagonal: that of the factors of the matrix and its transpose together.
     pub fn on_the_diagonal(pattern: &ColumnPattern, order: &[usize]) -> Self {
         let n = order.len();
         let mut places = vec![0; n];
@@ -53,7 +53,7 @@ impl LuFactors {
         for k in 0..n {
             below[k].sort_unstable();
             below[k].dedup();
-            // What a column leaves to others enters the first of them, and through it the rest.
+            // Contributions of a column to others enter the first of them, and through it the rest.
             if let Some((first, rest)) = below[k].split_first() {
                 let (first, rest) = (*first, rest.to_vec());
                 below[first].extend(rest);

@@ -11,7 +11,7 @@ fn matrix(n: usize, entries: &[(usize, usize, f64)]) -> SparseLu {
     lu
 }
 
-/// Largest residual of a solution, by the size of what is added up in its row.
+/// Largest residual of a solution, relative to the terms of its row.
 fn residual(n: usize, entries: &[(usize, usize, f64)], lu: &SparseLu) -> f64 {
     let b: Vec<f64> = (0..n).map(|i| 1.0 + (i % 7) as f64).collect();
     let mut x = b.clone();
@@ -34,7 +34,7 @@ fn solves_a_saddle_with_zeros_on_its_diagonal() {
 
 #[test]
 fn pivots_are_sought_where_those_on_the_diagonal_are_none() {
-    // Pairs of unknowns, each of which stands in the row of the other.
+    // Pairs of coupled unknowns, each with an entry in the row of the other.
     let mut a = Vec::new();
     for k in 0..30 {
         let (i, j) = (2 * k, 2 * k + 1);

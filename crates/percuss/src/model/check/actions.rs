@@ -38,7 +38,7 @@ pub(super) fn check_projectile(model: &ModelBuilder, projectile: &Projectile, ou
     }
     if !(projectile.standoff >= 0.0 && projectile.standoff.is_finite()) {
         let found = if projectile.standoff < 0.0 {
-            format!("a projectile that starts {} m inside the beam", -projectile.standoff)
+            format!("an initial penetration of {} m", -projectile.standoff)
         } else {
             quantity(projectile.standoff, "m")
         };
@@ -51,8 +51,8 @@ pub(super) fn check_projectile(model: &ModelBuilder, projectile: &Projectile, ou
         out.finite(path("direction"), &direction.unwrap_or_default(), "");
     } else if line_of_flight(projectile).is_none() {
         let field = if direction.is_some() { "direction" } else { "velocity" };
-        let expected = "a velocity, or for a projectile at rest `direction`, its line of flight";
-        out.add(path(field), "no line of flight: zero velocity", expected);
+        let expected = "a velocity, or `direction` for a projectile at rest";
+        out.add(path(field), "zero velocity", expected);
     } else if let Some(d) = direction
         && norm(velocity) > 0.0
         && (norm(d) == 0.0

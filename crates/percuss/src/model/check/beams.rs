@@ -108,7 +108,7 @@ fn check_line(beam: &Beam, out: &mut Faults) {
         && let Some(i) = points.windows(3).position(back)
     {
         let found = format!("a corner of 180 degrees at point {}", i + 2);
-        out.add(path("points"), found, "a beam that does not run back upon itself");
+        out.add(path("points"), found, "a beam without a 180 degree corner");
     }
     if beam.curve == Curve::Arc {
         if points.len() != 3 {
@@ -169,7 +169,7 @@ pub(super) fn check_along(
     false
 }
 
-/// Whether the point exists; faults say where its beam ends.
+/// Whether the point exists; faults contain the length of its beam.
 pub(super) fn check_point(
     model: &ModelBuilder,
     point: &PointRef,

@@ -28,7 +28,7 @@ pub(super) fn check_obstacle(model: &ModelBuilder, obstacle: &Obstacle, out: &mu
             out.finite(path("point"), point, "m");
             if !(norm(*normal) > 0.0 && norm(*normal).is_finite()) {
                 let found = format!("[{}, {}]", normal[0], normal[1]);
-                out.add(path("normal"), found, "a direction out of the obstacle");
+                out.add(path("normal"), found, "the outward normal");
             }
         }
         ObstacleShape::Disc { centre, radius } => {
@@ -80,16 +80,16 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
         };
         if !known {
             let expected = "beams, discs and obstacles of this model";
-            out.add(path("between"), "something unknown", expected);
+            out.add(path("between"), "an unknown name", expected);
         }
     }
     match contact.between {
         [ContactPartner::Obstacle(_), ContactPartner::Obstacle(_)] => {
-            let expected = "a beam or a projectile, and what it touches";
-            out.add(path("between"), "two obstacles, which do not move each other", expected);
+            let expected = "a beam or a projectile, and another body";
+            out.add(path("between"), "two fixed obstacles", expected);
         }
         [ContactPartner::Disc(a), ContactPartner::Disc(b)] if a == b => {
-            out.add(path("between"), "a disc and itself", "two different things");
+            out.add(path("between"), "a disc and itself", "two different bodies");
         }
         [one, other] => check_thickness(model, [one, other], path("between"), out),
     }
@@ -106,8 +106,8 @@ pub(super) fn check_contact(model: &ModelBuilder, contact: &Contact, out: &mut F
     }
 }
 
-/// Two things that end in points pass through each other end on: no path but one leads from one point to another. Two points, and
-/// two beams, are refused in any case; where one has a side that can be met, only if the other stands right before its end.
+/// Two partners that end in points pass through each other in axial motion: only one path leads from one point to another. Two points, and two
+/// beams, are rejected in any case; a partner with a side only if the other is exactly in front of its end.
 fn check_thickness(
     model: &ModelBuilder,
     between: [ContactPartner; 2],
@@ -125,7 +125,7 @@ fn check_thickness(
     } else {
         (format!("{} and {}", one.0, other.0), format!("{}, or {}", one.2, other.2))
     };
-    out.add(path, format!("{both}: end on they would pass through each other"), &cure);
+    out.add(path, format!("{both}: end-to-end contact needs a depth or radius"), &cure);
 }
 
 /// Whether two bare things can meet in no other way, or will as they are placed.
@@ -168,13 +168,13 @@ fn ends_of(model: &ModelBuilder, partner: ContactPartner) -> Vec<[[f64; 2]; 2]> 
     }
 }
 
-/// Whether a place lies on the line that goes on straight from an end.
+/// Whether a point is on the straight continuation of an end.
 fn is_right_before(at: [f64; 2], [end, out]: &[[f64; 2]; 2]) -> bool {
     let away = sub(at, *end);
     dot(away, *out) > 0.0 && cross(*out, away).abs() <= 1e-9 * norm(*out) * norm(away)
 }
 
-/// One and several of what ends in a point, in words, and what would give it an extent there; `None` for all else.
+/// Singular and plural names of a partner that ends in a point, and the property that would give it an extent there; `None` for all others.
 fn bare(
     model: &ModelBuilder,
     partner: ContactPartner,
@@ -194,7 +194,7 @@ fn bare(
             let words = ("a disc of radius 0", "discs of radius 0", "a `radius` of the disc");
             (disc.radius == 0.0).then_some(words)
         }
-        // A clearance stands beside its beam.
+        // A clearance is beside its beam.
         ContactPartner::Obstacle(id) => match model.obstacles.get(id.0 as usize)?.shape {
             ObstacleShape::Segment { thickness: 0.0, .. } => {
                 Some(("a wall of thickness 0", "walls of thickness 0", "a `thickness` of the wall"))
@@ -247,16 +247,16 @@ pub(super) fn check_smooth(law: &SmoothLaw, path: &impl Fn(&str) -> String, out:
     check_unloading(law, path, out);
     if law.dissipation > 0.0 && law.force == ContactForce::Midpoint {
         let found = "dissipation with the force in the middle of the step";
-        out.add(path("force"), found, "a conserving force: its balance closes");
+        out.add(path("force"), found, "an energy-conserving force");
     }
 }
 
-/// A law that crushes opens along a line that no part of its curve is steeper than: it would give energy there.
+/// The line of unloading of a law with crushing is no less steep than any part of its curve: energy would be created there.
 fn check_unloading(law: &SmoothLaw, path: &impl Fn(&str) -> String, out: &mut Faults) {
     let Some(slope) = law.unloading else { return };
     if law.force == ContactForce::Midpoint {
         let found = "a contact that crushes with the force in the middle of the step";
-        return out.add(path("force"), found, "a conserving force: its balance closes");
+        return out.add(path("force"), found, "an energy-conserving force");
     }
     let steepest = match &law.potential {
         Potential::Linear { stiffness } => *stiffness,
@@ -281,8 +281,8 @@ fn check_unloading(law: &SmoothLaw, path: &impl Fn(&str) -> String, out: &mut Fa
     }
 }
 
-/// Penetrations at which functions are looked at \[m\]; the widths of the differences there, and what these and the force may
-/// differ by, relative. Enough to see a wrong sign or factor, coarse enough for steep laws with kinks and few digits.
+/// Penetrations at which functions are evaluated \[m\]; the widths of the differences there, and the accepted difference between these and the
+/// force, relative. Enough to detect a wrong sign or factor, coarse enough for steep laws with kinks and few digits.
 const LOOKED_AT: [f64; 3] = [1e-5, 1e-4, 1e-3];
 const WIDTH: f64 = 0.02;
 const SLOPE_ERROR: f64 = 0.1;

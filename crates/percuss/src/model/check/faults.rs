@@ -2,7 +2,7 @@
 
 use crate::model::fault::Fault;
 
-/// Collects faults, shape (faults); each check says what was found and what would be right.
+/// Collects faults, shape (faults); each check gives the value found and a valid one.
 #[derive(Default)]
 pub(super) struct Faults(pub(super) Vec<Fault>);
 

@@ -29,7 +29,7 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
     check_materials(model, &mut out);
     check_sections(model, &mut out);
     if model.beams.is_empty() && model.discs.is_empty() {
-        out.add("beam".into(), "no beam and no disc", "at least one of them: something that moves");
+        out.add("beam".into(), "no beam and no disc", "at least one beam or disc");
     }
     for beam in &model.beams {
         check_beam(model, beam, &mut out);
@@ -156,7 +156,7 @@ fn names(model: &ModelBuilder, out: &mut Faults) {
     each("beam", model.beams.iter().map(|x| &x.name), out);
     each("support", model.supports.iter().map(|x| &x.name), out);
     each("joint", model.joints.iter().map(|x| &x.name), out);
-    // Discs are projectiles too, and results of contacts and obstacles stand beside those of projectiles and supports.
+    // Discs are projectiles too, and results of contacts and obstacles are listed with those of projectiles and supports.
     fn apart<'a>(
         kind: &str,
         names: impl Iterator<Item = &'a String>,

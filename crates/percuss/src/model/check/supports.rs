@@ -21,7 +21,7 @@ pub(super) fn check_support(model: &ModelBuilder, support: &Support, out: &mut F
     match &support.kind {
         SupportKind::Roller { direction } => direct(direction, "the direction it rolls along"),
         SupportKind::Fix { components } if components.is_empty() => {
-            out.add(path("components"), "no components", "at least one component to hold");
+            out.add(path("components"), "no components", "at least one fixed component");
         }
         SupportKind::Elastic {
             direction,
@@ -60,7 +60,7 @@ pub(super) fn check_support(model: &ModelBuilder, support: &Support, out: &mut F
     }
 }
 
-/// A motion can only move what the support holds.
+/// A motion can only be prescribed for fixed components.
 fn check_motion(support: &Support, motion: &Motion, out: &mut Faults) {
     let path = || format!("support.{}.motion", support.name);
     out.finite(path(), &motion.displacement, "m");
@@ -80,12 +80,12 @@ fn check_motion(support: &Support, motion: &Motion, out: &mut Faults) {
         | SupportKind::Stop { .. } => {}
     }
     if (0..2).any(|i| !held[i] && motion.displacement[i] != 0.0) {
-        let expected = "components of displacement among those held";
-        out.add(path(), "a displacement of what the support does not hold", expected);
+        let expected = "displacements of fixed components only";
+        out.add(path(), "a prescribed displacement of a free component", expected);
     }
     if !turned && motion.rotation != 0.0 {
-        let expected = "a clamp, or \"rotation\" among the components held";
-        out.add(path(), "a rotation of what the support leaves free to turn", expected);
+        let expected = "a clamp, or \"rotation\" among the fixed components";
+        out.add(path(), "a prescribed rotation of a free rotation", expected);
     }
 }
 
@@ -116,7 +116,7 @@ pub(super) fn check_spring(model: &ModelBuilder, spring: &Spring, out: &mut Faul
         && norm(sub(a, b)) == 0.0
     {
         let expected = "two points apart from each other: a joint or an elastic support \
-                        connects what lies at one place";
+                        connects coincident points";
         out.add(path("between"), "a spring between points at the same place", expected);
     } else if let [Some(a), Some(b)] = ends {
         check_yielding_length(spring, norm(sub(a, b)), out);
@@ -154,7 +154,7 @@ pub(super) fn check_joint(model: &ModelBuilder, joint: &Joint, out: &mut Faults)
     }
 }
 
-/// What a joint carries at most.
+/// Strength of a joint.
 fn check_strength(joint: &Joint, out: &mut Faults) {
     let Some(strength) = joint.strength else { return };
     let path = |field: &str| format!("joint.{}.strength{field}", joint.name);
@@ -168,7 +168,11 @@ fn check_strength(joint: &Joint, out: &mut Faults) {
     }
     let rigid = joint.kind == JointKind::Rigid;
     if strength.moment.is_some() && !rigid {
-        out.add(path(".moment"), "a moment of a hinge, which bears none", "a rigid joint");
+        out.add(
+            path(".moment"),
+            "a moment strength of a hinge (hinges carry no moment)",
+            "a rigid joint",
+        );
     }
     for (field, limit, what, unit) in [
         (".force", strength.force, "a force", "N"),

@@ -8,9 +8,9 @@ use super::faults::{Faults, quantity};
 /// A force that falls by less, relative, stays the same.
 const LEVEL: f64 = 1e-6;
 
-/// What yields, in its own words.
+/// Kind of the yielding part, in words.
 struct Words {
-    /// What is given of it, `material.steel` or `joint.knee`.
+    /// Name of the definition, `material.steel` or `joint.knee`.
     path: String,
     /// Key of the elastic modulus or stiffness.
     elastic: &'static str,
@@ -18,11 +18,11 @@ struct Words {
     limit: [&'static str; 2],
     /// Key of the failure limit, and in words, shape (2).
     failure: [&'static str; 2],
-    /// What flows plastically, in the plural.
+    /// Name of the plastic deformation, in the plural.
     flow: &'static str,
     /// Plastic modulus, in words.
     modulus: &'static str,
-    /// Units of the limit, the modulus and what flows, shape (3).
+    /// Units of the limit, the modulus and the plastic deformation, shape (3).
     units: [&'static str; 3],
 }
 
@@ -44,20 +44,20 @@ pub(super) fn check_plasticity(m: &Material, law: &Plasticity, out: &mut Faults)
     words.check(m.young, law, Some(m.strain), out);
 }
 
-/// What bears stress of one sign only yields under that one alone.
+/// A tension-only or compression-only material yields only under that sign of stress.
 pub(super) fn check_one_sided(m: &Material, law: &Plasticity, out: &mut Faults) {
     let path = |field: &str| format!("material.{}.{field}", m.name);
     if law.kinematic != 0.0 {
-        let found = "kinematic hardening of a material that bears stress of one sign only";
+        let found = "kinematic hardening of a tension-only or compression-only material";
         out.add(path("hardening.kinematic"), found, "isotropic hardening, or a table");
     }
     if law.overstress.is_some() {
-        let found = "a rate law of a material that bears stress of one sign only";
-        out.add(path("rate"), found, "no `rate`, or a material that bears both");
+        let found = "a rate law of a tension-only or compression-only material";
+        out.add(path("rate"), found, "no `rate`, or a material for both signs of stress");
     }
 }
 
-/// What yields of a spring.
+/// Yielding of a spring.
 pub(super) fn check_yielding_spring(spring: &Spring, out: &mut Faults) {
     let Some(law) = &spring.yielding else { return };
     let words = Words {
@@ -72,7 +72,7 @@ pub(super) fn check_yielding_spring(spring: &Spring, out: &mut Faults) {
     words.check_connector(spring.stiffness, law, out);
 }
 
-/// What a spring went through before it was strained beyond yield nobody knows.
+/// The history of a spring before a start beyond yield is unknown.
 pub(super) fn check_yielding_length(spring: &Spring, distance: f64, out: &mut Faults) {
     let (Some(law), Some(length)) = (&spring.yielding, spring.length) else { return };
     let most = law.curve.first().map_or(f64::NAN, |part| part.stress) / spring.stiffness;
@@ -82,12 +82,12 @@ pub(super) fn check_yielding_length(spring: &Spring, distance: f64, out: &mut Fa
             "{length} m for points {distance:.6} m apart: an extension of {extension:.6} m, \
              and it yields at {most:.6} m"
         );
-        let expected = "a length with which it does not yield before anything moves";
+        let expected = "a length without initial yielding";
         out.add(format!("spring.{}.length", spring.name), found, expected);
     }
 }
 
-/// What yields of a joint.
+/// Yielding of a joint.
 pub(super) fn check_yielding_joint(joint: &Joint, out: &mut Faults) {
     let Some(law) = &joint.yielding else { return };
     let words = Words {
@@ -195,8 +195,8 @@ impl Words {
 
     fn softening(&self) -> &'static str {
         match self.path.starts_with("material.") {
-            true => "what softens does so over a length that no mesh knows",
-            false => "softening is not followed",
+            true => "softening has no length scale and is mesh-dependent",
+            false => "softening is not supported",
         }
     }
 
@@ -235,11 +235,10 @@ pub(super) fn check_fibres(model: &ModelBuilder, beam: &Beam, out: &mut Faults) 
         }
         if s.profiles().any(|(profile, _)| *profile == Profile::Unknown) {
             let found = format!(
-                "area and second moment alone for `{}` of `{}`, whose material `{}` does more than Hooke's law",
+                "area and second moment only for `{}` of `{}`, with the nonlinear material `{}`",
                 s.name, beam.name, m.name
             );
-            let expected =
-                "a `shape`, such as \"rectangle\" or \"i\", which tells where its fibres lie";
+            let expected = "a `shape`, such as \"rectangle\" or \"i\", for the fibre positions";
             out.add(format!("section.{}.shape", s.name), found, expected);
         } else if !(4..=Section::MOST_FIBRES).contains(&s.fibres) || s.fibres % 2 == 1 {
             let expected = "an even number of fibres from 4 to 200";
@@ -248,7 +247,7 @@ pub(super) fn check_fibres(model: &ModelBuilder, beam: &Beam, out: &mut Faults) 
     }
 }
 
-/// Faults of a section that is given fibre by fibre; its elastic centroid is looked at where its materials are known.
+/// Faults of a section given by fibres; its elastic centroid is checked where its materials are known.
 pub(super) fn check_given_fibres(model: &ModelBuilder, s: &Section, out: &mut Faults) {
     let Some(fibres) = s.given_fibres() else { return };
     let path = |field: &str| format!("section.{}.{field}", s.name);
@@ -299,12 +298,12 @@ fn check_together(make: &Make, out: &mut Faults) {
     }
 }
 
-/// The elastic centroid may be this far off the centre line, relative to the radius of gyration: what it couples is of the order of
-/// the square.
+/// Tolerance of the distance of the elastic centroid from the centre line, relative to the radius of gyration: the coupling is of the order of its
+/// square.
 const OFF_CENTRE: f64 = 1e-3;
 
-/// The centre line runs through the elastic centroid: there axial force stretches and does not bend, as vibrations, buckling and the
-/// shares of energy take for granted.
+/// The centre line contains the elastic centroid: there axial force causes stretching and no bending, as vibrations, buckling and the energy terms
+/// assume.
 fn check_centroid(make: &Make, out: &mut Faults) {
     let Some(Weighed { stiffness: [axial, first, second], .. }) = make.weighed() else { return };
     let centroid = first / axial;

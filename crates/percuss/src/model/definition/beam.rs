@@ -17,7 +17,7 @@ pub enum Curve {
 /// Size of the finite elements of a beam.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ElementSize {
-    /// So many elements in all, shared out by length among the straight parts.
+    /// Total number of elements, distributed by length over the straight parts.
     Number(usize),
     /// Elements no longer than this \[m\].
     Length(f64),
@@ -42,7 +42,7 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// So many elements of equal length.
+    /// Number of elements of equal length.
     pub fn even(elements: usize) -> Self {
         Self { size: ElementSize::Number(elements), grading: None }
     }
@@ -59,7 +59,7 @@ pub struct Change {
     pub section: Option<SectionId>,
 }
 
-/// What closes the outline of a beam at its ends, as contact sees it. Either way it ends where the beam ends.
+/// Closure of the outline of a beam at its ends, for contact. In either case the outline ends at the end of the beam.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Ends {
     /// A straight edge across the axis, between two corners.
@@ -86,7 +86,7 @@ pub struct Beam {
     pub section: SectionId,
     /// Changes of material and section, in the order of their places, shape (changes).
     pub changes: Vec<Change>,
-    /// What closes its outline at its ends.
+    /// Closure of its outline at its ends.
     pub ends: Ends,
 }
 

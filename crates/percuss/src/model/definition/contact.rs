@@ -1,4 +1,4 @@
-//! What moves freely and strikes, what stands in the way, and what acts where two things touch.
+//! Free bodies, obstacles, and contact laws between two partners.
 
 use std::fmt;
 use std::sync::Arc;
@@ -65,12 +65,12 @@ pub enum ObstacleShape {
         width: f64,
         /// Free way between the beam's surface and either segment \[m\].
         gap: f64,
-        /// On which sides it stands.
+        /// Sides on which it acts.
         sides: Sides,
     },
 }
 
-/// Sides of a beam, seen along it.
+/// Sides of a beam, in its direction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sides {
     /// Left and right.
@@ -82,14 +82,14 @@ pub enum Sides {
     Right,
 }
 
-/// An obstacle: it stands still, or moves as prescribed.
+/// An obstacle: it is fixed, or moves as prescribed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Obstacle {
     /// The user's name for it.
     pub name: String,
     /// Its shape.
     pub shape: ObstacleShape,
-    /// Prescribed motion; an obstacle does not turn.
+    /// Prescribed motion; an obstacle does not rotate.
     pub motion: Option<Motion>,
 }
 
@@ -151,7 +151,7 @@ impl PartialEq for PotentialFunction {
     }
 }
 
-/// A smooth contact law: a potential, and what it dissipates.
+/// A smooth contact law: a potential, and dissipation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SmoothLaw {
     /// Potential of the elastic part.
@@ -160,8 +160,7 @@ pub struct SmoothLaw {
     pub dissipation: f64,
     /// How it is evaluated over a step.
     pub force: ContactForce,
-    /// Slope of the line along which it opens, if it crushes: the potential is then that of going deeper, what was pushed in comes back
-    /// along this line alone \[N/m\].
+    /// Slope of the line of unloading with crushing: the potential is then that of further loading, and unloading follows only this line \[N/m\].
     pub unloading: Option<f64>,
 }
 
@@ -179,7 +178,7 @@ pub enum ContactForce {
     Midpoint,
 }
 
-/// What becomes of the velocities in an impact.
+/// Impact law for the velocities.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum ImpactLaw {
     /// Newton's: `z1 >= -e z0` along the normal, and along the tangent within the cone of friction. With friction it can give
@@ -195,16 +194,16 @@ pub enum ImpactLaw {
 pub struct RigidLaw {
     /// Coefficient of restitution along the normal, in \[0, 1\].
     pub restitution: f64,
-    /// Coefficient of restitution along the tangent, in \[0, 1\]: what sticks leaves at this share of its sliding velocity,
-    /// backwards.
+    /// Tangential coefficient of restitution, in \[0, 1\]: a sticking contact separates with this share of its sliding velocity, in the opposite
+    /// direction.
     pub tangential_restitution: f64,
     /// Coefficient of Coulomb friction, zero or above.
     pub friction: f64,
-    /// What becomes of the velocities in an impact.
+    /// Impact law for the velocities.
     pub impact: ImpactLaw,
 }
 
-/// What acts where two things touch.
+/// Law between two partners in contact.
 #[derive(Clone, Debug, PartialEq)]
 pub enum TouchLaw {
     /// A force that grows with the penetration.
@@ -223,9 +222,9 @@ pub enum TouchLaw {
 pub struct Contact {
     /// The user's name for it.
     pub name: String,
-    /// What touches, shape (2).
+    /// Partners, shape (2).
     pub between: [ContactPartner; 2],
-    /// What acts.
+    /// Law.
     pub law: TouchLaw,
     /// Points of a beam's element that can touch.
     pub points_per_element: usize,
@@ -281,8 +280,8 @@ impl Potential {
         Self::Hertz { stiffness: 4.0 / 3.0 / compliance / curvature.sqrt() }
     }
 
-    /// A potential given as code: `energy` \[J\] and `force` \[N\] at a penetration \[m\] of zero or above. They must depend on
-    /// nothing else; the force is the derivative of the energy, zero at no penetration and never a pull.
+    /// A potential given as code: `energy` \[J\] and `force` \[N\] at a non-negative penetration \[m\]. They must depend on nothing else; the force
+    /// is the derivative of the energy, zero at zero penetration and never tensile.
     pub fn function(
         energy: impl Fn(f64) -> f64 + Send + Sync + 'static,
         force: impl Fn(f64) -> f64 + Send + Sync + 'static,
@@ -334,7 +333,7 @@ impl TouchLaw {
         self.rigid().is_some()
     }
 
-    /// Whether what touches can stick.
+    /// Whether the contact can stick.
     pub(crate) fn has_friction(&self) -> bool {
         self.rigid().is_some_and(|law| law.friction > 0.0)
     }
@@ -344,7 +343,7 @@ impl TouchLaw {
         self.smooth().is_some_and(|law| law.dissipation > 0.0)
     }
 
-    /// Whether a force of it depends on how deep it was pushed in before.
+    /// Whether a force of it depends on the previous penetration.
     pub fn crushes(&self) -> bool {
         self.smooth().is_some_and(|law| law.unloading.is_some())
     }

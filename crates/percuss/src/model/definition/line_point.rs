@@ -17,7 +17,7 @@ pub struct LinePoint {
 }
 
 impl Beam {
-    /// A point of the centre line; `None` where the line does not reach, or the beam's points define none.
+    /// A point of the centre line; `None` outside of the line, or if the beam's points define none.
     pub fn line_point(&self, along: Along) -> Option<LinePoint> {
         let line = CentreLine::new(self)?;
         let (s, length) = (line.arc(along), line.length());

@@ -3,7 +3,7 @@
 use super::super::time_function::TimeFunction;
 use super::{Along, BeamId, PointRef};
 
-/// What a load applies.
+/// Kind of a load.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LoadKind {
     /// Gravity on every beam, point mass and projectile.
@@ -36,12 +36,12 @@ pub enum LoadKind {
     },
 }
 
-/// A load: what it applies, times a function of time.
+/// A load: its kind, times a function of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Load {
     /// The user's name for it.
     pub name: String,
-    /// What it applies.
+    /// Its kind.
     pub kind: LoadKind,
     /// Its time function, beginning at `from`.
     pub function: TimeFunction,

@@ -18,10 +18,9 @@ pub struct Material {
     pub retardation: f64,
     /// Mass-proportional damping, force per mass and velocity \[1/s\].
     pub mass_damping: f64,
-    /// What it does beyond Hooke's law; beams of such a material are made of fibres.
+    /// Behaviour beyond Hooke's law; beams of such a material have fibre sections.
     pub inelasticity: Option<Inelasticity>,
-    /// Stresses that it usually bears, where they are known. Nothing follows from them in the mechanics: what an elastic material is
-    /// stressed to beyond them is told.
+    /// Usual yield stresses, if known. They have no effect on the mechanics: larger stresses of an elastic material are reported.
     pub strength: Option<Strength>,
 }
 

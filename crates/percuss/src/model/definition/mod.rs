@@ -1,4 +1,4 @@
-//! What a user defines: plain structs, handed to the [`ModelBuilder`](super::ModelBuilder).
+//! Definitions of a user: plain structs for the [`ModelBuilder`](super::ModelBuilder).
 //!
 //! Names are those of the scenario file. All quantities are SI.
 
@@ -9,6 +9,7 @@ mod load;
 mod material;
 mod profile;
 mod projectile;
+mod rounding;
 mod section;
 mod support;
 

@@ -1,7 +1,7 @@
 //! How the area of a section lies about its centre line, and fibres laid out over it.
 //!
-//! Fibres stand at the points of Gauss rules over the upper and the lower half: with two points or more in each, area, second moment
-//! of area and fully plastic moment are exact, since `1`, `y^2` and `|y|` are polynomials of low degree over a half.
+//! Fibres are at the points of Gauss rules over the upper and the lower half: with two points or more in each, area, second moment of area and
+//! plastic moment are exact, since `1`, `y^2` and `|y|` are polynomials of low degree over a half.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
@@ -162,6 +162,9 @@ mod tests {
                 0.1 * 0.02 * 0.18 + 0.01 * 0.16_f64.powi(2) / 4.0,
             ),
             (Section::hollow_box("b", 0.1, d, 0.02), (0.1 * d * d - 0.06 * i * i) / 4.0),
+            // Published: IPE 200, Wpl = 220.6 cm^3 (EN 10365); RHS 200x100x8, Wpl = 282 cm^3 (EN 10210-2); here with all digits.
+            (Section::rolled_i("ri", 0.1, d, 8.5e-3, 5.6e-3, 12e-3), 2.206_386_473_017_04e-4),
+            (Section::rounded_box("rb", 0.1, d, 8e-3, [12e-3, 8e-3]), 2.819_503_933_339_24e-4),
         ];
         for (section, plastic) in cases {
             for count in [4, 8, 12, 24] {

@@ -2,7 +2,7 @@
 
 use super::{PointRef, Potential, SmoothLaw};
 
-/// What strikes.
+/// Kind of contact of a projectile.
 #[derive(Clone, Debug, PartialEq)]
 pub enum ProjectileKind {
     /// A mass behind a massless spring.
@@ -29,7 +29,7 @@ impl ProjectileKind {
 pub struct RearMass {
     /// Mass \[kg\].
     pub mass: f64,
-    /// Stiffness of the spring between the two, which pushes and pulls \[N/m\].
+    /// Stiffness of the spring between the two, in tension and compression \[N/m\].
     pub stiffness: f64,
     /// Damping of the same \[N s/m\].
     pub damping: f64,
@@ -54,7 +54,7 @@ pub struct Projectile {
     pub standoff: f64,
     /// A second mass behind it.
     pub rear: Option<RearMass>,
-    /// Mass that the struck point carries in itself \[kg\]: what a blow meets first, however fine the mesh.
+    /// Added nodal mass at the struck point \[kg\]: the first mass in an impact, for any mesh.
     pub local_mass: f64,
 }
 

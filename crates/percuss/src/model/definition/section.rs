@@ -1,6 +1,7 @@
 //! Cross sections.
 
 use super::profile::{Profile, SectionFibre, Strip};
+use super::rounding::Moments;
 
 /// Rotary inertia per unit length of a section, rhoI \[kg m\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,7 +28,7 @@ pub struct Section {
     pub depth: Option<f64>,
     /// Rotary inertia per unit length.
     pub rotary_inertia: RotaryInertia,
-    /// Stations of a tapered section, shape (stations); empty for a uniform one, whose values stand above. Area, inertia and depth vary
+    /// Stations of a tapered section, shape (stations); empty for a uniform one, whose values are given above. Area, inertia and depth vary
     /// linearly between stations.
     pub stations: Vec<Station>,
     /// How its area lies about the centre line; that of the first station of a tapered one.
@@ -77,7 +78,7 @@ impl Station {
 }
 
 impl Section {
-    /// Fibres through the depth unless said otherwise.
+    /// Default number of fibres through the depth.
     pub const FIBRES: usize = 16;
 
     /// Most fibres through the depth.
@@ -145,6 +146,51 @@ impl Section {
         Self::deep(name, width * depth - w * d, inertia, depth).with(profile)
     }
 
+    /// A rolled I: as [`i_shape`](Self::i_shape), with fillets of a radius between web and flanges, half the clear height at most.
+    pub fn rolled_i(
+        name: impl Into<String>,
+        width: f64,
+        depth: f64,
+        flange: f64,
+        web: f64,
+        fillet: f64,
+    ) -> Self {
+        let plain = Self::i_shape(name, width, depth, flange, web);
+        if fillet <= 0.0 {
+            return plain;
+        }
+        let inner = 0.5 * depth - flange;
+        let corner = Moments::corner(inner, fillet);
+        let root = Moments::rectangle(web, inner - fillet, inner).with(2.0, corner);
+        let web = Strip { from: 0.0, to: inner - fillet, width: web };
+        let strips = vec![web, root.strip(), Strip { from: inner, to: 0.5 * depth, width }];
+        plain.added(corner, 4.0).with(Profile::Strips(strips))
+    }
+
+    /// A hollow rectangle of uniform wall thickness with corners of given outer and inner radius, half the inner sides at most.
+    pub fn rounded_box(
+        name: impl Into<String>,
+        width: f64,
+        depth: f64,
+        thickness: f64,
+        [outer, inner]: [f64; 2],
+    ) -> Self {
+        let plain = Self::hollow_box(name, width, depth, thickness);
+        let (top, face) = (0.5 * depth, 0.5 * depth - thickness);
+        let [cut, filled] = [Moments::corner(top, outer), Moments::corner(face, inner)];
+        let walls = Moments::rectangle(2.0 * thickness, face - inner, face);
+        let flange = walls.with(1.0, Moments::rectangle(width, face, top));
+        let web = Strip { from: 0.0, to: face - inner, width: 2.0 * thickness };
+        let strips = vec![web, flange.with(-2.0, cut).with(2.0, filled).strip()];
+        plain.added(filled, 4.0).added(cut, -4.0).with(Profile::Strips(strips))
+    }
+
+    /// With so many equal areas more, symmetric about both axes.
+    fn added(self, one: Moments, count: f64) -> Self {
+        let (area, inertia) = (self.area + count * one.area, self.inertia + count * one.second);
+        Self { area, inertia, ..self }
+    }
+
     /// Fibres one by one; the centre line of the beam is their elastic centroid, and the depth is twice the largest of their
     /// distances from it.
     pub fn of_fibres(name: impl Into<String>, fibres: Vec<SectionFibre>) -> Self {
@@ -169,7 +215,7 @@ impl Section {
         SectionSize { area: self.area, inertia: self.inertia, depth: self.depth }
     }
 
-    /// Stations before and behind a fraction of the beam's length and how far it lies from the first to the second; nothing of a uniform
+    /// Stations before and after a fraction of the beam's length, and its relative distance from the first to the second; `None` for a uniform
     /// section.
     pub(crate) fn stations_about(&self, fraction: f64) -> Option<([&Station; 2], f64)> {
         let (first, last) = (self.stations.first()?, self.stations.last()?);

@@ -10,13 +10,13 @@ pub enum Component {
     Displacement1,
     /// Displacement along e2.
     Displacement2,
-    /// Direction of the tangent (what a clamp holds besides the displacements).
+    /// Direction of the tangent (fixed by a clamp in addition to the displacements).
     Rotation,
     /// Slope component along the reference tangent.
     Stretch,
 }
 
-/// What a support holds.
+/// Kind of a support.
 #[derive(Clone, Debug, PartialEq)]
 pub enum SupportKind {
     /// Both displacements and the direction of the tangent; the stretch stays free.
@@ -46,7 +46,7 @@ pub enum SupportKind {
         /// Damping of the rotation of the tangent \[N m s\].
         rotational_damping: f64,
     },
-    /// A spring that pushes back once the point has moved by `gap` along `direction`.
+    /// A spring that acts after a displacement of the point by `gap` along `direction`.
     Stop {
         /// Direction of motion that is stopped, shape (2) \[-\]; need not be of unit length.
         direction: [f64; 2],
@@ -59,7 +59,7 @@ pub enum SupportKind {
     },
 }
 
-/// Prescribed motion of what a support holds: amplitudes times a function of time.
+/// Prescribed motion of the fixed components: amplitudes times a function of time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// Displacement, shape (2) \[m\].
@@ -77,7 +77,7 @@ pub struct Support {
     pub name: String,
     /// The point held.
     pub at: PointRef,
-    /// What is held there.
+    /// Kind of support.
     pub kind: SupportKind,
     /// Prescribed motion; at rest if there is none.
     pub motion: Option<Motion>,
@@ -108,7 +108,7 @@ pub enum JointKind {
     },
 }
 
-/// What a joint carries at most: it parts after a step in which it has carried more.
+/// Strength of a joint: it fails after a step in which its load has exceeded it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct JointStrength {
     /// Size of the force \[N\]; any if none is given.
@@ -122,13 +122,13 @@ pub struct JointStrength {
 pub struct Joint {
     /// The user's name for it.
     pub name: String,
-    /// What is shared.
+    /// Kind of connection.
     pub kind: JointKind,
     /// The two points joined, shape (2).
     pub between: [PointRef; 2],
-    /// How an elastic hinge yields, if it does: moments \[N m\] and rotations \[rad\] in place of stresses and strains.
+    /// Yield law of an elastic hinge, if any: moments \[N m\] and rotations \[rad\] in place of stresses and strains.
     pub yielding: Option<Plasticity>,
-    /// What it carries at most, if it parts at all: of a rigid joint or a hinge without a spring.
+    /// Strength, if any: of a rigid joint or a hinge without a spring.
     pub strength: Option<JointStrength>,
 }
 
@@ -148,7 +148,7 @@ pub enum Anchor {
     Ground([f64; 2]),
 }
 
-/// A spring and damper between two points; it pulls and pushes along the line between them.
+/// A spring and damper between two points, in tension and compression along the line between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spring {
     /// The user's name for it.
@@ -161,7 +161,7 @@ pub struct Spring {
     pub damping: f64,
     /// Length without force \[m\]; that of the reference configuration if none is given.
     pub length: Option<f64>,
-    /// How it yields, if it does: forces \[N\] and extensions \[m\] in place of stresses and strains.
+    /// Yield law, if any: forces \[N\] and extensions \[m\] in place of stresses and strains.
     pub yielding: Option<Plasticity>,
 }
 

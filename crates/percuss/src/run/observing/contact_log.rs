@@ -5,6 +5,7 @@
 
 mod gap_over_step;
 mod rigid;
+mod sliding;
 mod smooth;
 
 use serde::{Deserialize, Serialize};
@@ -18,8 +19,11 @@ use crate::model::{Model, SmoothLaw};
 use crate::run::solving::trial::{Accepted, Solved};
 use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
-use crate::summary::{ContactInterval, ContactPlace, ContactRecord, EnergySplit, Peak, PressedIn};
+use crate::summary::{
+    ContactInterval, ContactPlace, ContactRecord, EnergySplit, Peak, PressedIn, Sliding,
+};
 use gap_over_step::GapOverStep;
+use sliding::Slides;
 
 /// The record of all contacts.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -30,6 +34,8 @@ pub struct ContactLog {
     pub residual: f64,
     /// When each smooth contact was pressed in deepest, shape (contacts).
     pub pressed: Vec<Option<PressedIn>>,
+    /// How far each contact with friction slid, shape (contacts).
+    slides: Vec<Option<Slides>>,
     /// Number of the open interval of each smooth contact in its record, shape (contacts) \[index of an interval\].
     open: Vec<Option<usize>>,
     /// The pair that touched first in the last interval of each smooth contact, shape (contacts) \[index of a pair\].
@@ -146,6 +152,9 @@ impl ContactLog {
             records: model.contacts.iter().map(record).collect(),
             residual: 0.0,
             pressed: vec![None; contacts],
+            slides: (model.contacts.iter())
+                .map(|contact| contact.law.has_friction().then(Slides::default))
+                .collect(),
             open: vec![None; contacts],
             first: vec![0; contacts],
             free: vec![Free::default(); model.pairs.len()],
@@ -162,7 +171,8 @@ impl ContactLog {
     pub fn fits(&self, other: &Self, model: &Model) -> bool {
         let shape = |log: &Self| {
             let contacts = [log.records.len(), log.open.len(), log.first.len(), log.rests.len()];
-            (contacts, [log.struck.len(), log.pressed.len()], log.free.len())
+            let others = [log.struck.len(), log.pressed.len(), log.slides.len()];
+            (contacts, others, log.free.len())
         };
         let smooth = |log: &Self| {
             let kinds = log.records.iter().map(|r| matches!(r, ContactRecord::Smooth { .. }));
@@ -184,6 +194,11 @@ impl ContactLog {
                     && rest.interval.iter().all(known)
                     && rest.pair < pairs.max(1)
             })
+    }
+
+    /// How far a contact with friction slid, and what that dissipated; nothing of one without.
+    pub fn sliding(&self, contact: usize) -> Option<Sliding> {
+        self.slides[contact].map(|slides| slides.total)
     }
 
     /// Takes in a part of a step.

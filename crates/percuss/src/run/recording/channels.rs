@@ -15,7 +15,7 @@ use crate::state::State;
 pub struct Channel {
     /// Name in the form `<kind>.<name>.<quantity>`, for instance `projectile.mass.velocity_2`.
     pub name: String,
-    /// Unit in plain ASCII: `m`, `m/s`, `N`, `N*s`, `J`, `kg*m/s`, `1/m`, `s`, or `1`.
+    /// Unit in plain ASCII: `m`, `m/s`, `rad`, `N`, `N*s`, `J`, `kg*m/s`, `1/m`, `s`, or `1`.
     pub unit: &'static str,
     /// One sentence that says what the column holds.
     pub description: String,
@@ -46,7 +46,7 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         if !contact.law.is_rigid() {
             add(format!("contact.{name}.force"), "N", "Contact force at this instant");
         }
-        let text = "Impulse handed over since the row before";
+        let text = "Impulse since the previous row";
         add(format!("contact.{name}.impulse"), "N*s", text);
         if has_friction(contact) {
             let text = "Impulse of friction since the row before";
@@ -62,6 +62,9 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         for i in 1..=2 {
             add(format!("point.{name}.displacement_{i}"), "m", "Displacement of the point");
         }
+        let text =
+            "Rotation of the section at the point, counter-clockwise, continued from row to row";
+        add(format!("point.{name}.rotation"), "rad", text);
         for i in 1..=2 {
             add(format!("point.{name}.velocity_{i}"), "m/s", "Velocity of the point");
         }
@@ -218,6 +221,8 @@ fn has_depth(model: &Model, point: &MaterialPoint) -> bool {
 pub struct SinceLast<'a> {
     /// Impulses along normal and tangent, shape (contacts, 2) \[N s\].
     pub impulse: &'a [[f64; 2]],
+    /// Rotations of the recorded points where the state stands, shape (points) \[rad\].
+    pub rotations: &'a [f64],
     /// Which pairs were looked at where the state stands, and how near the others can be.
     pub search: &'a Search,
     /// Mean reactions, shape (supports, 3) \[N, N m\].
@@ -263,8 +268,9 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
             row.push(nearest.s);
         }
     }
-    for p in &model.points {
+    for (p, rotation) in model.points.iter().zip(since.rotations) {
         row.extend(p.value(&state.displacement));
+        row.push(*rotation);
         row.extend(p.value(&state.velocity));
     }
     for p in &model.points {

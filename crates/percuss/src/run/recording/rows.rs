@@ -6,6 +6,7 @@ use super::channels::{self, SinceLast};
 use crate::contact::search::Search;
 use crate::ledger::Measures;
 use crate::model::Model;
+use crate::model::rotations::continued;
 use crate::run::observing::monitor::Monitor;
 use crate::run::solving::trial::Accepted;
 use crate::state::State;
@@ -21,6 +22,8 @@ pub struct Rows {
     pub iterations: usize,
     /// Impulses since then along normal and tangent, shape (contacts, 2) \[N s\].
     impulse: Vec<[f64; 2]>,
+    /// Rotations of the recorded points in the last one, shape (points) \[rad\].
+    rotations: Vec<f64>,
     /// Values of a row, shape (channels) \[unit of the channel\].
     #[serde(skip)]
     values: Vec<f64>,
@@ -34,13 +37,14 @@ impl Rows {
             time: f64::NEG_INFINITY,
             iterations: 0,
             impulse: vec![[0.0; 2]; model.contacts.len()],
+            rotations: vec![0.0; model.points.len()],
             values: Vec::new(),
         }
     }
 
     /// Whether they belong to a model.
     pub fn fits(&self, model: &Model) -> bool {
-        self.impulse.len() == model.contacts.len()
+        self.impulse.len() == model.contacts.len() && self.rotations.len() == model.points.len()
     }
 
     /// Adds what contacts gave in an accepted part of a step.
@@ -71,7 +75,9 @@ impl Rows {
         monitor: &Monitor,
         iterations: usize,
     ) -> &[f64] {
+        self.turn(model, state);
         let since = SinceLast {
+            rotations: &self.rotations,
             impulse: &self.impulse,
             search,
             reactions: monitor.reactions.mean(),
@@ -81,6 +87,18 @@ impl Rows {
         };
         channels::values(model, state, measures, &since, &mut self.values);
         &self.values
+    }
+
+    /// Rotations of the recorded points where the state stands: at first as along their beams, then with no more than half a turn since the
+    /// row before.
+    fn turn(&mut self, model: &Model, state: &State) {
+        if self.count <= 1 {
+            self.rotations = model.rotations(&state.displacement);
+            return;
+        }
+        for (point, rotation) in model.points.iter().zip(&mut self.rotations) {
+            *rotation = continued(point.rotation(&state.displacement), *rotation);
+        }
     }
 
     /// Ends it.

@@ -1,17 +1,20 @@
 //! The contacts of a run in the table at its end: forces or impulses, the first impacts and intervals.
 
-use percuss::{ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, RunSummary};
-use percuss_output::report::told_as_start;
+use percuss::{
+    ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, RunSummary, Sliding,
+};
+use percuss_output::report::taken_as_start;
 
 use super::super::equivalent::{equivalent, without_equivalent};
+use super::ROUNDING;
 use super::lines::{LISTED, listed};
 use crate::effective_mass;
-use crate::number::{count, number};
+use crate::number::{count, quantity};
 
 /// Velocities below this share of the other one of an impact are round-off of a plastic impact, or of a touch without approach.
 const NO_VELOCITY: f64 = 1e-8;
 
-/// Whether the contact ever closed.
+/// Whether the contact closed.
 pub(super) fn touched(contact: &ContactSummary) -> bool {
     match &contact.record {
         ContactRecord::Smooth { intervals, .. } => !intervals.is_empty(),
@@ -21,21 +24,22 @@ pub(super) fn touched(contact: &ContactSummary) -> bool {
     }
 }
 
-/// What happened at a contact.
+/// The rows of a contact.
 pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<String> {
     let interval = |one: &ContactInterval| interval(one, run);
     match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {
             let mut lines = Vec::new();
             if intervals.is_empty() {
-                lines.push("never closed".to_owned());
+                lines.push("not closed".to_owned());
             } else {
-                let (value, time) = (number(peak_force.value), number(peak_force.time));
-                lines.push(format!("peak force {value} N at {time} s"));
+                let (value, time) =
+                    (quantity(peak_force.value, "N"), quantity(peak_force.time, "s"));
+                lines.push(format!("peak force {value} at t = {time}"));
             }
-            // What has not been touched is not pushed in.
+            // A contact that did not close has no indentation.
             if let Some(permanent) = contact.permanent_penetration.filter(|p| *p > 0.0) {
-                lines.push(format!("stays pushed in by {} m", number(permanent)));
+                lines.push(format!("permanent indentation {}", quantity(permanent, "m")));
             }
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
@@ -53,18 +57,17 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
         } => {
             let counted = count(*impact_count, "impact");
             let struck = (impulse_total - impulse_resting).max(0.0);
-            let mut lines = vec![format!("{counted}, impulse {} N s in all", number(struck))];
+            let mut lines = vec![format!("{counted}, total impulse {}", quantity(struck, "N*s"))];
             if !intervals.is_empty() {
-                lines.push(format!(
-                    "resting contact, impulse {} N s in all",
-                    number(*impulse_resting)
-                ));
+                let total = quantity(*impulse_resting, "N*s");
+                lines.push(format!("persistent contact, total impulse {total}"));
             }
+            lines.extend(contact.sliding.and_then(|sliding| slid(sliding, run)));
             lines.extend(listed(impacts, *impact_count, LISTED, |one| impact(one, run)));
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             if *fallback_count > 0 {
-                let law = "under Moreau's law, where Newton's would have given energy";
-                lines.push(format!("{} {law}", count(*fallback_count, "impact")));
+                let law = "Moreau's law used (Newton's law would increase the energy)";
+                lines.push(format!("{}: {law}", count(*fallback_count, "impact")));
             }
             lines.extend(contact.effective_mass.as_ref().map(effective_mass::line));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
@@ -74,24 +77,34 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
     }
 }
 
-/// An instant \[s\]; the first impact of a run that begins in contact ends as the run begins.
+/// How far a contact with friction slid; nothing where it stuck or rolled, or never closed.
+fn slid(sliding: Sliding, run: &RunSummary) -> Option<String> {
+    let Sliding { distance, work } = sliding;
+    let slides = work > ROUNDING * run.energy.scale;
+    slides.then(|| {
+        let (distance, work) = (quantity(distance, "m"), quantity(work, "J"));
+        format!("sliding distance {distance}, friction work {work}")
+    })
+}
+
+/// An instant; the first impact of a run that begins in contact ends as the run begins.
 fn instant(time: f64, run: &RunSummary) -> String {
-    number(if time <= told_as_start(run.time, run.steps as f64) { 0.0 } else { time })
+    quantity(if time <= taken_as_start(run.time, run.steps as f64) { 0.0 } else { time }, "s")
 }
 
 fn interval(interval: &ContactInterval, run: &RunSummary) -> String {
     let end = match interval.end.is_nan() {
         true => "the end".to_owned(),
-        false => format!("{} s", instant(interval.end, run)),
+        false => instant(interval.end, run),
     };
-    let (start, impulse) = (instant(interval.start, run), number(interval.impulse));
+    let (start, impulse) = (instant(interval.start, run), quantity(interval.impulse, "N*s"));
     let why = match interval.restitution() {
         Err(why @ (NoRestitution::Steps(_) | NoRestitution::Unsteady)) => {
             format!(", restitution {why}")
         }
         _ => String::new(),
     };
-    format!("closed from {start} s to {end}, impulse {impulse} N s{why}")
+    format!("closed from t = {start} to {end}, impulse {impulse}{why}")
 }
 
 fn impact(impact: &Impact, run: &RunSummary) -> String {
@@ -100,17 +113,17 @@ fn impact(impact: &Impact, run: &RunSummary) -> String {
     let separation = beside(impact.separation_velocity, impact.approach_velocity);
     let friction = match impact.tangential_impulse {
         0.0 => String::new(),
-        impulse => format!(", of friction {} N s", number(impulse)),
+        impulse => format!(", friction impulse {}", quantity(impulse, "N*s")),
     };
     let points = match impact.points {
         0 | 1 => String::new(),
         points => format!(" at {points} points"),
     };
     format!(
-        "at {} s: impulse {} N s{points}{friction}, approach {} m/s, separation {} m/s",
+        "t = {}: impulse {}{points}{friction}, approach {}, separation {}",
         instant(impact.time, run),
-        number(impact.impulse),
-        number(approach),
-        number(separation)
+        quantity(impact.impulse, "N*s"),
+        quantity(approach, "m/s"),
+        quantity(separation, "m/s")
     )
 }

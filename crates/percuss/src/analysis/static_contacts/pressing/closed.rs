@@ -1,4 +1,4 @@
-//! What presses while loads change: forces that follow a response, contacts that close next.
+//! Active contacts under changing loads: change of forces with a response, and the contacts that close next.
 
 use super::super::place::CandidatePair;
 use super::super::{CLOSED, StaticContacts};
@@ -24,8 +24,8 @@ impl StaticContacts {
         self.places.iter().map(CandidatePair::presses).collect()
     }
 
-    /// How fast, in a response, what has begun to press since does so more, or what has let go since moves off; nothing where the
-    /// same contacts press.
+    /// Rate, in a response, at which contacts that have closed since press more, or contacts that have opened since separate; `None` if the active
+    /// contacts are the same.
     pub fn onward(&self, since: &[bool], response: &Response) -> Option<f64> {
         let now = self.pressing();
         let moved = |i: usize| self.places[i].row.on(&response.nodal);
@@ -42,7 +42,7 @@ impl StaticContacts {
         Some(gone.sum())
     }
 
-    /// The open contact that closes first as the load factor changes the way `rise` tells, by the response to it.
+    /// The open contact that closes first as the load factor changes in the direction `rise`, from the response to it.
     pub fn next_to_close(&self, response: &Response, rise: f64) -> Option<usize> {
         let followed = |p: &CandidatePair| p.is_exact || p.is_compliant();
         let open = |p: &CandidatePair| followed(p) && !p.presses() && p.gap.is_finite();
@@ -77,7 +77,7 @@ impl StaticContacts {
         all.min_by(|a, b| a.1.gap.total_cmp(&b.1.gap)).map(|(i, _)| i)
     }
 
-    /// What just touches presses from now on.
+    /// A touching contact is active from now on.
     pub fn close(&mut self, place: usize) {
         if !self.places[place].is_compliant() {
             self.places[place].multiplier = f64::MIN_POSITIVE;

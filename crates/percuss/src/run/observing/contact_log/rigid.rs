@@ -12,6 +12,10 @@ struct PairPart {
     phase: Phase,
     /// Impulses along normal and tangent, shape (2) \[N s\].
     impulse: [f64; 2],
+    /// How far it slid \[m\].
+    slip: f64,
+    /// Work of friction, negative where it dissipates \[J\].
+    friction_work: f64,
     /// Rates of the gap \[m/s\].
     before: f64,
     after: f64,
@@ -30,6 +34,9 @@ impl ContactLog {
                 continue;
             };
             *impulse_total += done.impulse[0];
+            if let Some(slides) = &mut self.slides[done.contact] {
+                slides.take(self.part, done.impulse[0], done.slip, done.friction_work);
+            }
             if rests {
                 *impulse_resting += done.impulse[0];
                 self.rest(seen, &done);
@@ -163,6 +170,7 @@ fn done(seen: StepViews<'_>, trial: &Trial, k: usize) -> PairPart {
     let before = 2.0 * found.normal.on(&seen.work.increment) / h - after;
     let mut energy = EnergySplit::default();
     let [normal, tangential] = found.impulse;
+    let slip = found.tangent.on(&seen.work.increment);
     seen.add_energy(&mut energy, pair, &found.normal, normal / h);
     seen.add_energy(&mut energy, pair, &found.tangent, tangential / h);
     energy.lost = -energy.given[0] - energy.given[1];
@@ -171,6 +179,8 @@ fn done(seen: StepViews<'_>, trial: &Trial, k: usize) -> PairPart {
         pair: contact.pair,
         phase: contact.phase,
         impulse: found.impulse,
+        slip,
+        friction_work: tangential / h * slip,
         before,
         after,
         energy,

@@ -1,14 +1,14 @@
-//! Derivatives of what became of beams that can yield.
+//! Derivatives of the results of beams that can yield.
 
-use super::{Derived, Flight};
+use super::{DerivativeRun, Derived};
 use crate::yield_log::YieldLog;
 use percuss::internals::model::frozen::BeamData;
 use percuss::internals::scalar::{Number, Real};
 use percuss::{FirstYield, Model, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak};
 
-impl Flight<'_> {
-    /// Derivatives of what became of each beam that can yield: of its largest strains, of what it dissipated and what hardening
-    /// stored; hinges and what stays of displacements have none.
+impl DerivativeRun<'_> {
+    /// Derivatives of the results of each beam that can yield: largest strains, dissipation and energy stored in hardening; plastic hinges and
+    /// permanent deflections have none.
     pub fn plastic(
         &self,
         model: &Model,
@@ -49,7 +49,7 @@ impl Flight<'_> {
         out
     }
 
-    /// What is noted of the spans of each beam.
+    /// Records of the spans of each beam.
     pub fn yields<'b>(
         &self,
         model: &'b Model,
@@ -63,7 +63,7 @@ impl Flight<'_> {
         })
     }
 
-    /// What the fibres of a beam dissipated, and what hardening stored in them, shape (2) \[J\].
+    /// Energy dissipated by the fibres of a beam, and energy stored in hardening, shape (2) \[J\].
     fn beam_energies(&self, beam: &BeamData) -> [Derived; 2] {
         let engine = &self.engine;
         let mut sums = [engine.h.constant(0.0); 2];

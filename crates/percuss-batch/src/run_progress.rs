@@ -1,7 +1,5 @@
-//! Where a run stands that goes by parts of steps, as a single run does: in time, and its rigid contacts.
-//!
-//! What its parts are the [`Decider`] says. To those who solve them all are steps of some size with some contacts pressing; whether one is
-//! accepted, and what comes next, each run decides by itself.
+//! Progress of a run by parts of steps, as in a single run: its time, and its rigid contacts. The [`Decider`] sets the parts. For the solver every
+//! part is a step of some size with some contacts that press; each run decides separately whether a part is accepted and which part follows.
 
 use percuss::Model;
 use percuss::internals::run::decider::{
@@ -11,7 +9,7 @@ use percuss::internals::run::locate::{Seen, Verdict};
 use percuss::internals::settings::Settings;
 use percuss::internals::step::contacts::Phase;
 
-/// What a run is measured by, its energy apart.
+/// Scales of a run, without its energy.
 pub fn scales(model: &Model, settings: &Settings) -> RunScales {
     RunScales {
         step: settings.step,
@@ -29,47 +27,47 @@ pub struct Touching {
     pub closed: bool,
     /// Fastest approach so far \[m/s\].
     pub approach_max: f64,
-    /// What it does in the part at hand; nothing if it stands open.
+    /// Its phase in the current part; `None` for an open contact.
     pub phase: Option<Phase>,
 }
 
 impl Touching {
-    /// Whether it is to stay closed in the part at hand.
+    /// Whether the contact rests in the current part.
     pub fn rests(&self) -> bool {
         matches!(self.phase, Some(Phase::Resting { .. }))
     }
 
-    /// Whether it strikes in the part at hand.
+    /// Whether the current part is an impact of this contact.
     pub fn strikes(&self) -> bool {
         matches!(self.phase, Some(Phase::Impact { .. }))
     }
 }
 
-/// A run on its way through its steps.
+/// Progress of a run through its steps.
 #[derive(Clone, Debug)]
-pub struct Pace {
+pub struct RunProgress {
     settings: Settings,
     decider: Decider,
-    /// Steps of the run, those done, and those of them in which impacts accumulated.
+    /// Number of steps of the run, of completed steps, and of completed steps with accumulated impacts.
     count: usize,
     pub steps: usize,
     pub accumulated_steps: usize,
-    /// Time at the start of the part at hand, and what is done of its step \[s\].
+    /// Time at the start of the current part, and completed share of its step \[s\].
     pub time: f64,
     pub offset: f64,
-    /// The contact that was located at the end of the part before, or of the one at hand \[index of a rigid contact\].
+    /// The contact that was located at the end of the previous part, or of the current one \[index of a rigid contact\].
     pub located: Option<usize>,
     /// Rigid contacts, shape (rigid contacts).
     pub contacts: Vec<Touching>,
-    /// Rows that a recorder would be given, and the time of the last one \[s\].
+    /// Number of rows that a recorder would receive, and the time of the last one \[s\].
     pub rows: usize,
     row_time: f64,
-    /// Parts solved, trials included.
+    /// Number of solved parts, including trials.
     pub solver_steps: usize,
 }
 
-impl Pace {
-    /// At the start of a run with rigid contacts of these coefficients of restitution; what positions are as large as \[m\].
+impl RunProgress {
+    /// The start of a run whose rigid contacts have the given coefficients of restitution; `positions` is the scale of positions \[m\].
     pub fn new(settings: &Settings, positions: f64, rigid: &[f64]) -> Self {
         let contact = |restitution: &f64| Touching {
             restitution: *restitution,
@@ -93,34 +91,34 @@ impl Pace {
         }
     }
 
-    /// Whether the run has come to its end.
+    /// Whether the run is complete.
     pub fn is_over(&self) -> bool {
         self.steps == self.count
     }
 
-    /// Whether impacts accumulate, or have done so.
+    /// Whether impacts accumulate now or have accumulated before.
     pub fn has_accumulated(&self) -> bool {
         self.accumulated_steps > 0 || self.decider.accumulates()
     }
 
-    /// Size of what is to be solved \[s\].
+    /// Size of the part to be solved \[s\].
     pub fn h(&self) -> f64 {
         self.decider.h()
     }
 
-    /// Whether that is all that is left of the step.
+    /// Whether the part is the whole remainder of the step.
     pub fn is_whole(&self) -> bool {
         !self.is_impact() && self.decider.h() == self.decider.part.size
     }
 
-    /// Whether the part at hand is an impact interval.
+    /// Whether the current part is an impact interval.
     pub fn is_impact(&self) -> bool {
         matches!(self.decider.part.resolution, Resolution::Impact | Resolution::Sequence)
     }
 
-    /// Begins the next part where the contacts stand: gaps and their rates, shape (rigid contacts, 2) \[m, m/s\].
-    pub fn begin(&mut self, stand: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
-        let standing = |(contact, (c, [gap, rate])): (usize, (&Touching, [f64; 2]))| {
+    /// Begins the next part with the given gaps and their rates, shape (rigid contacts, 2) \[m, m/s\].
+    pub fn begin(&mut self, gaps: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
+        let pair = |(contact, (c, [gap, rate])): (usize, (&Touching, [f64; 2]))| {
             let (closed, approach_max) = (c.closed, c.approach_max);
             RigidPair {
                 contact,
@@ -136,7 +134,7 @@ impl Pace {
             cut: f64::INFINITY,
             jumps: false,
             located: self.located.take(),
-            contacts: self.contacts.iter().zip(stand).enumerate().map(standing).collect(),
+            contacts: self.contacts.iter().zip(gaps).enumerate().map(pair).collect(),
             nothing,
         };
         self.decider.goes_on(&moment);
@@ -150,7 +148,7 @@ impl Pace {
         }
     }
 
-    /// Whether the part solved last is accepted; if not, what is solved next is at hand. Contacts as given, shape (rigid contacts).
+    /// Whether the part solved last is accepted, given the contacts, shape (rigid contacts); if not, the next trial becomes the current part.
     pub fn judge(&mut self, seen: &[Seen]) -> bool {
         let verdict = self.decider.judge(seen, |_| None);
         self.note_phases();
@@ -160,7 +158,7 @@ impl Pace {
         verdict != Verdict::Again
     }
 
-    /// Accepts the part at hand: contacts at its end and impulses as given, shape (rigid contacts).
+    /// Accepts the current part with the given contacts and impulses, shape (rigid contacts).
     pub fn accept(&mut self, seen: &[Seen], impulses: &[f64], nothing: Negligible) {
         let h = self.h();
         self.decider.spend(self.is_impact() || self.located.is_some());
@@ -185,14 +183,14 @@ impl Pace {
         self.end_step();
     }
 
-    /// Contacts that touch, at rest but for what is no approach, count as closed: gaps and their rates, shape (rigid contacts, 2) \[m, m/s\].
-    pub fn close_at_rest(&mut self, stand: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
-        for (contact, [gap, rate]) in self.contacts.iter_mut().zip(stand) {
+    /// Marks contacts with a negligible gap and rate as closed; gaps and their rates have the shape (rigid contacts, 2) \[m, m/s\].
+    pub fn close_at_rest(&mut self, gaps: impl Iterator<Item = [f64; 2]>, nothing: Negligible) {
+        for (contact, [gap, rate]) in self.contacts.iter_mut().zip(gaps) {
             contact.closed |= nothing.is_at_rest(gap, rate);
         }
     }
 
-    /// A row, unless this instant has one.
+    /// Counts a row, unless this instant has one.
     fn row(&mut self) {
         if self.time > self.row_time {
             self.rows += 1;
@@ -200,7 +198,7 @@ impl Pace {
         }
     }
 
-    /// Ends the step if nothing is left of it.
+    /// Ends the step if no part of it remains.
     #[inline(always)]
     fn end_step(&mut self) {
         if self.decider.remains(self.offset) {

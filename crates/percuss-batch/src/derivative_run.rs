@@ -1,4 +1,4 @@
-//! One run with its derivatives, in mid-flight.
+//! State and stepping of one run with its derivatives.
 
 mod plastic;
 
@@ -11,8 +11,8 @@ use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
-use super::pace::{Pace, scales};
 use super::rigid_log::RigidLog;
+use super::run_progress::{RunProgress, scales};
 use percuss::Model;
 use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales};
@@ -23,11 +23,11 @@ use percuss::internals::step::contacts::{IMPULSIVE, Phase};
 
 /// Parameters differentiated at once.
 pub const TOGETHER: usize = 4;
-/// A number with its derivatives; the last one is with respect to the size of the step at hand.
+/// A number with its derivatives; the last one is with respect to the size of the current step.
 pub type Derived = Dual<{ TOGETHER + 1 }>;
 
-/// A run in mid-flight.
-pub struct Flight<'a> {
+/// A run with its derivatives between two parts of steps.
+pub struct DerivativeRun<'a> {
     pub model: &'a Model,
     settings: &'a Settings,
     /// Time at which it ends \[s\].
@@ -36,19 +36,19 @@ pub struct Flight<'a> {
     pub ledger: LaneLedger<Derived>,
     pub log: Log<Derived>,
     pub search: LaneNewton<Derived>,
-    /// Where the run stands, as its values have it.
-    pub pace: Pace,
+    /// Time and contacts of the run, from its values without derivatives.
+    pub progress: RunProgress,
     /// Rigid projectiles, shape (rigid contacts) \[index of a projectile\].
     rigid: Vec<usize>,
-    /// What their contacts did, shape (guided projectiles).
+    /// Records of their contacts, shape (guided projectiles).
     pub rigid_logs: Vec<RigidLog<Derived>>,
-    /// What is done of the step at hand \[s\].
+    /// Completed share of the current step \[s\].
     offset: Derived,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
     pub misses: Vec<(usize, Derived, Derived)>,
 }
 
-impl<'a> Flight<'a> {
+impl<'a> DerivativeRun<'a> {
     /// At the start of a run that ends at `end`.
     pub fn new(
         model: &'a Model,
@@ -64,7 +64,7 @@ impl<'a> Flight<'a> {
         let rigid: Vec<usize> = rigid_guides(&engine.numbers).collect();
         let restitution = |k: &usize| engine.numbers.guides[*k].restitution.value;
         let restitutions: Vec<f64> = rigid.iter().map(restitution).collect();
-        let pace = Pace::new(settings, model.position_scale(), &restitutions);
+        let progress = RunProgress::new(settings, model.position_scale(), &restitutions);
         engine.press = rigid.first().map(|k| Press::new(&engine.numbers, *k));
         let offset = engine.h.constant(0.0);
         Self {
@@ -76,27 +76,27 @@ impl<'a> Flight<'a> {
             ledger,
             log,
             search,
-            pace,
+            progress,
             rigid,
             offset,
             misses: Vec::new(),
         }
     }
 
-    /// Runs to the end, or as far as derivatives are known.
+    /// Runs to the end, or to the horizon of the derivatives.
     ///
     /// # Errors
-    /// How far that is.
+    /// The horizon of the derivatives, if it is earlier than the end.
     pub fn run(&mut self) -> Result<(), Horizon> {
-        let (stand, nothing) = (self.stand(), self.nothing());
-        self.pace.close_at_rest(stand.into_iter(), nothing);
-        while !self.pace.is_over() {
-            let (stand, nothing) = (self.stand(), self.nothing());
-            self.pace.begin(stand.into_iter(), nothing);
+        let (gaps, nothing) = (self.gaps_and_rates(), self.nothing());
+        self.progress.close_at_rest(gaps.into_iter(), nothing);
+        while !self.progress.is_over() {
+            let (gaps, nothing) = (self.gaps_and_rates(), self.nothing());
+            self.progress.begin(gaps.into_iter(), nothing);
             self.advance()?;
         }
         for (k, guide) in self.engine.guides.iter().enumerate() {
-            // What still approaches may touch before the end in a run beside this one.
+            // A projectile that still approaches may touch before the end in a neighbouring run.
             if guide.gap.value > 0.0 && guide.rate.value < 0.0 {
                 self.misses.push((k, self.log.time, guide.gap));
             }
@@ -105,29 +105,29 @@ impl<'a> Flight<'a> {
     }
 
     /// Gaps of the rigid contacts and their rates, shape (rigid contacts, 2) \[m, m/s\].
-    fn stand(&self) -> Vec<[f64; 2]> {
+    fn gaps_and_rates(&self) -> Vec<[f64; 2]> {
         let guides = self.rigid.iter().map(|k| &self.engine.guides[*k]);
         guides.map(|g| [g.gap.value, g.rate.value]).collect()
     }
 
-    /// The same over what was solved last, shape (rigid contacts).
+    /// The same at the start and at the end of the part solved last, shape (rigid contacts).
     fn seen(&self) -> Vec<Seen> {
         let seen = |(contact, (k, start)): (usize, (&usize, [f64; 2]))| {
             let end = self.engine.gap_next(*k).map(|x| x.value);
             Seen { contact, start, end }
         };
-        self.rigid.iter().zip(self.stand()).enumerate().map(seen).collect()
+        self.rigid.iter().zip(self.gaps_and_rates()).enumerate().map(seen).collect()
     }
 
-    /// What is as good as nothing between things that touch.
+    /// Negligible gaps and rates of bodies in contact.
     fn nothing(&self) -> Negligible {
         let energy = self.ledger.sums.energy_scale.value;
         RunScales { energy, ..scales(self.model, self.settings) }.negligible()
     }
 
-    /// Tells the engine of the contact that may press in the part at hand, if one does.
+    /// Sets the contact that may press in the current part in the engine, if there is one.
     fn set_press(&mut self) -> Result<(), Horizon> {
-        let contacts = self.pace.contacts.iter().zip(&self.rigid);
+        let contacts = self.progress.contacts.iter().zip(&self.rigid);
         let mut active = contacts.filter_map(|(c, k)| Some((c.phase?, *k)));
         let (first, second) = (active.next(), active.next());
         if second.is_some() {
@@ -142,7 +142,7 @@ impl<'a> Flight<'a> {
             press.guide = k;
             press.bound = match phase {
                 Phase::Impact { restitution, .. } if restitution == own.value => -(own * rate),
-                // As much as it opens at the start: then it is where it was at the end.
+                // The opening rate at the start: the gap at the end is then that at the start.
                 Phase::Resting { .. } => -rate.max(zero),
                 Phase::Impact { .. } | Phase::PlasticPostStep { .. } => zero,
             };
@@ -150,14 +150,14 @@ impl<'a> Flight<'a> {
         Ok(())
     }
 
-    /// The projectile that may press in the part at hand, if one does \[index of a projectile\].
+    /// The projectile that may press in the current part, if there is one \[index of a projectile\].
     fn pressing(&self) -> Option<usize> {
         self.engine.press.as_ref().filter(|press| press.which).map(|press| press.guide)
     }
 
-    /// Size of the step at hand, and time at its end \[s\]; the last one is as long as the run is.
+    /// Size of the current step, and time at its end \[s\]; the last one ends at the end of the run.
     fn step(&self) -> [Derived; 2] {
-        let (settings, steps) = (self.settings, self.pace.steps);
+        let (settings, steps) = (self.settings, self.progress.steps);
         let until = ((steps + 1) as f64 * settings.step).min(settings.end);
         let mut both = [settings.size_behind(steps), until].map(|x| self.end.constant(x));
         if steps + 1 == settings.step_count() {
@@ -166,55 +166,55 @@ impl<'a> Flight<'a> {
         both
     }
 
-    /// Solves the part at hand and takes it in.
+    /// Solves the current part and accepts it.
     fn advance(&mut self) -> Result<(), Horizon> {
         let [target, until] = self.step();
         self.log.begin(&self.engine);
         let mut h;
         loop {
             self.set_press()?;
-            h = target.constant(self.pace.h());
-            if self.pace.is_whole() {
+            h = target.constant(self.progress.h());
+            if self.progress.is_whole() {
                 h.slope = (target - self.offset).slope;
             }
             self.solve(h)?;
-            if self.pace.judge(&self.seen()) {
+            if self.progress.judge(&self.seen()) {
                 break;
             }
         }
-        if let Some(k) = self.pace.located {
+        if let Some(k) = self.progress.located {
             h = self.follow_instant(self.rigid[k])?;
         }
         self.check_gain()?;
-        let (mut seen, steps) = (self.seen(), self.pace.steps);
+        let (mut seen, steps) = (self.seen(), self.progress.steps);
         let impulse = |k: &usize| self.engine.guides[*k].impulse.value;
         let impulses: Vec<f64> = self.rigid.iter().map(impulse).collect();
         self.accept();
-        for (seen, stand) in seen.iter_mut().zip(self.stand()) {
-            seen.end = stand;
+        for (seen, gaps) in seen.iter_mut().zip(self.gaps_and_rates()) {
+            seen.end = gaps;
         }
-        self.pace.accept(&seen, &impulses, self.nothing());
+        self.progress.accept(&seen, &impulses, self.nothing());
         self.offset += h;
-        if self.pace.steps > steps {
+        if self.progress.steps > steps {
             self.offset = self.offset - target;
             self.log.time = until + self.offset;
         }
-        (self.offset.value, self.log.time.value) = (self.pace.offset, self.pace.time);
+        (self.offset.value, self.log.time.value) = (self.progress.offset, self.progress.time);
         match self.engine.fibres.failing {
             true => Err(self.horizon("there a fibre fails".into())),
             false => Ok(()),
         }
     }
 
-    /// Derivatives end where the run stands.
+    /// Horizon of the derivatives at the current time.
     fn horizon(&self, why: String) -> Horizon {
         Horizon { time: self.log.time.value, why }
     }
 
     fn solve(&mut self, h: Derived) -> Result<(), Horizon> {
-        self.pace.solver_steps += 1;
+        self.progress.solver_steps += 1;
         self.engine.h = h;
-        self.engine.constraints.impulsive = self.pace.is_impact();
+        self.engine.constraints.impulsive = self.progress.is_impact();
         self.engine.solve(&self.ledger, &mut self.search);
         match self.search.failed {
             true => Err(self.horizon("there the step has to be cut".into())),
@@ -222,9 +222,9 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Not where an impulse would give energy: another law stands in for the contact's own.
+    /// Horizon if an impulse would increase the energy: Moreau's law replaces the law of the contact there.
     fn check_gain(&self) -> Result<(), Horizon> {
-        let Some(k) = self.pressing().filter(|_| self.pace.is_impact()) else { return Ok(()) };
+        let Some(k) = self.pressing().filter(|_| self.progress.is_impact()) else { return Ok(()) };
         let state = &self.engine.guides[k];
         let work = (state.impulse * state.gap_change / self.engine.h).value;
         match gives_energy(work, [(state.impulse.value, state.rate.value)]) {
@@ -233,7 +233,7 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Moves the run to the end of the part solved last, and notes what its contact did.
+    /// Moves the run to the end of the part solved last, and records its contact.
     fn accept(&mut self) {
         let pressing = self.pressing().map(|k| (k, self.engine.guides[k].rate));
         let (engine, ledger, log) = (&mut self.engine, &mut self.ledger, &mut self.log);
@@ -243,7 +243,7 @@ impl<'a> Flight<'a> {
         }
         if let Some((k, before)) = pressing {
             let impulsive = self.engine.h.value < IMPULSIVE * self.settings.step;
-            let (part, rests) = (self.engine.part(k, before), !self.pace.is_impact());
+            let (part, rests) = (self.engine.part(k, before), !self.progress.is_impact());
             self.rigid_logs[k].take(&part, self.log.time, rests, impulsive);
             self.engine.guides[k].impulse = before.constant(0.0);
         }

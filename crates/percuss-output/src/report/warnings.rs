@@ -1,0 +1,104 @@
+//! Warnings of a run, the worst first: how many the state names, and those that stand above the scene.
+
+use serde_json::Value;
+
+use super::html::escape;
+
+/// Warnings above the scene.
+const SHOWN: usize = 3;
+
+/// Warnings of one kind with the same text.
+struct Warning<'s> {
+    code: &'s str,
+    topic: &'s str,
+    text: &'s str,
+    /// What they are about: contacts, beams, ...; empty for the run as a whole.
+    about: Vec<&'s str>,
+}
+
+/// The warnings that nobody has accepted: those of the finished run, which concern its results, then those of the checks.
+fn of(summary: &Value) -> Vec<Warning<'_>> {
+    let list = |key: &str| summary[key].as_array().map_or(&[][..], Vec::as_slice);
+    let mut found: Vec<Warning<'_>> = Vec::new();
+    for entry in list("warnings").iter().chain(list("advice")) {
+        let word = |key: &str| entry[key].as_str().unwrap_or_default();
+        if word("verdict") != "warning" {
+            continue;
+        }
+        let about = Some(word("contact")).filter(|name| !name.is_empty());
+        match found.iter_mut().find(|w| w.code == word("code") && w.text == word("text")) {
+            Some(known) => known.about.extend(about),
+            None => found.push(Warning {
+                code: word("code"),
+                topic: word("topic"),
+                text: word("text"),
+                about: about.into_iter().collect(),
+            }),
+        }
+    }
+    found
+}
+
+/// `4 warnings` with a link to them.
+pub(super) fn count(summary: &Value) -> String {
+    match of(summary).len() {
+        0 => "no warnings".to_owned(),
+        1 => "<a href=\"#checks\">1 warning</a>".to_owned(),
+        n => format!("<a href=\"#checks\">{n} warnings</a>"),
+    }
+}
+
+/// The worst of them in a list; nothing where there are none.
+pub(super) fn worst(summary: &Value) -> String {
+    let all = of(summary);
+    if all.is_empty() {
+        return String::new();
+    }
+    let item = |w: &Warning<'_>| {
+        let (code, topic, text) = (escape(w.code), escape(w.topic), escape(w.text));
+        let about = match w.about.as_slice() {
+            [] => String::new(),
+            [one] => format!(", '{one}'"),
+            [first, others @ ..] => format!(", '{first}' and {} more", others.len()),
+        };
+        format!("<li><strong>{code} {topic}{}:</strong> {text}</li>\n", escape(&about))
+    };
+    let items: String = all.iter().take(SHOWN).map(item).collect();
+    let link = match all.len() {
+        1 => "Warning in full".to_owned(),
+        n => format!("All {n} warnings in full"),
+    };
+    format!(
+        "<aside class=\"warning worst\" aria-label=\"Warnings\">\n<ul>\n{items}</ul>\n\
+         <p><a href=\"#checks\">{link}</a></p>\n</aside>\n"
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn equal_warnings_count_once_and_accepted_ones_do_not() {
+        let advice = |contact: &str, code: &str, verdict: &str| json!({ "contact": contact, "code": code, "topic": "t", "verdict": verdict, "text": code });
+        let summary = json!({
+            "advice": [
+                advice("a<b>", "W002", "warning"), advice("b", "W002", "warning"), advice("c", "W007", "note"),
+                advice("d", "W008", "allowed"), advice("e", "W009", "warning"), advice("f", "W010", "warning"),
+            ],
+            "warnings": [{ "code": "W101", "topic": "energy", "verdict": "warning", "text": "off" }],
+        });
+        assert_eq!(count(&summary), "<a href=\"#checks\">4 warnings</a>");
+        let worst = worst(&summary);
+        let place = |text: &str| worst.find(text).unwrap();
+        assert!(
+            place("W101 energy:") < place("W002 t, &#39;a&lt;b&gt;&#39; and 1 more:"),
+            "{worst}"
+        );
+        assert!(worst.contains("All 4 warnings in full") && !worst.contains("W010"), "{worst}");
+        assert_eq!(count(&json!({})), "no warnings");
+        assert!(super::worst(&json!({ "advice": 3 })).is_empty());
+    }
+}
