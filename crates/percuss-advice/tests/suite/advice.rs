@@ -745,7 +745,7 @@ fn ends_that_nothing_joins_are_told() {
     let faults = mechanisms(&none);
     let text = faults.iter().map(ToString::to_string).collect::<String>();
     assert!(
-        text.contains("'left.end' and 'top.start'") && text.contains("[joint.left-top]"),
+        text.contains("`left.end` and `top.start`") && text.contains("[joint.left-top]"),
         "{text}"
     );
     assert!(mechanisms(&of(2, false)).is_empty());

@@ -174,7 +174,7 @@ fn files_that_are_no_checkpoint_of_the_run_are_refused_and_left_alone() {
     fs::write(&rows, damaged).unwrap();
     resume(&[]).ends_with(2).tells("damaged");
     desk.put("out.checkpoint/mine", "my own");
-    resume(&[]).ends_with(2).tells("holds mine, which is none");
+    resume(&[]).ends_with(2).tells("is the checkpoint directory but contains mine; move this file");
     assert_eq!(fs::read(desk.path("out.checkpoint/mine")).unwrap(), b"my own");
     assert!(!desk.path("out").exists());
 }

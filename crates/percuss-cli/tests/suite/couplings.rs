@@ -174,7 +174,7 @@ fn checks_say_whether_runs_go_side_by_side() {
         assert_eq!(told(study), "runs are computed in SIMD batches");
     }
     for alone in ["section_forces.girder.strain.max.value", "support.left.moment.max.value"] {
-        let why = format!("runs are computed one at a time: `asked` is asked for ({alone})");
+        let why = format!("runs are computed one at a time: `asked` is requested ({alone})");
         assert_eq!(told(asking(alone)), why);
     }
     let stayed = common::ELASTIC.to_owned()

@@ -161,7 +161,7 @@ impl Case<'_> {
         holds(named, "the full disk is not named")?;
         // Whoever comes next puts it in order; an extension that is done is not done again.
         let again = self.run(None);
-        let done = found == *after && again.stderr.contains("reaches 0.003 s already");
+        let done = found == *after && again.stderr.contains("already reaches t = 3 ms");
         holds(done || again.status == Some(0), &format!("the next one fails: {}", again.stderr))?;
         let differs = differing(&contents(&self.desk.path("work/out")), whole_after);
         holds(differs.is_empty(), &format!("the next one ends otherwise in {differs}"))?;

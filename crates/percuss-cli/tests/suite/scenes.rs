@@ -215,7 +215,7 @@ step = 1e-3
     let desk = Desk::empty();
     desk.put("slide.toml", SLIDE);
     let run = desk.percuss(&["run", "slide.toml"]);
-    run.ends_with(0).tells("sliding distance 0.5 m, friction work 4 J");
+    run.ends_with(0).tells("sliding distance 500 mm, friction work 4 J");
     let contact = &desk.summary("runs/slide")["contact"]["block"];
     let of = |key: &str| contact[key].as_f64().unwrap_or(f64::NAN);
     assert!((of("sliding_distance") - 0.5).abs() < 1e-5, "{contact:#}");

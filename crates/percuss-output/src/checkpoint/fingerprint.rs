@@ -74,9 +74,9 @@ mod tests {
         let kept = of(&scenario(1, ["aa", "bb"]));
         assert_eq!(difference(&kept, &scenario(1, ["aa", "bb"])), None);
         let first = difference(&kept, &scenario(1, ["ab", "bb"])).unwrap();
-        assert!(first.starts_with("the table /a b.csv has changed"), "{first}");
+        assert!(first.starts_with("the table /a b.csv was modified"), "{first}");
         let second = difference(&kept, &scenario(1, ["aa", "b"])).unwrap();
-        assert!(second.starts_with("the table /it\"s.csv has changed"), "{second}");
+        assert!(second.starts_with("the table /it\"s.csv was modified"), "{second}");
         let other = difference(&kept, &scenario(2, ["aa", "b"])).unwrap();
         assert!(other.contains("another scenario"), "{other}");
     }

@@ -12,7 +12,7 @@ struct Warning<'s> {
     code: &'s str,
     topic: &'s str,
     text: &'s str,
-    /// What they are about: contacts, beams, ...; empty for the run as a whole.
+    /// Subjects: contacts, beams, ...; none for the run as a whole, shape (subjects).
     about: Vec<&'s str>,
 }
 

@@ -179,7 +179,7 @@ mod tests {
         let out = filtered(&constant, Cfc::Class60).unwrap();
         assert!(out.values.iter().all(|v| (v - 3.0).abs() < 1e-12));
         let refused = filtered(&constant, Cfc::Class1000).unwrap_err();
-        assert!(refused.to_string().contains("at least 16500 samples a second"), "{refused}");
+        assert!(refused.to_string().contains("needs 16500 samples per second"), "{refused}");
         assert!(filtered(&constant, Cfc::Class600).is_ok());
     }
 }

@@ -287,11 +287,11 @@ fn links_at_names_that_can_be_foreseen_are_not_followed() -> Outcome {
     // The lock: a link, a second name of the file, a folder.
     symlink("thesis.tex", here(".run.percuss.lock"))?;
     let error = RunDirectory::create(here("run")).err().ok_or("was not refused")?;
-    assert!(error.to_string().contains("a link or special file"), "{error}");
+    assert!(error.to_string().contains("a link or special file exists there"), "{error}");
     fs::remove_file(here(".run.percuss.lock"))?;
     fs::hard_link(here("thesis.tex"), here(".run.percuss.lock"))?;
     let error = RunDirectory::create(here("run")).err().ok_or("was not refused")?;
-    assert!(error.to_string().contains("a link or special file"), "{error}");
+    assert!(error.to_string().contains("a link or special file exists there"), "{error}");
     fs::remove_file(here(".run.percuss.lock"))?;
     unharmed()?;
     // What looks like something left behind, and leads to other results.

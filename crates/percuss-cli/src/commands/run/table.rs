@@ -19,14 +19,12 @@ use crate::number::{count, number, quantity, small};
 use crate::terminal::{self, painted};
 use crate::yielding_words::{permanent_deflection, plastic_hinge};
 use contacts::{contact_lines, touched};
-use lines::listed;
+use lines::{ROUNDING, listed};
 
 /// Hand formulas and supports listed.
 const HANDED: usize = 6;
 /// Contacts named that did not close.
 const NAMED: usize = 6;
-/// Terms of the balance below this share of the energy scale are nothing but rounding.
-const ROUNDING: f64 = 1e-13;
 /// Support impulses below this share of the momentum of the run are those of the instants in which a motion begins.
 const SMALL_IMPULSE: f64 = 1e-6;
 /// Impulses below this share of it are round-off.

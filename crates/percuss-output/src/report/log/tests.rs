@@ -26,9 +26,9 @@ fn chatter_is_one_row_with_its_touches_folded_below() {
     );
     assert_eq!(page.matches("data-time").count(), 3, "{page}");
     assert_eq!(page.matches("class=\"touch\" hidden").count(), 10);
-    let row = page.split("<tr ").find(|row| row.contains("10\u{a0}touches")).unwrap();
+    let row = page.split("<tr ").find(|row| row.contains("10\u{a0}contacts")).unwrap();
     assert!(row.contains("data-impulse=\"5e0\""), "{row}");
-    assert!(row.contains("2.5\u{a0}J\u{a0}lost"), "{row}");
+    assert!(row.contains("2.5\u{a0}J\u{a0}dissipated"), "{row}");
 }
 
 #[test]

@@ -285,7 +285,7 @@ mod tests {
         let joint = |time: f64, force: f64| json!({ "parted": { "time": time, "force": force, "moment": 0.0 } });
         let summary =
             json!({ "joint": { "weld": joint(0.002, 4e3), "pin": joint(0.001, 2e3), "knee": {} } });
-        let text = "Joint 'pin' failed at t = 1 ms under 2 kN. One more joint failed.";
+        let text = "Joint 'pin' failed at t = 1 ms under 2000 N. One more joint failed.";
         assert_eq!(plain(joints(&summary)).as_deref(), Some(text));
         let early = json!({ "joint": { "pin": { "parted": { "time": 0.0, "force": null, "moment": null } } } });
         let text = "Joint 'pin' failed in the static start.";

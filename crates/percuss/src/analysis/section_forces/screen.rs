@@ -36,7 +36,7 @@ pub fn may_exceed_between<S: Number>(
     known: &BeamExtremes<S>,
 ) -> [S::Mask; 3] {
     let (c, d) = (&a.rise, &b.rise);
-    let piece = |values: [S; 2], rise: [S; 2]| Piece { values, rise, apart };
+    let piece = |values: [S; 2], rise: [S; 2]| CurvePiece { values, rise, apart };
     [
         piece([a.axial, b.axial], [c.axial, d.axial]).may_exceed(&known[0]),
         piece([a.shear, b.shear], [c.shear, d.shear]).may_exceed(&known[1]),
@@ -44,15 +44,18 @@ pub fn may_exceed_between<S: Number>(
     ]
 }
 
-/// A curve between two places so many elements apart: values and rises at both.
+/// A quantity between two places of an element.
 #[derive(Clone, Copy)]
-struct Piece<S> {
+struct CurvePiece<S> {
+    /// Its values at both, shape (2) \[in its unit\].
     values: [S; 2],
+    /// Its derivatives there with respect to the share of the element's length, shape (2) \[in its unit\].
     rise: [S; 2],
+    /// Distance of the places as a share of the element's length \[-\].
     apart: f64,
 }
 
-impl<S: Number> Piece<S> {
+impl<S: Number> CurvePiece<S> {
     /// Whether it turns and may be an extreme.
     #[inline(always)]
     fn may_exceed(&self, range: &[S; 2]) -> S::Mask {
@@ -150,9 +153,9 @@ pub fn stress_may_exceed<S: Number>(
     known: &[S; 2],
 ) -> S::Mask {
     let n = [a.axial, b.axial];
-    let pulling = Piece { values: n, rise: [a.rise.axial, b.rise.axial], apart };
+    let pulling = CurvePiece { values: n, rise: [a.rise.axial, b.rise.axial], apart };
     let bending =
-        Piece { values: [a.moment, b.moment], rise: [a.rise.moment, b.rise.moment], apart };
+        CurvePiece { values: [a.moment, b.moment], rise: [a.rise.moment, b.rise.moment], apart };
     let far = pulling.farther();
     let most_bent = a.moment.abs().max(b.moment.abs()) + bending.farther();
     let bent = most_bent * d[1].max(e[1]);

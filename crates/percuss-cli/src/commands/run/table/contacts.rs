@@ -6,8 +6,7 @@ use percuss::{
 use percuss_output::report::taken_as_start;
 
 use super::super::equivalent::{equivalent, without_equivalent};
-use super::ROUNDING;
-use super::lines::{LISTED, listed};
+use super::lines::{LISTED, ROUNDING, listed};
 use crate::effective_mass;
 use crate::number::{count, quantity};
 
