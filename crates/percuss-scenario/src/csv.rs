@@ -7,7 +7,7 @@ use serde_json::{Value as Json, json};
 use crate::code::FaultCode;
 use crate::files::{FileAccess, WITHIN, has_sha256, is_within, sha256};
 use crate::format::{self, Format, Inline, List};
-use crate::header::{self, Column};
+use crate::header::{self, Column, Units};
 use crate::measure::{self, Length};
 use crate::node::{Node, Reader, count};
 use crate::quantity::Vector;
@@ -19,8 +19,15 @@ pub(crate) type Row = (usize, [f64; 2]);
 /// Found and expected.
 type Clash = (String, String);
 
-/// Rows of a file, and its SHA-256.
-pub(crate) type Loaded = (Vec<Row>, String);
+/// What a file has.
+pub(crate) struct Loaded {
+    /// Its rows in SI, shape (rows).
+    pub rows: Vec<Row>,
+    /// Its SHA-256.
+    pub sum: String,
+    /// Whether its second column holds its other quantity.
+    pub other: bool,
+}
 
 /// Reads the file whose path stands at `node`; `sum` is the SHA-256 that it must have, if any is given.
 ///
@@ -55,7 +62,8 @@ pub(crate) fn load(
         }
     }
     let wrong = |(found, expected)| reader.wrong_as(FaultCode::Table, node, found, expected);
-    let (rows, is) = read(&path, name, columns).map_err(wrong).ok()?;
+    let loaded = read(&path, name, columns).map_err(wrong).ok()?;
+    let is = &loaded.sum;
     if let Some(sum) = sum.filter(|sum| *sum != is) {
         let found = format!("{name:?}, which has changed: its SHA-256 is {is}");
         let expected = format!(
@@ -64,7 +72,7 @@ pub(crate) fn load(
         reader.wrong_as(FaultCode::Checksum, node, found, expected);
         return None;
     }
-    Some((rows, is))
+    Some(loaded)
 }
 
 fn read(path: &Path, name: &str, (both, columns): (&str, &[Column; 2])) -> Result<Loaded, Clash> {
@@ -85,20 +93,21 @@ fn read(path: &Path, name: &str, (both, columns): (&str, &[Column; 2])) -> Resul
     };
     let sum = sha256(&bytes);
     let Ok(text) = String::from_utf8(bytes) else { return whole("which is not UTF-8") };
-    let rows = parse(&text, columns).map_err(|(line, found)| {
+    let (rows, other) = parse(&text, columns).map_err(|(line, found)| {
         let more = match found.contains("header") {
             true => "; a header names units, such as `time [ms]`, or is one of these",
             false => "",
         };
         (format!("{found} in line {line} of {name:?}"), format!("{expected}{more}"))
     })?;
-    Ok((rows, sum))
+    Ok(Loaded { rows, sum, other })
 }
 
-/// Rows of a text in SI; blank lines and those that begin with `#` are passed over, and a header says in which units the rows are.
-fn parse(text: &str, columns: &[Column; 2]) -> Result<Vec<Row>, (usize, String)> {
+/// Rows of a text in SI, and whether their second column holds its other quantity; blank lines and those that begin with `#` are passed over, and
+/// a header says in which units the rows are.
+fn parse(text: &str, columns: &[Column; 2]) -> Result<(Vec<Row>, bool), (usize, String)> {
     let mut rows = Vec::new();
-    let (mut header, mut units) = (true, [None; 2]);
+    let (mut header, mut units) = (true, Units::default());
     for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
@@ -114,12 +123,12 @@ fn parse(text: &str, columns: &[Column; 2]) -> Result<Vec<Row>, (usize, String)>
             continue;
         }
         let number = |cell: &str, k: usize| {
-            let value = header::value(cell, units[k]);
+            let value = header::value(cell, units.of[k]);
             value.ok_or_else(|| (i + 1, format!("{}, which is no finite number,", shown(cell))))
         };
         rows.push((i + 1, [number(a, 0)?, number(b, 1)?]));
     }
-    Ok(rows)
+    Ok((rows, units.other))
 }
 
 /// A cell in a message: itself if it looks like a number, for the file may be none that its reader should see.
@@ -163,8 +172,8 @@ impl Format for Points {
             }
             return Listed::read(node, reader);
         }
-        let (rows, _) = load(node, None, ("x and y (m)", &PLACES), reader)?;
-        Some(rows.into_iter().map(|row| row.1).collect())
+        let loaded = load(node, None, ("x and y (m)", &PLACES), reader)?;
+        Some(loaded.rows.into_iter().map(|row| row.1).collect())
     }
 
     fn placeholder() -> Self::Value {

@@ -10,12 +10,32 @@ pub(crate) struct Column {
     pub names: &'static [&'static str],
     /// What it measures.
     pub dimension: Dimension,
+    /// What it may hold instead, if its header says so.
+    pub other: Option<&'static Column>,
+}
+
+/// An acceleration, as of an accelerogram; `g` is standard gravity there, not the gram.
+pub(crate) const ACCELERATION: Column =
+    Column::of::<measure::Acceleration>(&["acceleration", "accelerations", "acc", "a"]);
+
+/// Units of two columns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Units<'h> {
+    /// The unit of each column, none where values are in SI.
+    pub of: [Option<&'h str>; 2],
+    /// Whether the second column holds its other quantity.
+    pub other: bool,
 }
 
 impl Column {
     /// A column of a measure.
     pub const fn of<M: Measure>(names: &'static [&'static str]) -> Self {
-        Self { names, dimension: M::DIMENSION }
+        Self { names, dimension: M::DIMENSION, other: None }
+    }
+
+    /// The same column, which may hold another quantity where its header says so.
+    pub const fn or(self, other: &'static Column) -> Self {
+        Self { other: Some(other), ..self }
     }
 
     /// The unit that a header gives, none where it gives none but the name of the column.
@@ -31,6 +51,9 @@ impl Column {
             None if known => return Ok(None),
             None => name,
         };
+        if unit == "g" && self.dimension == measure::Acceleration::DIMENSION {
+            return Ok(Some("kgf/kg"));
+        }
         match units::parse(&format!("1 {unit}")) {
             Ok(one) if one.dimension == self.dimension => Ok(Some(unit)),
             Ok(one) => {
@@ -61,15 +84,17 @@ fn parts(header: &str) -> (&str, Option<&str>) {
     (header, None)
 }
 
-/// Units of both columns, none where values are in SI.
+/// Units of both columns.
 ///
 /// # Errors
 /// What was found in the header.
-pub(crate) fn units<'h>(
-    cells: [&'h str; 2],
-    columns: &[Column; 2],
-) -> Result<[Option<&'h str>; 2], String> {
-    Ok([columns[0].unit(cells[0])?, columns[1].unit(cells[1])?])
+pub(crate) fn units<'h>(cells: [&'h str; 2], columns: &[Column; 2]) -> Result<Units<'h>, String> {
+    let first = columns[0].unit(cells[0])?;
+    let (second, other) = match (columns[1].unit(cells[1]), columns[1].other) {
+        (Err(found), Some(other)) => (other.unit(cells[1]).map_err(|_| found)?, true),
+        (own, _) => (own?, false),
+    };
+    Ok(Units { of: [first, second], other })
 }
 
 /// A number of a column in SI; `unit` is that of its header.
@@ -91,15 +116,27 @@ mod tests {
     #[test]
     fn units_of_headers_are_read_however_they_stand() {
         for header in ["time [ms]", "time (ms)", "Time / ms", "time in ms", "t_ms", "ms", "[ms]"] {
+            let found = units([header, "factor"], &[TIME, FACTOR]);
+            assert_eq!(found, Ok(Units { of: [Some("ms"), None], other: false }), "{header}");
+        }
+        for header in ["t", "Time"] {
             assert_eq!(
-                units([header, "factor"], &[TIME, FACTOR]),
-                Ok([Some("ms"), None]),
+                units([header, "value (-)"], &[TIME, FACTOR]),
+                Ok(Units::default()),
                 "{header}"
             );
         }
-        for header in ["t", "Time"] {
-            assert_eq!(units([header, "value (-)"], &[TIME, FACTOR]), Ok([None, None]), "{header}");
+        let either = [TIME, FACTOR.or(&ACCELERATION)];
+        for (header, unit) in [
+            ("acceleration (m/s^2)", Some("m/s^2")),
+            ("acceleration (g)", Some("kgf/kg")),
+            ("Acceleration", None),
+        ] {
+            let found = units(["t", header], &either);
+            assert_eq!(found, Ok(Units { of: [None, unit], other: true }), "{header}");
         }
+        assert_eq!(units(["t", "factor"], &either), Ok(Units::default()));
+        assert_eq!(value("0.5", Some("kgf/kg")), Some(0.5 * 9.80665));
         // To the very bits of a value with its unit in a scenario.
         assert_eq!(value("20", Some("ms")), Some(0.02));
     }

@@ -135,6 +135,10 @@ pub(crate) struct Reader<'s> {
     pub most_rows: usize,
     /// Other files that were read.
     pub files: usize,
+    /// Paths of time functions of base loads, whose files may hold accelerations.
+    pub base_functions: BTreeSet<String>,
+    /// Paths of the keys that name files of accelerations.
+    pub accelerations: BTreeSet<String>,
     names: BTreeMap<&'static str, Names<'s>>,
 }
 
@@ -153,6 +157,16 @@ impl<'s> Names<'s> {
     }
 }
 
+/// Paths of the time functions of loads of kind "base".
+fn base_functions(root: &Body<'_>) -> BTreeSet<String> {
+    let Some(loads) = root.get("load").as_ref().and_then(Body::of) else { return BTreeSet::new() };
+    let load = |(name, _): (&str, _)| loads.get(name).as_ref().and_then(Body::of);
+    let bodies = loads.keys().into_iter().filter_map(load);
+    let is_base =
+        |body: &Body<'_>| body.get("kind").is_some_and(|k| k.value.as_str() == Some("base"));
+    bodies.filter(is_base).map(|body| join(&body.path, "function")).collect()
+}
+
 impl<'s> Reader<'s> {
     pub fn new(text: &'s str, root: &Body<'s>, files: Files<'_>) -> Self {
         let mut names = BTreeMap::new();
@@ -162,7 +176,9 @@ impl<'s> Reader<'s> {
             names.insert(kind, Names::new(keys.into_iter().map(|(name, _)| name).collect()));
         }
         let Files { folder, access, most_rows } = files;
-        Self { text, names, folder: folder.into(), access, most_rows, ..Self::default() }
+        let base_functions = base_functions(root);
+        let folder = folder.into();
+        Self { text, names, folder, access, most_rows, base_functions, ..Self::default() }
     }
 
     /// Makes names known that values may refer to, by kind of table.

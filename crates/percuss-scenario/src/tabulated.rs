@@ -8,9 +8,9 @@ use std::marker::PhantomData;
 use serde_json::{Value as Json, json};
 
 use crate::code::FaultCode;
-use crate::csv::{Row, load};
+use crate::csv::{Loaded, Row, load};
 use crate::format::{Format, Inline};
-use crate::header::Column;
+use crate::header::{ACCELERATION, Column};
 use crate::measure;
 use crate::node::{Body, Node, Reader, count};
 use crate::write;
@@ -23,6 +23,8 @@ pub(crate) trait Columns: 'static {
     const FIRST: (&'static str, &'static str);
     /// What headers say of them.
     const OF: [Column; 2];
+    /// Both where the second column may hold accelerations instead.
+    const ACCELERATED: &'static str = Self::BOTH;
 }
 
 /// A function of time.
@@ -30,6 +32,7 @@ pub(crate) struct Pulse;
 
 impl Columns for Pulse {
     const BOTH: &'static str = "time (s) and value";
+    const ACCELERATED: &'static str = "time (s) and value or acceleration (m/s^2)";
     const FIRST: (&'static str, &'static str) = ("times", "s");
     const OF: [Column; 2] = [
         Column::of::<measure::Time>(&["t", "time", "times"]),
@@ -157,7 +160,9 @@ pub(crate) fn settle<C: Columns>(given: Given<'_>, body: &Body<'_>, reader: &mut
     // Of a sum that could not be read enough has been told.
     let unread = body.get("sha256").is_some() && sum.is_none();
     let (Some(node), Some(named), false) = (&node, file.take(), unread) else { return };
-    let Some((columns, is)) = columns::<C>(node, sum.take().as_deref(), reader) else {
+    let accelerates = reader.base_functions.contains(&body.path);
+    let sum_given = sum.take();
+    let Some((columns, is)) = columns::<C>(node, sum_given.as_deref(), accelerates, reader) else {
         reader.tainted.insert(node.path.clone());
         return;
     };
@@ -176,13 +181,22 @@ pub(crate) fn settle<C: Columns>(given: Given<'_>, body: &Body<'_>, reader: &mut
     }
 }
 
-/// Both columns of the file at `node`, and its SHA-256.
+/// Both columns of the file at `node`, and its SHA-256. A file whose second column holds accelerations, where it may, is noted.
 fn columns<C: Columns>(
     node: &Node<'_>,
     sum: Option<&str>,
+    accelerates: bool,
     reader: &mut Reader<'_>,
 ) -> Option<([Vec<f64>; 2], String)> {
-    let (rows, is) = load(node, sum, (C::BOTH, &C::OF), reader)?;
+    let [first, second] = C::OF;
+    let of = match accelerates {
+        true => (C::ACCELERATED, &[first, second.or(&ACCELERATION)]),
+        false => (C::BOTH, &[first, second]),
+    };
+    let Loaded { rows, sum: is, other } = load(node, sum, of, reader)?;
+    if other {
+        reader.accelerations.insert(node.path.clone());
+    }
     let name = node.value.as_str().unwrap_or_default();
     if rows.len() < 2 {
         let found = format!("{name:?} with {}", count(rows.len(), "row"));

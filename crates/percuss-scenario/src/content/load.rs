@@ -9,6 +9,7 @@ use crate::name::{BeamName, NameOf};
 use crate::node::{Body, Reader};
 use crate::point::{Place, Point, PointText};
 use crate::quantity::{Quantity, Vector};
+use crate::source::join;
 use crate::words::{OrEndless, Until};
 use crate::write::Writer;
 
@@ -23,7 +24,8 @@ kinds! {
         /// An acceleration of the base: of the ground, and of all supports and obstacles with it, as of an accelerogram (`acceleration =
         /// [1, 0]` with a table of the record in m/s^2). Displacements, velocities and energies are those against the base, which do not
         /// drift away with it; reactions are those of the true motion. Outside the times of its table it is zero. In statics it counts with its
-        /// value at time zero, as other loads do.
+        /// value at time zero, as other loads do. A CSV file may hold accelerations, by its header (`time (s),acceleration (m/s^2)`, or `(g)`);
+        /// `acceleration` is then their direction, of magnitude 1 m/s^2.
         Base = "base" {
             /// Acceleration of the base (m/s^2).
             acceleration: [f64; 2] as Vector<measure::Acceleration>,
@@ -70,4 +72,20 @@ table! {
         /// Its kind.
         kind: LoadKind
     }
+    then settle_load
+}
+
+/// A file of accelerations is multiplied by a direction.
+fn settle_load(load: &mut Load, body: &Body<'_>, reader: &mut Reader<'_>) {
+    let LoadKind::Base { acceleration: [x, y] } = load.kind else { return };
+    let function = join(&body.path, "function");
+    let Some(node) = body.get("acceleration") else { return };
+    let is_file = reader.accelerations.contains(&join(&function, "file"));
+    let magnitude = x.hypot(y);
+    if !is_file || reader.tainted.contains(&node.path) || (magnitude - 1.0).abs() < 1e-9 {
+        return;
+    }
+    let found = format!("{magnitude} m/s^2 times a file that holds accelerations by its header");
+    let expected = "a direction of magnitude 1 m/s^2, or a header that calls the column a factor";
+    reader.misplaced(&node.path, node.span, found, expected);
 }

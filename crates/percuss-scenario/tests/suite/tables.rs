@@ -136,3 +136,38 @@ fn headers_of_tables_say_in_which_units_they_are() {
     let told = read("frame,acc\n0, 0\n20, 1\n").unwrap_err().coded();
     assert!(told.contains("a header without a unit that is known in line 1"), "{told}");
 }
+
+/// The file of a base load may hold accelerations: those of its header's unit, times a direction. Other functions of time are factors.
+#[test]
+fn files_of_base_loads_hold_factors_or_accelerations() {
+    let folder = tempfile::tempdir().unwrap();
+    let load_of = |header: &str, keys: &str| {
+        let rows = format!("{header}\n0, 0\n1, 0.5\n");
+        fs::write(folder.path().join("record.csv"), rows).unwrap();
+        let function = "function = { kind = \"table\", file = \"record.csv\" }";
+        let path = folder.path().join("f.toml");
+        fs::write(&path, format!("{ELASTIC}\n[load.quake]\n{keys}\n{function}\n")).unwrap();
+        load(path)
+    };
+    let peak = |header: &str, acceleration: &str| {
+        let keys = format!("kind = \"base\"\nacceleration = {acceleration}");
+        let scenario = load_of(header, &keys).unwrap_or_else(|faults| panic!("{faults}"));
+        scenario.content().load[0].table.function.columns().unwrap()[1][1]
+    };
+    assert_eq!(peak("time (s),acceleration (m/s^2)", "[1, 0]"), 0.5);
+    assert_eq!(peak("time (s),acceleration (mm/s^2)", "[0.6, -0.8]"), 0.5e-3);
+    assert_eq!(peak("time (s),acceleration (g)", "[1, 0]"), 0.5 * 9.80665);
+    assert_eq!(peak("time,acceleration", "[0, 1]"), 0.5);
+    assert_eq!(peak("time (s),factor", "[\"9.81 m/s^2\", 0]"), 0.5);
+    let told = |header: &str, keys: &str| load_of(header, keys).unwrap_err().coded();
+    let twice = told("t,acceleration (g)", "kind = \"base\"\nacceleration = [9.81, 0]");
+    let expected = "load.quake.acceleration: found 9.81 m/s^2 times a file that holds accelerations by its header, expected a direction of \
+                    magnitude 1 m/s^2";
+    assert!(twice.contains(expected), "{twice}");
+    let length = told("t,x (mm)", "kind = \"base\"\nacceleration = [1, 0]");
+    let expected = "a header in \"mm\", which is a length (m), in line 1 of \"record.csv\", expected a CSV file with two columns, time (s) and \
+                    value or acceleration (m/s^2)";
+    assert!(length.contains(expected), "{length}");
+    let gravity = told("t,acc (m/s^2)", "kind = \"gravity\"\nacceleration = [1, 0]");
+    assert!(gravity.contains("a header in \"m/s^2\", which is an acceleration"), "{gravity}");
+}
