@@ -78,6 +78,6 @@ mod tests {
         let second = difference(&kept, &scenario(1, ["aa", "b"])).unwrap();
         assert!(second.starts_with("the table /it\"s.csv was modified"), "{second}");
         let other = difference(&kept, &scenario(2, ["aa", "b"])).unwrap();
-        assert!(other.contains("another scenario"), "{other}");
+        assert!(other.contains("a different scenario"), "{other}");
     }
 }

@@ -38,7 +38,7 @@ fn definitions_are_those_of_the_file() {
         "yielding: Some(Plasticity { curve: [Hardening { from: 0.0, stress: 5000.0, modulus: 100000.0 }, \
          Hardening { from: 0.01, stress: 6000.0, modulus: 0.0 }], kinematic: 20.0, overstress: None, \
          failure_strain: Some(0.4) })",
-        "Ground([-1.0, 0.5])], stiffness: 40000.0, damping: 100.0, length: Some(1.0)",
+        "Ground([-1.0, 0.5])], law: Linear { stiffness: 40000.0 }, damping: 100.0, length: Some(1.0)",
         "mass: 20.0, rotary_inertia: 0.5",
         "moment: 5.0, follower: true }, function: Table { times: [0.0, 0.002, 0.005, 0.01], \
          values: [0.0, 1.0, 0.4, 0.0], smooth: true }, from: 0.001, until: 0.1",

@@ -17,7 +17,7 @@ const ROUNDED: f64 = 256.0 * f64::EPSILON;
 pub struct StaticBalance {
     /// Loads, weights included, shape (2) \[N\].
     pub loads: [f64; 2],
-    /// Reactions of supports and obstacles, shape (2) \[N\].
+    /// Reactions of supports, obstacles and guides of projectiles, shape (2) \[N\].
     pub reactions: [f64; 2],
     /// Forces of springs to the ground, shape (2) \[N\].
     pub springs: [f64; 2],
@@ -37,7 +37,9 @@ impl StaticBalance {
             [along(0), along(1)]
         };
         let loads = sum(&search.loads());
-        let reactions = sum(&reactions.iter().map(|r| [r[0], r[1]]).collect::<Vec<_>>());
+        let mut reactions: Vec<[f64; 2]> = reactions.iter().map(|r| [r[0], r[1]]).collect();
+        reactions.extend(search.guide_reactions());
+        let reactions = sum(&reactions);
         let springs = sum(&search.ground_springs());
         let unbalanced = [0, 1].map(|i| loads[i] + reactions[i] + springs[i]);
         Self { loads, reactions, springs, unbalanced, gross }
@@ -90,6 +92,17 @@ impl StaticSearch<'_> {
         let discs = bodies.filter(|(i, _)| self.contacts.has_disc(*i));
         out.extend(discs.map(|(_, body)| gravity.map(|g| body.mass * g)));
         out
+    }
+
+    /// Forces of guides on the projectiles that are in the analysis, across their lines of motion, shape (such projectiles, 2) \[N\].
+    fn guide_reactions(&self) -> Vec<[f64; 2]> {
+        let (model, all) = (self.model, &self.work.residual);
+        let mut free = all.clone();
+        project(model, &mut free);
+        let bodies = model.bodies.iter().enumerate();
+        let guided = bodies.filter(|(i, body)| body.kind.is_guided() && self.contacts.has_disc(*i));
+        let held = |node: usize| [0, 1].map(|k| all[node][k] - free[node][k]);
+        guided.map(|(i, _)| held(model.body_node(i))).collect()
     }
 
     /// Forces on the structure of springs to the ground or to a fixed body, shape (springs, 2) \[N\].

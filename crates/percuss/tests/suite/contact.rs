@@ -299,7 +299,7 @@ fn a_force_given_as_code_is_that_of_its_potential() {
     assert!(thrown(0.05, [0.0, -1.0], law(|p| 2e4 * p)).build().is_ok());
     assert!(found(|p| 1e4 * p).contains("contact.throw.law: found at"), "{}", found(|p| 1e4 * p));
     assert!(found(|p| -2e4 * p).contains("never tensile"));
-    assert!(found(|p| 5.0 + 2e4 * p).contains("a force of 5 N at no penetration"));
+    assert!(found(|p| 5.0 + 2e4 * p).contains("a force of 5 N at zero penetration"));
     assert!(found(|_| f64::NAN).contains("contact.throw.law"));
 }
 

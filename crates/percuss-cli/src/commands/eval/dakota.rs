@@ -115,7 +115,7 @@ mod tests {
     fn files_of_another_format_are_refused() {
         let told = |text: &str| read(text).err().unwrap_or_default();
         assert!(told("hello").contains("a count of `variables`"));
-        assert!(told("3 variables\n1 a\n").contains("ends within its 3 variables: it has 1"));
+        assert!(told("3 variables\n1 a\n").contains("ends before its 3 variables: it has 1"));
         assert!(
             told(&STANDARD.replace("3 ASV", "7 ASV")).contains("second derivatives of `obj_fn`")
         );

@@ -53,6 +53,7 @@ struct Search<'r, 'n> {
     name: &'n str,
     /// Kinds of the part of a table that is searched, shape (kinds).
     kinds: Vec<String>,
+    /// Entries found so far, shape (entries).
     found: Vec<Found<'r>>,
 }
 
