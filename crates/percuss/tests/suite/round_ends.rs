@@ -99,6 +99,9 @@ fn a_run_that_ends_deep_inside_says_which_contact_is_how_deep() {
     }
     let deep = failed(&simulation);
     assert!(deep.contains("penetration of contact `hit` "), "{deep}");
-    assert!(deep.contains("the axes or centres of `rod` and `plank` meet at 1.0000e-2 m"), "{deep}");
+    assert!(
+        deep.contains("the axes or centres of `rod` and `plank` meet at 1.0000e-2 m"),
+        "{deep}"
+    );
     assert!(deep.ends_with("use a stiffer contact law or larger depths"), "{deep}");
 }
