@@ -7,6 +7,7 @@
 type Row = (f64, f64, [f64; 5]);
 
 /// Every shape, shape (shapes).
+#[allow(clippy::approx_constant, reason = "depths in inches, one of which is 6.28")]
 pub(super) const W: &[Row] = &[
     (36.0, 529.0, [39.8, 17.2, 1.61, 2.91, 3.86]),
     (36.0, 487.0, [39.3, 17.1, 1.5, 2.68, 3.63]),
