@@ -35,7 +35,10 @@ pub fn note(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
         if record.failed.is_some() {
             continue;
         }
-        let extension = own.sign * (state.coordinates[i] - c.law.free());
+        let q = state.coordinates[i];
+        // A slack rope or an open gap is as long as it happens to be.
+        let acts = c.law.acts_at(q);
+        let extension = if acts { own.sign * (q - c.law.free()) } else { 0.0 };
         take(&mut record.extension, extension, state.time);
         if memory.accumulated > 0.0 {
             take(&mut record.plastic, own.sign * memory.plastic, state.time);
