@@ -59,7 +59,9 @@ fn deflection(summary: &Value) -> Option<String> {
     let (value, time) = (quantity(Some(value), "m"), instant(time));
     // Other points of the structure may move further.
     let of = if points.len() > 1 { "points" } else { "point" };
-    Some(format!("Largest displacement of the recorded {of}: {value} in {axis} at '{name}', {time}."))
+    Some(format!(
+        "Largest displacement of the recorded {of}: {value} in {axis} at '{name}', {time}."
+    ))
 }
 
 /// The peak bending moment, and the peak fibre stress where one is known.
