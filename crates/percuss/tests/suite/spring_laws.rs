@@ -187,10 +187,15 @@ fn a_spring_breaks_at_its_strength() {
     };
     let pairs = strong(Some(1e6)).into_iter().zip(strong(None));
     assert!(pairs.into_iter().all(|(a, b)| (a[1] - b[1]).abs() < 1e-12));
-    // One that never acts has no extension.
+    let hook = SpringLaw::Tension { stiffness: STIFFNESS, slack: WAY };
+    let (_, summary) = run(Spring { strength: Some(1e6), ..spring(hook) }, -SPEED, 0.1);
+    let most = summary.yielding[0].force_max.value;
+    assert!((most / (SPEED * (STIFFNESS * mass()).sqrt()) - 1.0).abs() < 1e-3, "{most}");
+    // One that never acts has neither extension nor force.
     let hook = SpringLaw::Tension { stiffness: STIFFNESS, slack: WAY };
     let (_, summary) = run(Spring { strength: Some(1e6), ..spring(hook) }, SPEED, 0.05);
-    assert_eq!(summary.yielding[0].extension_max.value, 0.0);
+    let own = &summary.yielding[0];
+    assert_eq!([own.extension_max.value, own.force_max.value], [0.0; 2]);
 }
 
 /// A pinned bar between two vertical ties: one bears the load, the other one is slack.

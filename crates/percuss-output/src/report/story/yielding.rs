@@ -188,8 +188,9 @@ fn elastic(all: &Map<String, Value>) -> String {
     match (all.len(), all.iter().next(), first) {
         (1, _, Some((name, time))) => format!("{name} failed at {}.", instant(Some(*time))),
         (1, Some((name, one)), None) => {
-            let largest = ["extension", "rotation"].into_iter().zip(["m", "rad"]);
-            let shown = largest.filter_map(|(what, unit)| {
+            let largest =
+                [("force", "N"), ("moment", "N*m"), ("extension", "m"), ("rotation", "rad")];
+            let shown = largest.into_iter().filter_map(|(what, unit)| {
                 let peak = &one[format!("{what}_max").as_str()];
                 let value = quantity(Some(peak["value"].as_f64()?), unit);
                 let time = instant(Some(peak["time"].as_f64()?));
@@ -294,12 +295,12 @@ mod tests {
         assert_eq!(plain(connectors(&calm)).as_deref(), Some(text));
         let rope = |failure: Value| {
             json!({
-                "first_yield": { "time": null }, "extension_max": { "value": 0.29, "time": 0.55 }, "failure": { "time": failure },
+                "first_yield": { "time": null }, "failure": { "time": failure },
+                "extension_max": { "value": 0.29, "time": 0.55 }, "force_max": { "value": 8.7e3, "time": 0.55 },
             })
         };
         let whole = json!({ "yielding": { "spring.rope": rope(Value::Null) } });
-        let text =
-            "Spring 'rope' neither yielded nor failed; largest extension 290 mm at t = 550 ms.";
+        let text = "Spring 'rope' neither yielded nor failed; largest force 8.7 kN at t = 550 ms; largest extension 290 mm at t = 550 ms.";
         assert_eq!(plain(connectors(&whole)).as_deref(), Some(text));
         let broken = json!({ "yielding": { "spring.rope": rope(json!(0.6)) } });
         let text = "Spring 'rope' failed at t = 600 ms.";
