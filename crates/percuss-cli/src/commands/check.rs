@@ -53,7 +53,7 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     for one in advice.iter().filter(|one| one.topic == Topic::EffectiveMass) {
         let mass = EffectiveMass { on_mesh: one.value, limit: one.reference };
         let line = effective_mass::line(&mass);
-        terminal::tell(&format!("projectile '{}': {line}", one.contact));
+        terminal::tell(&format!("contact '{}': {line}", one.contact));
     }
     advisor::tell(&advice);
     if let Some(text) = lasts {

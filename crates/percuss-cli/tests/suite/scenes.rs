@@ -243,7 +243,7 @@ fn energy_taken_by_springs_and_hinges_is_told() {
     let told = told.split_whitespace().collect::<Vec<_>>().join(" ");
     let most = most.replacen('.', " '", 1);
     let sentence = format!(
-        "4 of 4 springs and joints with a yield limit yielded. Largest dissipation in {most}': first yield at t = "
+        "4 of 4 springs and joints with a limit yielded. Largest dissipation in {most}': first yield at t = "
     );
     assert!(told.contains(&sentence), "{told}");
     let plastic = summary["energy"]["plastic"].as_f64().unwrap_or(f64::NAN);

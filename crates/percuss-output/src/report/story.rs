@@ -57,8 +57,11 @@ fn deflection(summary: &Value) -> Option<String> {
     }
     let axis = if component == "component_1" { "x" } else { "y" };
     let (value, time) = (quantity(Some(value), "m"), instant(time));
-    let of = if points.len() > 1 { " of the recorded points" } else { "" };
-    Some(format!("Largest displacement{of}: {value} in {axis} at '{name}', {time}."))
+    // Other points of the structure may move further.
+    let of = if points.len() > 1 { "points" } else { "point" };
+    Some(format!(
+        "Largest displacement of the recorded {of}: {value} in {axis} at '{name}', {time}."
+    ))
 }
 
 /// The peak bending moment, and the peak fibre stress where one is known.
@@ -148,7 +151,7 @@ mod tests {
             plain(&summary),
             "'left@0.5m' was struck by projectile 'car' at 8.333 m/s, t = 10 ms. Peak contact force 176.6 kN at t = 111.2 ms. \
              Final separation at t = 222.3 ms with a separation velocity of 8.326 m/s. \
-             Largest displacement: -20 mm in y at 'mid', t = 300 ms. \
+             Largest displacement of the recorded point: -20 mm in y at 'mid', t = 300 ms. \
              Peak bending moment: 63 kN m in 'left' at s = 0 m, t = 100 ms. Energy balance error 9e-15 of 52.93 kJ."
         );
     }

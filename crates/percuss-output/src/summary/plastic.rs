@@ -54,13 +54,15 @@ pub(crate) fn set_beside(
 
 /// What became of a spring or hinge that can yield.
 pub(super) fn yielding(connector: &YieldingSummary) -> Value {
-    let what = if connector.turns { "rotation" } else { "extension" };
+    let [what, force] =
+        if connector.turns { ["rotation", "moment"] } else { ["extension", "force"] };
     let at = |time: Option<f64>| json!({ "time": time });
     let entries = [
         (format!("plastic_{what}"), connector.plastic.into()),
         (format!("plastic_{what}_max"), peak(&connector.plastic_max)),
         (format!("accumulated_{what}"), connector.accumulated.into()),
         (format!("{what}_max"), peak(&connector.extension_max)),
+        (format!("{force}_max"), peak(&connector.force_max)),
         ("first_yield".into(), at(connector.first_yield)),
         ("dissipated".into(), connector.dissipated.into()),
         ("dissipated_by_preload".into(), connector.dissipated_by_preload.into()),

@@ -144,8 +144,11 @@ pub struct YieldingSummary {
     /// The sum of the magnitudes of its increments \[m, rad\].
     pub accumulated: f64,
     /// Extension from the length without force, or rotation, of largest magnitude up to the end or its failure, signed, and when
-    /// \[m, rad\].
+    /// \[m, rad\]; of a tension- or compression-only spring from its slack or gap, while it acts.
     pub extension_max: Peak,
+    /// Force, positive in tension, or moment of largest magnitude at the ends of steps before its failure, signed, without that of its damper, and
+    /// when \[N, N m\].
+    pub force_max: Peak,
     /// End of the step of first yield, if any \[s\].
     pub first_yield: Option<f64>,
     /// Energy dissipated by plastic flow, by the preload of a static start and in the run \[J\].

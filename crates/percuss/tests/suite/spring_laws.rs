@@ -177,6 +177,9 @@ fn a_spring_breaks_at_its_strength() {
     let breaks = WAY / SPEED + 0.6_f64.asin() / omega();
     assert_eq!((own.name.as_str(), own.first_yield), ("spring.own", None));
     assert!((own.failed.unwrap() - breaks).abs() < 3e-4, "{own:?} {breaks}");
+    // Its largest extension is that from its slack on, not the way through the slack.
+    let most = own.extension_max.value;
+    assert!((STIFFNESS * most / strength - 1.0).abs() < 2e-2, "{own:?}");
     // A strength that is not reached changes nothing.
     let strong = |strength| {
         let hook = SpringLaw::Tension { stiffness: STIFFNESS, slack: WAY };
@@ -184,6 +187,15 @@ fn a_spring_breaks_at_its_strength() {
     };
     let pairs = strong(Some(1e6)).into_iter().zip(strong(None));
     assert!(pairs.into_iter().all(|(a, b)| (a[1] - b[1]).abs() < 1e-12));
+    let hook = SpringLaw::Tension { stiffness: STIFFNESS, slack: WAY };
+    let (_, summary) = run(Spring { strength: Some(1e6), ..spring(hook) }, -SPEED, 0.1);
+    let most = summary.yielding[0].force_max.value;
+    assert!((most / (SPEED * (STIFFNESS * mass()).sqrt()) - 1.0).abs() < 1e-3, "{most}");
+    // One that never acts has neither extension nor force.
+    let hook = SpringLaw::Tension { stiffness: STIFFNESS, slack: WAY };
+    let (_, summary) = run(Spring { strength: Some(1e6), ..spring(hook) }, SPEED, 0.05);
+    let own = &summary.yielding[0];
+    assert_eq!([own.extension_max.value, own.force_max.value], [0.0; 2]);
 }
 
 /// A pinned bar between two vertical ties: one bears the load, the other one is slack.

@@ -181,8 +181,8 @@ fn joint(joint: &JointSummary) -> (String, String) {
 /// Yield, fracture and failure of a spring or hinge.
 fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
     let Some(first) = connector.first_yield else {
-        let time = number(connector.failed?);
-        return Some((format!("failure of {}", connector.name), format!("at t = {time} s")));
+        let time = quantity(connector.failed?, "s");
+        return Some((format!("failure of '{}'", connector.name), format!("at t = {time}")));
     };
     let [what, unit] = if connector.turns { ["rotation", "rad"] } else { ["extension", "m"] };
     let mut parts = vec![

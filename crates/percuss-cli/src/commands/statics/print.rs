@@ -79,7 +79,8 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
 fn displacements(found: &Equilibrium) -> String {
     let mut text = found.largest_displacement.as_ref().map_or(String::new(), farthest);
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
-    let turned = largest(found.rotations.iter());
+    // A single recorded rotation has no other one to be compared with; slopes have the round-off of numbers of the size of one.
+    let turned = largest(found.rotations.iter()).max(1e-4);
     for ((name, u), rotation) in found.points.iter().zip(&found.rotations) {
         let [x, y] = u.map(|u| beside(moved, u, "m"));
         let rotation = beside(turned, *rotation, "rad");
@@ -132,18 +133,22 @@ fn under_followers(stability: FollowerStability) -> String {
     }
 }
 
-/// Springs and hinges that can yield.
+/// Springs and hinges that can yield or fail.
 fn yielding(found: &[StaticYielding]) -> String {
     if found.is_empty() {
         return String::new();
     }
-    let mut text = "springs and hinges with a yield limit\n".to_owned();
+    let mut text = "springs and hinges with a limit\n".to_owned();
     for one in found {
         let [what, unit, force] =
             if one.turns { ["rotation", "rad", "N*m"] } else { ["extension", "m", "N"] };
         let state = match (one.failed, one.yielded) {
             (true, _) => "failed".to_owned(),
             (false, true) => format!("plastic {what} {}", quantity(one.plastic, unit)),
+            // A slack rope, an open gap.
+            (false, false) if one.force == 0.0 && one.extension != 0.0 => {
+                "without force".to_owned()
+            }
             (false, false) => "elastic".to_owned(),
         };
         text.push_str(&format!(
@@ -261,9 +266,12 @@ fn largest<'a>(values: impl Iterator<Item = &'a f64>) -> f64 {
     values.fold(0.0, |most: f64, v| most.max(v.abs()))
 }
 
+/// Share of the largest of its kind below which a number is round-off: balances close to this (docs/results.md).
+const ROUND_OFF: f64 = 1e-10;
+
 /// A quantity, zero if it is round-off beside `size`.
 fn beside(size: f64, value: f64, unit: &str) -> String {
-    quantity(if value.abs() < 1e-12 * size { 0.0 } else { value }, unit)
+    quantity(if value.abs() < ROUND_OFF * size { 0.0 } else { value }, unit)
 }
 
 fn in_words(range: &SectionRange, unit: &str) -> String {

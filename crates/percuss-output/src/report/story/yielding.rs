@@ -1,6 +1,6 @@
 //! What yielded, fractured or failed.
 
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use super::words::{capital, instant, place, quantity};
 
@@ -140,20 +140,6 @@ pub(super) fn fractures(summary: &Value) -> Option<String> {
     })
 }
 
-/// The first of the springs with a strength that failed without yielding.
-fn failed(all: &serde_json::Map<String, Value>) -> Option<String> {
-    let times = all.iter().filter_map(|(name, one)| Some((name, one["failure"]["time"].as_f64()?)));
-    let mut failed: Vec<(&String, f64)> = times.collect();
-    failed.sort_by(|a, b| a.1.total_cmp(&b.1));
-    let (name, time) = failed.first()?;
-    let first = capital(&format!("{} failed at {}.", connector(name), instant(Some(*time))));
-    Some(match failed.len() - 1 {
-        0 => first,
-        1 => format!("{first} One more spring failed."),
-        more => format!("{first} {more} more springs failed."),
-    })
-}
-
 /// The spring or hinge with the largest dissipation.
 pub(super) fn connectors(summary: &Value) -> Option<String> {
     let lost = |one: &Value| one["dissipated"].as_f64().unwrap_or(0.0);
@@ -161,13 +147,7 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
     let all = summary["yielding"].as_object().filter(|all| !all.is_empty())?;
     let (name, most) = all.iter().max_by(|a, b| lost(a.1).total_cmp(&lost(b.1)))?;
     let Some(began) = first(most) else {
-        if let Some(failed) = failed(all) {
-            return Some(failed);
-        }
-        return Some(match all.len() {
-            1 => capital(&format!("{} did not yield.", connector(name))),
-            n => format!("None of the {n} springs and joints with a yield limit yielded."),
-        });
+        return Some(capital(&elastic(all)));
     };
     let [what, unit] = if most.get("plastic_rotation").is_some() {
         ["rotation", "rad"]
@@ -179,7 +159,7 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
     let mut out = match all.len() {
         1 => format!("First yield of {} at {began}", connector(name)),
         n => format!(
-            "{yielded} of {n} springs and joints with a yield limit yielded. Largest dissipation in {}: first yield at {began}",
+            "{yielded} of {n} springs and joints with a limit yielded. Largest dissipation in {}: first yield at {began}",
             connector(name)
         ),
     };
@@ -196,6 +176,36 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
     });
     out.push_str(&format!(", {} dissipated{preload}.", quantity(Some(lost(most)), "J")));
     Some(out)
+}
+
+/// Springs and joints with a limit of yield or failure, none of which yielded: which failed first, or how far a single one was extended.
+fn elastic(all: &Map<String, Value>) -> String {
+    let failure = |(name, one): (&String, &Value)| {
+        one["failure"]["time"].as_f64().map(|time| (connector(name), time))
+    };
+    let failed: Vec<(String, f64)> = all.iter().filter_map(failure).collect();
+    let first = failed.iter().min_by(|a, b| a.1.total_cmp(&b.1));
+    match (all.len(), all.iter().next(), first) {
+        (1, _, Some((name, time))) => format!("{name} failed at {}.", instant(Some(*time))),
+        (1, Some((name, one)), None) => {
+            let largest =
+                [("force", "N"), ("moment", "N*m"), ("extension", "m"), ("rotation", "rad")];
+            let shown = largest.into_iter().filter_map(|(what, unit)| {
+                let peak = &one[format!("{what}_max").as_str()];
+                let value = quantity(Some(peak["value"].as_f64()?), unit);
+                let time = instant(Some(peak["time"].as_f64()?));
+                Some(format!("; largest {what} {value} at {time}"))
+            });
+            let shown: String = shown.collect();
+            format!("{} neither yielded nor failed{shown}.", connector(name))
+        }
+        (n, _, Some((name, time))) => format!(
+            "{} of {n} springs and joints with a limit failed, {name} first at {}.",
+            failed.len(),
+            instant(Some(*time))
+        ),
+        (n, ..) => format!("None of the {n} springs and joints with a limit yielded or failed."),
+    }
 }
 
 /// `spring.brace` as a sentence names it: spring 'brace'.
@@ -255,9 +265,12 @@ mod tests {
         let two = json!({ "yielding": {
             "spring.a": spring(Some(0.05)), "spring.b": spring(Some(0.032)), "spring.c": spring(None),
         } });
-        assert_eq!(story(two), "Spring 'b' failed at t = 32 ms. One more spring failed.");
+        assert_eq!(
+            story(two),
+            "2 of 3 springs and joints with a limit failed, spring 'b' first at t = 32 ms."
+        );
         let none = json!({ "yielding": { "spring.rope": spring(None) } });
-        assert_eq!(story(none), "Spring 'rope' did not yield.");
+        assert_eq!(story(none), "Spring 'rope' neither yielded nor failed.");
     }
 
     #[test]
@@ -300,8 +313,24 @@ mod tests {
         let summary = json!({ "yielding": { "spring.brace": brace } });
         assert_eq!(plain(connectors(&summary)).as_deref(), Some(text));
         let calm = json!({ "yielding": { "spring.brace": { "first_yield": null }, "joint.knee": { "first_yield": null } } });
-        let text = "None of the 2 springs and joints with a yield limit yielded.";
+        let text = "None of the 2 springs and joints with a limit yielded or failed.";
         assert_eq!(plain(connectors(&calm)).as_deref(), Some(text));
+        let rope = |failure: Value| {
+            json!({
+                "first_yield": { "time": null }, "failure": { "time": failure },
+                "extension_max": { "value": 0.29, "time": 0.55 }, "force_max": { "value": 8.7e3, "time": 0.55 },
+            })
+        };
+        let whole = json!({ "yielding": { "spring.rope": rope(Value::Null) } });
+        let text = "Spring 'rope' neither yielded nor failed; largest force 8.7 kN at t = 550 ms; largest extension 290 mm at t = 550 ms.";
+        assert_eq!(plain(connectors(&whole)).as_deref(), Some(text));
+        let broken = json!({ "yielding": { "spring.rope": rope(json!(0.6)) } });
+        let text = "Spring 'rope' failed at t = 600 ms.";
+        assert_eq!(plain(connectors(&broken)).as_deref(), Some(text));
+        let one =
+            json!({ "yielding": { "spring.a": rope(Value::Null), "spring.b": rope(json!(0.6)) } });
+        let text = "1 of 2 springs and joints with a limit failed, spring 'b' first at t = 600 ms.";
+        assert_eq!(plain(connectors(&one)).as_deref(), Some(text));
     }
 
     /// Where no permanent deflection is known its reason is given, but not for a beam in pieces.

@@ -14,6 +14,8 @@ pub struct ConnectorRecord {
     plastic: Peak,
     /// Its own coordinate, relative to the force-free one.
     extension: Peak,
+    /// Its own force, or moment, at ends of steps.
+    force: Peak,
     first_yield: Option<f64>,
     /// Dissipation in the static start \[J\].
     preload: f64,
@@ -35,8 +37,14 @@ pub fn note(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
         if record.failed.is_some() {
             continue;
         }
-        let extension = own.sign * (state.coordinates[i] - c.law.free());
+        let q = state.coordinates[i];
+        // A slack rope or an open gap is as long as it happens to be.
+        let acts = c.law.acts_at(q);
+        let extension = if acts { own.sign * (q - c.law.free()) } else { 0.0 };
         take(&mut record.extension, extension, state.time);
+        if !memory.failed {
+            take(&mut record.force, own.sign * c.reached_force(q, &state.memories), state.time);
+        }
         if memory.accumulated > 0.0 {
             take(&mut record.plastic, own.sign * memory.plastic, state.time);
             record.first_yield.get_or_insert(state.time);
@@ -69,6 +77,7 @@ pub fn summaries(
             plastic_max: record.first_yield.map_or(none, |_| record.plastic),
             accumulated: memory.accumulated,
             extension_max: record.extension,
+            force_max: Peak { value: record.force.value + 0.0, ..record.force },
             first_yield: record.first_yield,
             dissipated: memory.dissipated,
             dissipated_by_preload: record.preload,
