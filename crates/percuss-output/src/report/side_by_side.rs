@@ -345,7 +345,7 @@ fn beam_rows(summary: &Value, row: &mut impl FnMut(String, String, &'static str)
     }
 }
 
-/// Where the energy went, how well the balance closed, and what the run cost.
+/// Where the energy went, the balance error, and what the run cost.
 fn balance_rows(row: &mut impl FnMut(String, String, &'static str)) {
     for (label, pointer) in [
         ("energy lost in impacts", "/energy/loss_impacts"),
