@@ -20,8 +20,8 @@ const BESIDE: [&str; 3] = ["book", "../share/percuss/book", "../book/html"];
 /// There is no book in any of the folders.
 pub fn run(arguments: &Book) -> Result<Status, Failure> {
     let folders = folders(std::env::var_os(FOLDER), std::env::current_exe().ok());
-    let pages = folders.iter().map(|folder| folder.join("index.html"));
-    let Some(page) = pages.into_iter().find(|page| page.is_file()) else {
+    let mut pages = folders.iter().map(|folder| folder.join("index.html"));
+    let Some(page) = pages.find(|page| page.is_file()) else {
         return Err(Failure::input(FileCode::NoBook, missing(&folders)));
     };
     let page = page.canonicalize().unwrap_or(page);
