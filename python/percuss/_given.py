@@ -15,7 +15,7 @@ class Potential:
     """A contact potential of your own: energy and force at a penetration of zero or above.
 
     The force is the derivative of the energy, zero at no penetration and never a pull; both are checked. The work over a step is
-    the difference of energies, so the balances close as with any other law. It takes the place of the law's other keys, such as
+    the difference of energies, so the energy balance holds to round-off, as with every law. It takes the place of the law's other keys, such as
     ``stiffness``.
 
     Parameters

@@ -35,7 +35,7 @@ def _scene(result: Result) -> str:
 def _facts(result: Result) -> Iterator[tuple[str, str]]:
     """The main results."""
     run = result.summary
-    yield "status", f"{run['status']} at t = {run['time']:.6g} s, {run['steps']} steps"
+    yield "status", f"{_percuss.state(result._native['summary'])}, {run['steps']} steps"
     if "error" in run:
         yield "error", f"{run['error']} [{run['error_code']}]" if "error_code" in run else run["error"]
     energy, momentum = run["energy"], run["momentum"]

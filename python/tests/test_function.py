@@ -1,6 +1,7 @@
 """Studies as functions, for other packages and over HTTP; the command that the wheel brings along."""
 
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -131,6 +132,19 @@ def test_the_wheel_brings_the_command(two, tmp_path):
     told, f = json.loads(done.stdout), percuss.function(two)
     assert list(told["results"].values()) == pytest.approx(f([20, 500]), rel=1e-12)
     assert told["derivatives"]["exit"]["mass"] == pytest.approx(f.jacobian([20, 500])[1, 1], rel=1e-12)
+
+
+def test_the_command_of_the_wheel_finds_the_book_of_the_wheel(tmp_path):
+    page = tmp_path / "book" / "index.html"
+    page.parent.mkdir()
+    page.write_text("<title>Percuss</title>")
+    line = (
+        "import sys; from percuss import _command; "
+        f"_command.__file__ = {str(tmp_path / '_command.py')!r}; sys.argv = ['percuss', 'book', '--path']; sys.exit(_command.main())"
+    )
+    bare = {key: value for key, value in os.environ.items() if key != "PERCUSS_BOOK"}
+    done = subprocess.run([sys.executable, "-c", line], capture_output=True, text=True, env=bare)
+    assert (done.returncode, done.stdout) == (0, f"{page.resolve()}\n"), done.stderr
 
 
 def test_ctrl_c_ends_the_command_of_the_wheel(elastic, tmp_path):

@@ -73,6 +73,7 @@ def test_an_unknown_column_offers_the_nearest(elastic):
 def test_a_result_shows_itself(elastic):
     result = percuss.run(elastic)
     assert "completed" in repr(result) and "peak force" in result._repr_html_()
+    assert "<th>status</th><td>Completed, t = " in result._repr_html_()
 
 
 def test_a_directory_holds_what_the_command_writes(elastic, tmp_path):

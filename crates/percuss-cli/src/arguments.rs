@@ -10,7 +10,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use percuss_codes::Code;
 
 use self::closing::{
-    BEGIN, COMPLETIONS, CONVERGE, EXIT_STATUS, EXPORT, MODES, SENSITIVITY, STATIC, SWEEP, VERIFY,
+    BEGIN, BOOK, COMPLETIONS, CONVERGE, EXIT_STATUS, EXPORT, MODES, SENSITIVITY, STATIC, SWEEP,
+    VERIFY,
 };
 use crate::commands::explain::topic::{Topic, topic};
 use crate::coupling_arguments::{Completions, EVAL, Eval, Man, SERVE, Serve};
@@ -60,6 +61,9 @@ pub enum Command {
     /// Explain the code of a warning (W002) or an error (E006), or a table, key or word of scenario and study files; without a topic,
     /// list codes and tables
     Explain(Explain),
+    /// Open the book in a browser and print its path: tasks, references, theory, verification
+    #[command(after_help = BOOK)]
+    Book(Book),
     /// Print the JSON Schema of scenario or study files, for completion in editors
     Schema(Schema),
     /// Rebuild report.html of a finished run, or compare several runs on one page
@@ -161,6 +165,14 @@ pub struct Explain {
     /// A code, table, key or word: W002, beam, projectile.stiffness, hertz
     #[arg(value_parser = topic)]
     pub topic: Option<Topic>,
+}
+
+/// Arguments of `book`.
+#[derive(Args, Debug)]
+pub struct Book {
+    /// Print the path of the first page and open no browser
+    #[arg(long)]
+    pub path: bool,
 }
 
 /// Arguments of `schema`.

@@ -50,6 +50,7 @@ pub fn command<T: Into<OsString> + Clone>(line: impl IntoIterator<Item = T>) -> 
         Command::Sensitivity(arguments) => commands::sensitivity::run(&arguments),
         Command::Converge(arguments) => commands::converge::run(&arguments),
         Command::Explain(arguments) => commands::explain::run(&arguments),
+        Command::Book(arguments) => commands::book::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),
         Command::Export(arguments) => commands::export::run(&arguments),
         Command::Report(arguments) => commands::report::run(&arguments),

@@ -53,6 +53,10 @@ catalogue! {
         /// ffmpeg was not found.
         Ffmpeg = "E213", "ffmpeg not found",
             "MP4 films are made by ffmpeg, which is not on the PATH. Install it, or give a file name that ends with `.gif` or `.apng`.";
+        /// The book is not installed.
+        NoBook = "E214", "book not found",
+            "Archives and wheels of a release contain the book; a build from the sources does not. Its pages are in docs/book/src, and \
+             `scripts/book` builds it. PERCUSS_BOOK names the folder of another copy, with its index.html.";
     }
 }
 

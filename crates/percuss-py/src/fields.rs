@@ -156,6 +156,31 @@ pub fn story(summary: &str) -> PyResult<String> {
     Ok(report::story(&summary))
 }
 
+/// How a run ended and the number of its warnings, in a line.
+///
+/// Parameters
+/// ----------
+/// summary : str
+///     That of a run, JSON.
+///
+/// Returns
+/// -------
+/// str
+///     The words of the terminal and the report.
+///
+/// Examples
+/// --------
+/// >>> native = percuss._percuss.open(percuss.run("plank.toml", out="plank") and "plank")
+/// >>> percuss._percuss.state(native["summary"]).split(",")[0]
+/// 'Completed'
+#[pyfunction]
+pub fn state(summary: &str) -> PyResult<String> {
+    let summary =
+        serde_json::from_str(summary).map_err(|e| PyValueError::new_err(e.to_string()))?;
+    let state = report::RunState::of(&summary);
+    Ok(format!("{}, {}", state.words, state.warnings_in_words()))
+}
+
 /// Writes the frames for ParaView.
 ///
 /// Parameters

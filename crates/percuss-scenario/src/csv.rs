@@ -21,7 +21,7 @@ type Clash = (String, String);
 
 /// What a file has.
 pub(crate) struct Loaded {
-    /// Its rows in SI, shape (rows).
+    /// Its rows: the line of the file and two numbers in SI, shape (rows, 2).
     pub rows: Vec<Row>,
     /// Its SHA-256.
     pub sum: String,

@@ -21,7 +21,7 @@ pub(crate) const ACCELERATION: Column =
 /// Units of two columns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Units<'h> {
-    /// The unit of each column, none where values are in SI.
+    /// The unit of each column, none where values are in SI, shape (2).
     pub of: [Option<&'h str>; 2],
     /// Whether the second column holds its other quantity.
     pub other: bool,

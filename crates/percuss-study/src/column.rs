@@ -13,7 +13,7 @@ pub enum Role {
     Status,
     /// Why it did not end well; empty if it did.
     Reason,
-    /// Whether the run's balances closed, and what it cost.
+    /// Balance errors of the run, and its cost.
     Audit,
     /// What a result has come to where a contact that is still closed at the end leaves it open: the least value of a duration or force, a
     /// velocity that is not yet the one after it; NaN in all other runs.

@@ -24,6 +24,7 @@ const REPLACED: &[&str] = &[
     "gave up",
     "gives up",
     "balances that close",
+    "books that close",
     "balances close",
     "ever finer",
     "sees its course",
@@ -214,6 +215,8 @@ fn guides_use_the_terms_of_the_field() {
     let whole = fs::read_dir(repository()).expect("the repository");
     let whole = whole.map(|entry| entry.expect("an entry").path());
     pages.extend(whole.filter(|path| path.extension().is_some_and(|own| own == "md")));
+    // Registries show the descriptions in them.
+    pages.extend(["Cargo.toml", "pyproject.toml", "docs/book/book.toml"].map(at));
     let apart = ["docs/glossary.md", "CHANGELOG.md"].map(at);
     let mut wrong = Vec::new();
     for path in pages.iter().filter(|path| !apart.contains(path)) {

@@ -15,6 +15,14 @@ To begin:
   percuss run my.toml
 and open runs/my/report.html in a browser.";
 
+pub(super) const BOOK: &str = "\
+Archives and wheels of a release contain the book; in the sources of Percuss `scripts/book` builds it. It is searched in PERCUSS_BOOK, if \
+that is set, otherwise in book/ beside the program and in share/percuss/book/ below its prefix.
+
+Examples:
+  percuss book
+  percuss book --path";
+
 pub(super) const STATIC: &str = "\
 Prints the largest displacement, displacements and rotations of the recorded points, reactions of the supports (on the structure, signed), smallest and largest section \
 forces of every beam, and the linear buckling factor.

@@ -3,6 +3,7 @@
 mod animate;
 mod bad_input;
 mod book;
+mod book_command;
 mod boundary;
 mod bounds;
 mod checkpoints;

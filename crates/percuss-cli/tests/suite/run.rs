@@ -23,7 +23,7 @@ fn the_elastic_example_leaves_every_file_and_number_promised() {
     let desk = Desk::new();
     desk.percuss(&["run", "elastic.toml", "--out", "out", "--strict"])
         .ends_with(0)
-        .tells("completed at t = 150 ms")
+        .tells("Completed, t = 150 ms, ")
         .tells("contact 'mass'")
         .tells("peak force")
         .tells("two-degree-of-freedom model, largest contact force");
@@ -31,6 +31,11 @@ fn the_elastic_example_leaves_every_file_and_number_promised() {
     for file in FILES.iter().chain(&["history.parquet"]) {
         assert!(desk.path("out").join(file).exists(), "no {file}");
     }
+    let page = std::fs::read_to_string(desk.path("out/report.html")).unwrap();
+    assert!(
+        page.contains("<p class=\"status\">Completed, t = 150\u{a0}ms, "),
+        "page and terminal agree"
+    );
     let summary = desk.summary("out");
     assert_eq!(summary["status"], "completed");
     assert_eq!(summary["steps"], 1500);
@@ -117,7 +122,7 @@ fn the_advisor_speaks_before_the_run_and_in_the_report() {
     let run = desk.percuss(&coarse);
     run.ends_with(0).tells("mass, contact duration: ").tells("set time.step to ");
     let warned = run.stderr.find("contact duration").expect("a finding");
-    let table = run.stderr.find("completed at").expect("a table");
+    let table = run.stderr.find("Completed, t = ").expect("a table");
     assert!(warned < table, "it comes before the run");
     let advice = &desk.summary("runs/elastic")["advice"];
     let topics: Vec<&str> =

@@ -28,6 +28,7 @@ mod results;
 mod scene;
 pub mod sheet;
 pub mod side_by_side;
+mod state;
 pub(crate) mod still;
 mod story;
 mod structure;
@@ -39,6 +40,7 @@ mod yields;
 pub use data::ReportData;
 pub use notebook::scene_page;
 pub use scene::{scene_choices, scene_colours, scene_scripts};
+pub use state::RunState;
 pub use story::{story, taken_as_start};
 
 use std::path::Path;

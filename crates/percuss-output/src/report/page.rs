@@ -7,7 +7,7 @@ use serde_json::Value;
 use super::data::ReportData;
 use super::figure::{Abscissa, Figure, Section};
 use super::html::{self, escape};
-use super::quantity::quantity;
+use super::state::RunState;
 use super::template::{fill_holes, page_parts};
 use super::{advice, audit, log, payload, provenance, results, scene, warnings};
 use crate::fields::Fields;
@@ -52,29 +52,12 @@ pub(super) fn render(data: &ReportData, figures: &[Figure]) -> String {
     fill_holes(TEMPLATE, fill)
 }
 
-/// State of a run and the time it reached: `Completed, t = 1.4 s`.
-pub(super) fn state(summary: &Value) -> String {
-    let time = quantity(summary["time"].as_f64(), "s");
-    match summary["status"].as_str().unwrap_or("unknown") {
-        "completed" => format!("Completed, t = {time}"),
-        "interrupted" => {
-            format!("Interrupted at t = {time}: results up to the last accepted step")
-        }
-        "failed" => {
-            let why = if summary["error_code"] == "E101" { " (no convergence)" } else { "" };
-            format!("Stopped{why} at t = {time}: results up to the last accepted step")
-        }
-        "unsolved" => "Not solved".to_owned(),
-        other => other.to_owned(),
-    }
-}
-
 /// The state with the number of warnings and a link to them, and why the run stopped.
 fn status(summary: &Value) -> String {
-    let (status, words) = (&summary["status"], state(summary));
-    let class = if *status == "completed" { "status" } else { "status warning" };
-    let mut out =
-        format!("<p class=\"{class}\">{}, {}</p>\n", escape(&words), warnings::count(summary));
+    let state = RunState::of(summary);
+    let class = if summary["status"] == "completed" { "status" } else { "status warning" };
+    let (words, warnings) = (escape(&state.words), link_to_warnings(&state));
+    let mut out = format!("<p class=\"{class}\">{words}, {warnings}</p>\n");
     if let Some(error) = summary["error"].as_str() {
         let code =
             summary["error_code"].as_str().map_or(String::new(), |code| format!(" [{code}]"));
@@ -82,6 +65,15 @@ fn status(summary: &Value) -> String {
         let _ = writeln!(out, "<p class=\"warning\" role=\"alert\">{}</p>", escape(&error));
     }
     out
+}
+
+/// A run's number of warnings in words, `4 warnings`, with a link to them.
+fn link_to_warnings(state: &RunState) -> String {
+    let words = escape(&state.warnings_in_words());
+    match state.warnings {
+        0 => words,
+        _ => format!("<a href=\"#checks\">{words}</a>"),
+    }
 }
 
 /// Says so where not every row is drawn.
@@ -205,6 +197,7 @@ mod tests {
                 .starts_with("<p class=\"status warning\">Stopped (no convergence) at t = 20 ms: "),
             "{failed}"
         );
+        assert!(failed.contains("step, no warnings</p>"), "{failed}");
         assert!(failed.contains("role=\"alert\">a &lt; b [E101]</p>"), "{failed}");
     }
 

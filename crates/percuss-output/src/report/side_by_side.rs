@@ -9,8 +9,9 @@ use super::data::ReportData;
 use super::figure::{Axis, Figure, Section, Series, Shape, Table, largest};
 use super::figures;
 use super::html::{self, escape, table};
-use super::page::{frame, state};
+use super::page::frame;
 use super::quantity::{Scale, number, quantity, without_round_off};
+use super::state::RunState;
 use super::template::{fill_holes, page_parts};
 use super::{payload, scene, story};
 use crate::error::Error;
@@ -93,7 +94,7 @@ fn stories(runs: &[Named]) -> String {
         let (name, text) = (escape(&run.name), escape(&story::story(summary)));
         format!(
             "<h3>{name}</h3>\n<p class=\"status\">{}</p>\n<p>{text}</p>\n",
-            escape(&state(summary))
+            escape(&RunState::of(summary).words)
         )
     };
     runs.iter().map(one).collect()
@@ -345,7 +346,7 @@ fn beam_rows(summary: &Value, row: &mut impl FnMut(String, String, &'static str)
     }
 }
 
-/// Where the energy went, how well the balance closed, and what the run cost.
+/// Where the energy went, the balance error, and what the run cost.
 fn balance_rows(row: &mut impl FnMut(String, String, &'static str)) {
     for (label, pointer) in [
         ("energy lost in impacts", "/energy/loss_impacts"),

@@ -1,4 +1,4 @@
-//! Warnings of a run, the worst first: how many the state names, and those shown above the scene.
+//! Warnings of a run, the worst first: their number, and those shown above the scene.
 
 use serde_json::Value;
 
@@ -39,13 +39,9 @@ fn of(summary: &Value) -> Vec<Warning<'_>> {
     found
 }
 
-/// `4 warnings` with a link to them.
-pub(super) fn count(summary: &Value) -> String {
-    match of(summary).len() {
-        0 => "no warnings".to_owned(),
-        1 => "<a href=\"#checks\">1 warning</a>".to_owned(),
-        n => format!("<a href=\"#checks\">{n} warnings</a>"),
-    }
+/// Number of warnings that nobody has accepted, equal ones counted once.
+pub(super) fn number(summary: &Value) -> usize {
+    of(summary).len()
 }
 
 /// The worst of them in a list; nothing where there are none.
@@ -90,7 +86,7 @@ mod tests {
             ],
             "warnings": [{ "code": "W101", "topic": "energy", "verdict": "warning", "text": "off" }],
         });
-        assert_eq!(count(&summary), "<a href=\"#checks\">4 warnings</a>");
+        assert_eq!(number(&summary), 4);
         let worst = worst(&summary);
         let place = |text: &str| worst.find(text).unwrap();
         assert!(
@@ -98,7 +94,7 @@ mod tests {
             "{worst}"
         );
         assert!(worst.contains("All 4 warnings in full") && !worst.contains("W010"), "{worst}");
-        assert_eq!(count(&json!({})), "no warnings");
+        assert_eq!(number(&json!({})), 0);
         assert!(super::worst(&json!({ "advice": 3 })).is_empty());
     }
 }

@@ -10,7 +10,7 @@ use percuss::{
     Termination, YieldingSummary,
 };
 use percuss_advice::Comparison;
-use percuss_output::report::story;
+use percuss_output::report::{RunState, story};
 use serde_json::Value;
 
 use super::drift::{drift, unresolved};
@@ -232,16 +232,18 @@ fn impulses(run: &RunSummary) -> Vec<String> {
     })
 }
 
+/// How the run ended, in the words of its page, and what it cost.
 fn status(ended: &Ended) -> String {
     let run = &ended.summary;
-    let (word, style) = match run.termination {
-        Termination::Completed => ("completed", "32"),
-        Termination::Interrupted { .. } => ("interrupted", "33"),
-        Termination::Failed(_) => ("failed", "31"),
-        Termination::Unsolved => ("unsolved", "31"),
+    let state = RunState::of(&ended.value);
+    let style = match run.termination {
+        Termination::Completed => "32",
+        Termination::Interrupted { .. } => "33",
+        Termination::Failed(_) | Termination::Unsolved => "31",
     };
     let mut parts = vec![
-        format!("{} at t = {}", painted(word, style), quantity(run.time, "s")),
+        painted(&state.words.replace('\u{a0}', " "), style),
+        state.warnings_in_words(),
         count(run.steps, "step"),
         count(run.newton_iterations, "Newton iteration"),
         count(run.step_cuts, "step cut"),

@@ -322,7 +322,7 @@ mod tests {
             })
         };
         let whole = json!({ "yielding": { "spring.rope": rope(Value::Null) } });
-        let text = "Spring 'rope' neither yielded nor failed; largest force 8.7 kN at t = 550 ms; largest extension 290 mm at t = 550 ms.";
+        let text = "Spring 'rope' neither yielded nor failed; largest force 8700 N at t = 550 ms; largest extension 290 mm at t = 550 ms.";
         assert_eq!(plain(connectors(&whole)).as_deref(), Some(text));
         let broken = json!({ "yielding": { "spring.rope": rope(json!(0.6)) } });
         let text = "Spring 'rope' failed at t = 600 ms.";
