@@ -38,7 +38,13 @@ fn at_rest(model: &Model) -> [f64; 3] {
     let settings = Settings { start: Start::Static, ..Settings::new(1e-6, 1e-6) };
     let mut rows = Rows::default();
     simulate(model, &settings, &mut rows).unwrap();
-    stresses(&rows).map(|column| column[0])
+    let first = stresses(&rows).map(|column| column[0]);
+    let PointStress { largest, top, bottom } = equilibrium(model).unwrap().point_forces[0].stress;
+    for (first, found) in first.iter().zip([largest, top, bottom]) {
+        let size = first.abs().max(largest.abs());
+        assert!((first - found).abs() < 1e-6 * size, "{first} in motion, {found} in statics");
+    }
+    first
 }
 
 fn stresses(rows: &Rows) -> [Vec<f64>; 3] {

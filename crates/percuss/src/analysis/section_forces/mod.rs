@@ -21,7 +21,7 @@ use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span, SpanFibres};
 use crate::scalar::in_lanes;
 use crate::state::State;
-use crate::summary::{Envelope, SectionForceSummary, SectionRange};
+use crate::summary::{Envelope, PointForces, PointStress, SectionForceSummary, SectionRange};
 use element::{ElementForces, PLACES, station};
 use fibres::{Fibres, Strained};
 use lanes::PlainSpan;
@@ -153,30 +153,6 @@ fn each_fibre(
             see(j, fibre.height, strain, fibres.laws[fibre.law].stress(memory, strain));
         }
     }
-}
-
-/// Section forces at a point.
-#[derive(Clone, Copy, Debug)]
-pub struct PointForces {
-    /// Axial force \[N\].
-    pub axial: f64,
-    /// Shear force \[N\].
-    pub shear: f64,
-    /// Bending moment \[N m\].
-    pub moment: f64,
-    /// Stresses of the section.
-    pub stress: PointStress,
-}
-
-/// Stresses of the section at a point; not a number without a depth.
-#[derive(Clone, Copy, Debug)]
-pub struct PointStress {
-    /// That of largest magnitude \[Pa\].
-    pub largest: f64,
-    /// At the top fibre, on the side of the normal to the left of the beam's direction \[Pa\].
-    pub top: f64,
-    /// At the bottom fibre, on the other side \[Pa\].
-    pub bottom: f64,
 }
 
 /// Section forces at a point. Where they jump, axial force, shear and moment are those just ahead of the point, and the stresses

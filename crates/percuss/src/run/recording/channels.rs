@@ -1,6 +1,6 @@
 //! The columns of the history and their values at a state.
 
-use crate::analysis::section_forces::{self, Lines, PointForces};
+use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
 use crate::geometry::pair::Memory;
 
@@ -9,6 +9,7 @@ use crate::ledger::Measures;
 use crate::model::Model;
 use crate::model::frozen::{ContactData, MaterialPoint};
 use crate::state::State;
+use crate::summary::PointForces;
 
 /// A column of the history.
 #[derive(Clone, Debug, PartialEq, Eq)]
