@@ -172,7 +172,7 @@ class Equilibrium:
         Examples
         --------
         >>> percuss.static("plank.toml").summary["point"]
-        {'plank.mid': {'displacement': [0.0, 0.0]}}
+        {'plank.mid': {'displacement': [0.0, 0.0], 'rotation': 0.0}}
         """
         summary: dict[str, Any] = json.loads(self._native["summary"])
         return summary

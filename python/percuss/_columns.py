@@ -92,7 +92,7 @@ class Columns(Generic[Kind]):
         Examples
         --------
         >>> len(percuss.run("plank.toml").values())
-        46
+        49
         """
         return self._columns.values()
 

@@ -35,7 +35,7 @@ class Result(Columns[np.float64]):
     Examples
     --------
     >>> percuss.run("plank.toml")
-    <percuss.Result A sandbag falls on a plank: completed, 751 rows, 47 columns, energy residual ...>
+    <percuss.Result A sandbag falls on a plank: completed, 751 rows, 49 columns, energy residual ...>
     """
 
     def __init__(self, state: dict[str, Any]) -> None:
@@ -333,7 +333,7 @@ class Result(Columns[np.float64]):
         Examples
         --------
         >>> percuss.run("plank.toml").to_pandas().shape
-        (751, 47)
+        (751, 49)
         """
         return self._to_pandas(self.units, self.descriptions)
 

@@ -4,8 +4,8 @@ use std::path::Path;
 
 use percuss::{
     Equilibrium, FailureKind, FollowerStability, LargestDisplacement, LinearBuckling, Model,
-    PlasticSummary, SectionForceSummary, SectionPeak, SectionRange, StaticBalance, StaticContact,
-    StaticFailure, StaticYielding, yielded_at_rest,
+    PlasticSummary, PointForces, SectionForceSummary, SectionPeak, SectionRange, StaticBalance,
+    StaticContact, StaticFailure, StaticYielding, yielded_at_rest,
 };
 use serde_json::{Map, Value, json};
 
@@ -31,6 +31,8 @@ pub fn equilibrium_value(model: &Model, found: &Equilibrium, linear: &LinearBuck
     let points = found.points.iter().zip(&found.rotations).map(|((name, u), rotation)| {
         (name.clone(), json!({ "displacement": u, "rotation": rotation }))
     });
+    let sections = found.points.iter().zip(&found.point_forces);
+    let sections = sections.map(|((name, _), forces)| (name.clone(), section(forces)));
     let supports = found.reactions.iter().map(|(name, [f1, f2, moment])| {
         (name.clone(), json!({ "force_1": f1, "force_2": f2, "moment": moment }))
     });
@@ -46,6 +48,7 @@ pub fn equilibrium_value(model: &Model, found: &Equilibrium, linear: &LinearBuck
         "newton_iterations": found.newton_iterations,
         "largest_displacement": found.largest_displacement.as_ref().map(moved),
         "point": points.collect::<Map<_, _>>(),
+        "section": sections.collect::<Map<_, _>>(),
         "support": supports.collect::<Map<_, _>>(),
         "contact": contacts.collect::<Map<_, _>>(),
         "yielding": yielding.collect::<Map<_, _>>(),
@@ -138,6 +141,18 @@ fn plastic(model: &Model, found: &Equilibrium, beam: &PlasticSummary) -> Value {
         entries.insert("first_yield".to_owned(), yielded.into());
     }
     value
+}
+
+/// Section forces and stresses at a recorded point, as in the columns of a history.
+fn section(at: &PointForces) -> Value {
+    json!({
+        "axial": at.axial,
+        "shear": at.shear,
+        "moment": at.moment,
+        "stress": at.stress.largest,
+        "stress_top": at.stress.top,
+        "stress_bottom": at.stress.bottom,
+    })
 }
 
 fn section_forces(beam: &SectionForceSummary) -> Value {

@@ -46,6 +46,25 @@ fn percuss(file: &std::path::Path, arguments: &[&str]) -> (Option<i32>, String, 
 }
 
 #[test]
+fn a_hogging_cantilever_has_tension_at_its_top() {
+    let dir = tempfile::tempdir().unwrap();
+    let file = dir.path().join("arm.toml");
+    let scenario = format!("{CANTILEVER}{CLAMP}")
+        .replace("inertia = ", "depth = \"4 cm\"\ninertia = ")
+        .replace("[\"arm.end\"]", "[\"arm.mid\"]");
+    std::fs::write(&file, scenario).unwrap();
+    let out = dir.path().join("out");
+    let (status, stdout, stderr) = percuss(&file, &["--json", "--out", out.to_str().unwrap()]);
+    assert_eq!(status, Some(0), "{stderr}");
+    let found: serde_json::Value = serde_json::from_str(&stdout).unwrap();
+    let mid = &found["section"]["arm.mid"];
+    // M = -P L / 2, sigma = M y / I = 100 * 0.02 / 8e-8.
+    for (key, exact) in [("moment", -100.0), ("stress_top", 25e6), ("stress_bottom", -25e6)] {
+        assert!((mid[key].as_f64().unwrap() / exact - 1.0).abs() < 1e-3, "{key}: {mid}");
+    }
+}
+
+#[test]
 fn a_cantilever_sags_by_the_hand_formula() {
     let dir = tempfile::tempdir().unwrap();
     let file = dir.path().join("arm.toml");
@@ -69,6 +88,9 @@ fn a_cantilever_sags_by_the_hand_formula() {
     let forces = &found["section_forces"]["arm"];
     assert_eq!(forces["moment_max"], forces["moment"]["min"], "the larger magnitude, signed");
     assert!(forces["stress"]["max"]["value"].is_null(), "a section without a depth");
+    let end = &found["section"]["arm.end"];
+    assert!(end["stress_top"].is_null() && end["stress"].is_null(), "{end}");
+    assert!((end["shear"].as_f64().unwrap().abs() / 100.0 - 1.0).abs() < 1e-3, "{end}");
     // The wall pushes up and turns against the load.
     let wall = &found["support"]["wall"];
     assert!((wall["force_2"].as_f64().unwrap() - 100.0).abs() < 1e-6, "{wall}");

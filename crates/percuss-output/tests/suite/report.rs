@@ -493,6 +493,42 @@ fn reactions_and_section_forces_have_figures_and_tables_with_signs() -> Outcome 
 }
 
 #[test]
+fn stresses_at_top_and_bottom_are_two_curves_of_one_figure() -> Outcome {
+    for points in [1, 3] {
+        let mut data = rigid()?;
+        let history = memory(&mut data);
+        let rows = history.columns[0].len();
+        for (point, quantity) in
+            (1..=points).flat_map(|k| ["stress", "stress_top", "stress_bottom"].map(|q| (k, q)))
+        {
+            let name = format!("section.p{point}.{quantity}");
+            let description = String::new();
+            history.channels.push(Channel { name, unit: "Pa".into(), description });
+            let sign = if quantity == "stress_top" { -1e6 } else { 1e6 };
+            history.columns.push((0..rows).map(|row| sign * (row % 7) as f64).collect());
+        }
+        let dir = tempfile::tempdir()?;
+        report::write_with_figures(dir.path(), &data)?;
+        let page = fs::read_to_string(dir.path().join("report.html"))?;
+        let index = index(&page)?;
+        let figures = index["figures"].as_array().ok_or("no figures")?;
+        let id = |f: &Value| f["id"].as_str().is_some_and(|id| id.starts_with("section-stress"));
+        let labels = figures.iter().filter(|f| id(f)).map(|f| {
+            let series = f["tables"][0]["series"].as_array().into_iter().flatten();
+            series.map(|s| s["label"].as_str().unwrap_or("").to_owned()).collect()
+        });
+        let labels: Vec<Vec<String>> = labels.collect();
+        let of = |name: &str| ["top fibre", "bottom fibre"].map(|part| format!("{name}, {part}"));
+        let expected = match points {
+            1 => vec![vec!["top fibre".to_owned(), "bottom fibre".to_owned()]],
+            _ => vec![[of("p1"), of("p2")].concat(), of("p3").to_vec()],
+        };
+        assert_eq!(labels, expected);
+    }
+    Ok(())
+}
+
+#[test]
 fn envelopes_are_drawn_for_one_beam_and_for_many() -> Outcome {
     let mut data = rigid()?;
     let one = page(&data)?;

@@ -10,7 +10,7 @@ use super::yields::StaticYielding;
 use crate::frame::{Frame, FrameForce};
 use crate::geometry::row::Row;
 use crate::state::State;
-use crate::summary::SectionForceSummary;
+use crate::summary::{PointForces, SectionForceSummary};
 
 /// A static equilibrium.
 #[derive(Clone, Debug)]
@@ -25,6 +25,8 @@ pub struct Equilibrium {
     pub largest_displacement: Option<LargestDisplacement>,
     /// Section forces of largest magnitude, one entry a beam, shape (beams).
     pub section_forces: Vec<SectionForceSummary>,
+    /// Section forces and stresses at the recorded points, as at the columns of a history, shape (points).
+    pub point_forces: Vec<PointForces>,
     /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
     pub element_forces: Vec<[[f64; 3]; 2]>,
     /// Forces of all active contacts, on the second of their partners, shape (places where something presses).

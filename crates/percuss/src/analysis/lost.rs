@@ -29,7 +29,7 @@ pub(super) fn lost(search: &mut StaticSearch, share: f64) -> Error {
     if let Some(name) = loose(search, &state) {
         return Error::nothing_holds(name);
     }
-    let (forces, _) = search.section_forces(&state);
+    let forces = search.section_forces(&state).beams;
     for (beam, found) in search.model.beams.iter().zip(&forces) {
         for span in &search.model.spans[beam.spans.clone()] {
             let law = &span.table(0).rows[1].section;

@@ -93,15 +93,16 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     let model = search.model;
     let at = |p: &crate::model::frozen::MaterialPoint| p.value(&state.displacement);
     let names = model.support_names().map(str::to_owned);
-    let (section_forces, element_forces) = search.section_forces(&state);
+    let forces = search.section_forces(&state);
     let reactions = search.reactions(&state);
     let balance = StaticBalance::new(search, &reactions);
     Equilibrium {
         points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
         rotations: model.rotations(&state.displacement),
         largest_displacement: LargestDisplacement::of(model, &state),
-        section_forces,
-        element_forces,
+        section_forces: forces.beams,
+        point_forces: forces.points,
+        element_forces: forces.ends,
         contact_forces: search.contacts.frame_forces(model, &state),
         load_factors: search.forcing.factors.clone(),
         reactions: names.zip(reactions).collect(),

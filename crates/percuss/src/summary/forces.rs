@@ -153,3 +153,27 @@ impl StopTouch {
     /// Stored contact intervals of a stop.
     pub const KEPT: usize = 10_000;
 }
+
+/// Section forces at a point.
+#[derive(Clone, Copy, Debug)]
+pub struct PointForces {
+    /// Axial force \[N\].
+    pub axial: f64,
+    /// Shear force \[N\].
+    pub shear: f64,
+    /// Bending moment \[N m\].
+    pub moment: f64,
+    /// Stresses of the section.
+    pub stress: PointStress,
+}
+
+/// Stresses of the section at a point; not a number without a depth.
+#[derive(Clone, Copy, Debug)]
+pub struct PointStress {
+    /// That of largest magnitude \[Pa\].
+    pub largest: f64,
+    /// At the top fibre, on the side of the normal to the left of the beam's direction \[Pa\].
+    pub top: f64,
+    /// At the bottom fibre, on the other side \[Pa\].
+    pub bottom: f64,
+}

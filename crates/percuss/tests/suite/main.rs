@@ -13,6 +13,7 @@ mod crowds;
 mod crushing;
 mod curved_beams;
 mod driven;
+mod fibre_stresses;
 mod frames;
 mod gaping;
 mod hard_impacts;

@@ -229,9 +229,13 @@ fn a_point_at_a_change_of_section_has_the_stress_of_the_weaker_side() {
         b.load(Load::new("tip", point_load(at("tip", arm, 1.0), [0.0; 2], 50.0)));
         b.record_point(at("mid", arm, 0.5));
         let row = static_row(&b.build().unwrap());
-        let stress = row.iter().find(|(n, _)| n == "section.mid.stress").unwrap().1;
+        let of = |q: &str| row.iter().find(|(n, _)| n == &format!("section.mid.{q}")).unwrap().1;
         // 50 / (b d^2 / 6) on the thin side: 37.5 MPa.
+        let stress = of("stress");
         assert!((stress.abs() / 37.5e6 - 1.0).abs() < 1e-9, "{thin_first}: {stress}");
+        let [top, bottom] = [of("stress_top"), of("stress_bottom")];
+        assert!((top / -37.5e6 - 1.0).abs() < 1e-9, "{thin_first}: {top}");
+        assert!((bottom / 37.5e6 - 1.0).abs() < 1e-9, "{thin_first}: {bottom}");
     }
 }
 

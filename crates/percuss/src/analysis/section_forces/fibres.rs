@@ -47,6 +47,14 @@ pub fn fibres(
     Fibres { strain: pair(stretch, turn * y), stress: pair(forces.axial / section.area, bent) }
 }
 
+/// Stresses of an elastic section at the top and at the bottom, `N/A -+ M y/I`, shape (2) \[Pa\]: a positive moment stretches the
+/// bottom, to the right of the beam's direction.
+pub fn faces(section: &SectionValues, forces: &SectionForces) -> [f64; 2] {
+    let mean = forces.axial / section.area;
+    let bent = forces.moment * section.half_depth / section.inertia;
+    [mean - bent, mean + bent]
+}
+
 /// What the section law says of an elastic section under the given forces: stretch and turn from the
 /// derivatives of its strain energy.
 fn strained_by(law: &SectionLaw<f64>, curvature: f64, forces: &SectionForces) -> Strained {

@@ -18,13 +18,14 @@ use crate::element::beam::ElementValues;
 use crate::element::yielding::gauss_strains;
 use crate::math::hermite::GAUSS;
 use crate::model::Model;
-use crate::model::frozen::{BeamData, MaterialPoint, Span};
+use crate::model::frozen::{BeamData, MaterialPoint, Span, SpanFibres};
 use crate::scalar::in_lanes;
 use crate::state::State;
-use crate::summary::{Envelope, SectionForceSummary, SectionRange};
+use crate::summary::{Envelope, PointForces, PointStress, SectionForceSummary, SectionRange};
 use element::{ElementForces, PLACES, station};
 use fibres::{Fibres, Strained};
 use lanes::PlainSpan;
+use line::SectionForces;
 
 pub use lines::{Acting, Lines};
 pub use runs::{ElementActing, ElementPlace, ForceInside, RunForces};
@@ -107,27 +108,57 @@ fn strained(span: &Span, k: usize, state: &State) -> Option<[Strained; 2]> {
 /// Extreme fibres at the Gauss points of an element that can yield, as strained and stressed where the state stands.
 fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
     let fibres = span.fibres.as_ref()?;
+    let mut out = [Fibres { strain: [f64::NAN; 2], stress: [f64::NAN; 2] }; GAUSS];
+    each_fibre(span, fibres, k, state, |j, _, strain, stress| {
+        for (range, value) in [(&mut out[j].strain, strain), (&mut out[j].stress, stress)] {
+            *range = [range[0].min(value), range[1].max(value)];
+        }
+    });
+    Some(out)
+}
+
+/// Stresses at the top and at the bottom at a Gauss point of an element that can yield, shape (2) \[Pa\]; of several fibres at one
+/// height that of larger magnitude.
+fn yielded_faces(span: &Span, fibres: &SpanFibres, k: usize, state: &State, at: usize) -> [f64; 2] {
+    let (mut heights, mut out) = ([f64::NEG_INFINITY; 2], [f64::NAN; 2]);
+    each_fibre(span, fibres, k, state, |j, height, _, stress| {
+        if j != at {
+            return;
+        }
+        for (side, height) in [height, -height].into_iter().enumerate() {
+            let beside = height == heights[side] && stress.abs() > out[side].abs();
+            if height > heights[side] || beside {
+                (heights[side], out[side]) = (height, stress);
+            }
+        }
+    });
+    out
+}
+
+/// Calls `see` for every fibre of an element: number of the Gauss point, height, strain and stress where the state stands.
+fn each_fibre(
+    span: &Span,
+    fibres: &SpanFibres,
+    k: usize,
+    state: &State,
+    mut see: impl FnMut(usize, f64, f64, f64),
+) {
     let (a, u) = (span.nodes.start + k, &state.displacement);
     let u = ElementValues::new(&u[a], &u[a + 1]);
     let strains = gauss_strains(span.table(k), span.measure, &u);
     let of = state.fibres_of(fibres, k);
-    Some(std::array::from_fn(|j| {
-        let mut out = Fibres { strain: [f64::NAN; 2], stress: [f64::NAN; 2] };
+    for j in 0..GAUSS {
         for (fibre, memory) in of.at(j) {
             let strain = strains[j][0] + fibre.height * strains[j][1];
-            let stress = fibres.laws[fibre.law].stress(memory, strain);
-            for (range, value) in [(&mut out.strain, strain), (&mut out.stress, stress)] {
-                *range = [range[0].min(value), range[1].max(value)];
-            }
+            see(j, fibre.height, strain, fibres.laws[fibre.law].stress(memory, strain));
         }
-        out
-    }))
+    }
 }
 
-/// Section forces at a point, and the stress of larger magnitude. Where they jump, axial force, shear and moment are those just
-/// ahead of the point, and the stress is the worse of both sides.
-pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoint) -> [f64; 4] {
-    let mut found: Option<[f64; 4]> = None;
+/// Section forces at a point. Where they jump, axial force, shear and moment are those just ahead of the point, and the stresses
+/// are those of the side with the worse one.
+pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoint) -> PointForces {
+    let mut found: Option<PointForces> = None;
     let [behind, front] = sides(model, point);
     // Without stresses, what is behind has no say.
     let plain = |(node, ..): &(usize, f64, bool)| is_plain(model.element_of(*node).0);
@@ -139,20 +170,39 @@ pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoi
         let stresses = true;
         let piece = ElementForces { span, k, line, inner, strained, yielded, stresses };
         let f = line.at(xi, inner, ahead);
-        // Of an element that can yield, at the nearest Gauss point: elsewhere fibres remember nothing.
-        let near = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
-        let fibres = piece.fibres(xi, &f).or(piece.yielded.map(|fibres| fibres[near]));
-        let stress = fibres.map_or(f64::NAN, |fibres| {
-            let [least, most] = fibres.stress;
-            if least.abs() > most.abs() { least } else { most }
-        });
-        let worse = match found {
-            Some([.., other]) if other.abs() > stress.abs() || stress.is_nan() => other,
-            _ => stress,
+        let own = stress_at(&piece, xi, &f, state);
+        let worse = |other: f64| other.abs() > own.largest.abs() || own.largest.is_nan();
+        let stress = match found {
+            Some(PointForces { stress: other, .. }) if worse(other.largest) => other,
+            _ => own,
         };
-        found = Some([f.axial, f.shear, f.moment, worse]);
+        found = Some(PointForces { axial: f.axial, shear: f.shear, moment: f.moment, stress });
     }
-    found.unwrap_or([f64::NAN; 4])
+    let none = f64::NAN;
+    let stress = PointStress { largest: none, top: none, bottom: none };
+    found.unwrap_or(PointForces { axial: none, shear: none, moment: none, stress })
+}
+
+/// Stresses of an element at a share of the way under the section forces there.
+fn stress_at(
+    piece: &ElementForces<'_>,
+    xi: f64,
+    forces: &SectionForces,
+    state: &State,
+) -> PointStress {
+    let ElementForces { span, k, yielded, .. } = piece;
+    // Of an element that can yield, at the nearest Gauss point: elsewhere fibres remember nothing.
+    let near = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
+    let [top, bottom] = match &span.fibres {
+        Some(fibres) => yielded_faces(span, fibres, *k, state, near),
+        None => fibres::faces(&span.section_at(*k, xi), forces),
+    };
+    let all = piece.fibres(xi, forces).or(yielded.map(|fibres| fibres[near]));
+    let largest = all.map_or(f64::NAN, |fibres| {
+        let [least, most] = fibres.stress;
+        if least.abs() > most.abs() { least } else { most }
+    });
+    PointStress { largest, top, bottom }
 }
 
 /// The sides of a point, behind it and ahead of it: node a of the element, share of the way, whether ahead of what acts there.

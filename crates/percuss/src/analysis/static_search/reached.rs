@@ -12,7 +12,17 @@ use crate::step::connectors::ConnectorStep;
 use crate::step::tangent::project;
 use crate::step::workspace::Workspace;
 use crate::step::{connectors, external, fibres};
-use crate::summary::SectionForceSummary;
+use crate::summary::{PointForces, SectionForceSummary};
+
+/// Section forces of an equilibrium.
+pub struct ReachedForces {
+    /// Those of largest magnitude, shape (beams).
+    pub beams: Vec<SectionForceSummary>,
+    /// Those at the recorded points, shape (points).
+    pub points: Vec<PointForces>,
+    /// Axial force, shear force and moment at the ends of every element, shape (elements, 2, 3) \[N, N, N m\].
+    pub ends: Vec<[[f64; 3]; 2]>,
+}
 
 impl StaticSearch<'_> {
     /// The current equilibrium; plastic strains up to it are accepted.
@@ -129,20 +139,22 @@ impl StaticSearch<'_> {
         state
     }
 
-    /// Section forces in the state reached: those of largest magnitude, and those at the ends of every element.
-    pub fn section_forces(
-        &mut self,
-        state: &State,
-    ) -> (Vec<SectionForceSummary>, Vec<[[f64; 3]; 2]>) {
+    /// Section forces in the state reached.
+    pub fn section_forces(&mut self, state: &State) -> ReachedForces {
         self.assemble::<false>();
         let Workspace { increment, beams, .. } = &self.work;
         let acting =
             Acting { state: &self.base, increment, rule: &RULE, beams, forcing: &self.forcing };
-        let (mut lines, mut forces) = (Lines::default(), section_forces::unset(self.model));
+        let (mut lines, mut beams) = (Lines::default(), section_forces::unset(self.model));
         let pressed = self.contacts.forces().map(|(_, force, row)| ([row; 2], [force, 0.0]));
         lines.set(self.model, &acting, pressed);
-        section_forces::update(self.model, &lines, state, &mut forces);
-        (forces, lines.ends(self.model.element_count()).collect())
+        section_forces::update(self.model, &lines, state, &mut beams);
+        let at = |point| section_forces::at_point(self.model, &lines, state, point);
+        ReachedForces {
+            beams,
+            points: self.model.points.iter().map(at).collect(),
+            ends: lines.ends(self.model.element_count()).collect(),
+        }
     }
 
     /// Force and moment of each support on the structure; the residual must be that of the state reached.

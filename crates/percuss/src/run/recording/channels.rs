@@ -9,6 +9,7 @@ use crate::ledger::Measures;
 use crate::model::Model;
 use crate::model::frozen::{ContactData, MaterialPoint};
 use crate::state::State;
+use crate::summary::PointForces;
 
 /// A column of the history.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -70,17 +71,9 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         }
     }
     for p in &model.points {
-        let name = &p.label;
-        let section = |q: &str| format!("section.{name}.{q}");
-        add(section("axial"), "N", "Axial force at the point, positive in tension");
-        add(section("shear"), "N", "Shear force at the point");
-        add(section("moment"), "N*m", "Bending moment at the point");
-        if has_depth(model, p) {
-            add(
-                section("stress"),
-                "Pa",
-                "Stress of the extreme fibre (top or bottom) with the larger magnitude",
-            );
+        let shown = if has_depth(model, p) { SECTION_COLUMNS.len() } else { FORCE_COLUMNS };
+        for (quantity, unit, text) in &SECTION_COLUMNS[..shown] {
+            add(format!("section.{}.{quantity}", p.label), unit, text);
         }
     }
     for s in &model.supports {
@@ -115,6 +108,27 @@ fn balances(model: &Model) -> impl Iterator<Item = Channel> {
         description: description.into(),
     })
 }
+
+/// Columns of the section at a recorded point: axial force, shear force and moment, and with a depth stresses.
+const SECTION_COLUMNS: [(&str, &str, &str); 6] = [
+    ("axial", "N", "Axial force at the point, positive in tension"),
+    ("shear", "N", "Shear force at the point"),
+    ("moment", "N*m", "Bending moment at the point"),
+    ("stress", "Pa", "Stress of the extreme fibre (top or bottom) with the larger magnitude"),
+    (
+        "stress_top",
+        "Pa",
+        "Stress at the top fibre: left of the direction of increasing s, the upper face of a beam drawn from left to right",
+    ),
+    (
+        "stress_bottom",
+        "Pa",
+        "Stress at the bottom fibre: right of the direction of increasing s, the lower face of a beam drawn from left to right",
+    ),
+];
+
+/// How many of [`SECTION_COLUMNS`] are forces and the moment.
+const FORCE_COLUMNS: usize = 3;
 
 /// Columns of histories of yielding parts.
 const PLASTIC_COLUMNS: [(&str, &str); 3] = [
@@ -284,8 +298,12 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         row.extend(p.value(&state.velocity));
     }
     for p in &model.points {
-        let forces = section_forces::at_point(model, since.lines, state, p);
-        row.extend_from_slice(&forces[..if has_depth(model, p) { 4 } else { 3 }]);
+        let PointForces { axial, shear, moment, stress } =
+            section_forces::at_point(model, since.lines, state, p);
+        row.extend([axial, shear, moment]);
+        if has_depth(model, p) {
+            row.extend([stress.largest, stress.top, stress.bottom]);
+        }
     }
     for (forces, impulses) in since.reactions.iter().zip(since.reaction_impulses) {
         row.extend_from_slice(forces);
