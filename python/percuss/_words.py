@@ -19,7 +19,7 @@ _QUANTITIES = {
 _ENERGIES = {
     "work_loads": "work of loads",
     "work_supports": "work of supports",
-    "loss_impacts": "lost in impacts",
+    "loss_impacts": "lost in impacts and friction",
     "loss_damping": "lost to damping and in contacts",
     "contact": "contacts",
 }

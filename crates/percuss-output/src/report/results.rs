@@ -77,7 +77,7 @@ fn energy(summary: &Value) -> String {
         ("initial energy", always("initial")),
         ("work of loads", value("work_loads")),
         ("work of supports", value("work_supports")),
-        ("lost in impacts", value("loss_impacts")),
+        ("lost in impacts and friction", value("loss_impacts")),
         (damping_label, damping),
         ("dissipated in contacts", value("loss_contacts")),
         ("dissipated by plastic flow", value("plastic")),
