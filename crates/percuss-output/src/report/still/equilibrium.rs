@@ -156,7 +156,7 @@ pub(super) fn tables(found: &Equilibrium) -> String {
             contacts(found),
         ),
         (
-            "Elastic-plastic springs and hinges",
+            "Springs and hinges with a limit",
             &[
                 "spring or hinge",
                 "extension or rotation",
