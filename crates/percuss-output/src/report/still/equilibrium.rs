@@ -200,6 +200,8 @@ fn yielding_row(found: &StaticYielding) -> Vec<String> {
     let state = match (found.failed, found.yielded) {
         (true, _) => "failed",
         (false, true) => "yielded",
+        // A slack rope, an open gap.
+        (false, false) if found.force == 0.0 && found.extension != 0.0 => "without force",
         (false, false) => "elastic",
     };
     vec![
