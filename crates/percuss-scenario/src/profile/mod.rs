@@ -65,6 +65,11 @@ impl SteelProfile {
         Some(Self { name: name.into(), form })
     }
 
+    /// Whether profiles of that series are known: `IPE`, `HEA`, `HEB`, `W`, `RHS`, `SHS`, `CHS`; `HE` for both of its series.
+    pub fn is_series(name: &str) -> bool {
+        SERIES.contains(&name.trim().to_uppercase().as_str())
+    }
+
     /// The section, bent about the axis across its depth.
     pub fn section(&self, name: &str) -> percuss::Section {
         match self.form {
@@ -137,7 +142,7 @@ pub(crate) fn clash(name: &str) -> Option<(String, String)> {
     let plain: String = name.chars().filter(|c| !matches!(c, ' ' | '-' | '_')).collect();
     let letters: String = plain.chars().take_while(char::is_ascii_alphabetic).collect();
     let sized = plain[letters.len()..].starts_with(|c: char| c.is_ascii_digit());
-    let begins = SERIES.contains(&letters.to_uppercase().as_str());
+    let begins = SteelProfile::is_series(&letters);
     let whole = letters.len() == plain.len() && letters != "W" && letters != "w";
     (begins && (sized || whole)).then(|| (unknown(name), right(name)))
 }

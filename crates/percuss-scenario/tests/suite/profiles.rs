@@ -271,6 +271,11 @@ fn an_unknown_profile_is_told_with_those_near_it() {
            `HEA 200` or `HEB 200`; or the name of a section",
         ],
     );
+    // Nothing is missed of the kind that stands where no profile is named.
+    bad(
+        &file(&[MATERIAL, "[section.s]\nprofil = \"IPE 200\"\n", &beam("m", "s")]),
+        &["4:1: section.s.profil: found the unknown key `profil`, expected `profile`"],
+    );
     // Neither a profile nor the beginning of one.
     bad(
         &file(&[MATERIAL, &beam("m", "web")]),
