@@ -19,7 +19,7 @@ _QUANTITIES = {
 _ENERGIES = {
     "work_loads": "work of loads",
     "work_supports": "work of supports",
-    "loss_impacts": "lost in impacts",
+    "loss_impacts": "lost in impacts and friction",
     "loss_damping": "lost to damping and in contacts",
     "contact": "contacts",
 }
@@ -64,7 +64,7 @@ def unit_words(unit: str) -> str:
 
 def engineering(value: float, unit: str) -> str:
     """Four digits with a prefix of thousands; stresses below 1 Pa and velocities have none."""
-    size = abs(value)
+    size = abs(float(f"{value:.4g}"))  # the prefix is that of the number as it is shown
     if size < 1e-12:
         return f"0 {unit}"
     if unit == "m/s" or (unit == "Pa" and size < 1):

@@ -107,9 +107,13 @@ fn still_to_come(contact: &ContactSummary, settings: &Settings, untouched: bool)
     let (since, verdict, text) = match intervals.last() {
         Some(last) if last.end.is_nan() => {
             let since = quantity(settings.end - last.start, "s");
+            // A rigid contact has impulses, and no peak force.
+            let peak = match contact.record {
+                ContactRecord::Smooth { .. } => " and the peak force may follow",
+                ContactRecord::Nonsmooth { .. } => "",
+            };
             let text = format!(
-                "contact still closed at the end ({end}), {since} after it closed: duration and impulse are incomplete and the peak force \
-                 may follow"
+                "contact still closed at the end ({end}), {since} after it closed: duration and impulse are incomplete{peak}"
             );
             (last.start, Verdict::Note, text)
         }
@@ -174,7 +178,8 @@ fn jumps(model: &Model, run: &RunSummary) -> Option<Advice> {
     let largest = forces.filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
     let text = format!(
         "velocity jump of support '{}' (at the ends of a ramp, for example): peak reaction ({}) and section forces depend on mesh \
-         and step, and grow with refinement; use a smooth motion (a table with smooth = true), or displacements",
+         and step, and grow with refinement; use a motion that starts and ends with zero velocity (a table with smooth = true, for \
+         example), or displacements",
         support.name,
         quantity(largest, "N")
     );

@@ -341,7 +341,8 @@ class Motion {
 // the tables of the page.
 function engineering(value, unit) {
   if (!Number.isFinite(value)) return "";
-  const size = Math.abs(value);
+  // The prefix is that of the number as it is shown.
+  const size = Math.abs(Number(value.toPrecision(5)));
   const steps = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"]];
   if (size < 1e-12) return `0 ${unit}`;
   const plain = unit === "Pa" ? size < 1 : unit === "m/s";

@@ -95,8 +95,12 @@ fn read(path: &Path, name: &str, (both, columns): (&str, &[Column; 2])) -> Resul
     let Ok(text) = String::from_utf8(bytes) else { return whole("which is not UTF-8") };
     let (rows, other) = parse(&text, columns).map_err(|(line, found)| {
         let more = match found.contains("header") {
-            true => "; a header names units, such as `time [ms]`, or is one of these",
-            false => "",
+            true => format!(
+                "; a header names units, such as `time [ms]`, or is one of {} and one of {}",
+                columns[0].known(),
+                columns[1].known()
+            ),
+            false => String::new(),
         };
         (format!("{found} in line {line} of {name:?}"), format!("{expected}{more}"))
     })?;

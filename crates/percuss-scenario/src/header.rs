@@ -38,6 +38,13 @@ impl Column {
         Self { other: Some(other), ..self }
     }
 
+    /// The headers that need no unit, in a list.
+    pub fn known(&self) -> String {
+        let other = self.other.map_or(&[][..], |other| other.names);
+        let names = self.names.iter().chain(other).map(|name| format!("`{name}`"));
+        names.collect::<Vec<_>>().join(", ")
+    }
+
     /// The unit that a header gives, none where it gives none but the name of the column.
     ///
     /// # Errors

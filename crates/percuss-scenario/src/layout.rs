@@ -177,6 +177,7 @@ impl Layout {
         let tags = active.iter().flat_map(|layout| &layout.choices).map(|kinds| kinds.tag);
         let names: Vec<&str> = keys.chain(tags).collect();
         let expected = |key: &str| suggest::one_of(key, names.iter().copied());
+        let implying = implying(&active, body);
         for (key, span) in body.keys() {
             if names.contains(&key) {
                 continue;
@@ -187,6 +188,13 @@ impl Layout {
                     (format!("`{key}`, which belongs to {tag} = \"{}\"", owner.word), expected)
                 }
                 Some(_) => continue, // may belong: the kind is not known
+                None if let Some(meant) = implying.iter().find(|one| meant(one, key, &names)) => {
+                    // The kind that it implies has keys of its own: none of these is missed.
+                    let excused =
+                        names.iter().map(|name| (join(&body.path, name), body.span.start));
+                    reader.excused.extend(excused);
+                    (format!("the unknown key `{key}`"), format!("`{meant}`"))
+                }
                 None => {
                     if let Some(meant) = suggest::nearest(key, names.iter().copied()) {
                         reader.excused.insert((join(&body.path, meant), body.span.start));
@@ -201,6 +209,18 @@ impl Layout {
             reader.misplaced_as(FaultCode::UnknownKey, &path, span, (found, expected));
         }
     }
+}
+
+/// Keys that would imply a kind where none is named, shape (keys).
+fn implying(active: &[&Layout], body: &Body<'_>) -> Vec<&'static str> {
+    let choices = active.iter().flat_map(|layout| &layout.choices);
+    let unsaid = choices.filter(|kinds| body.get(kinds.tag).is_none());
+    unsaid.filter_map(|kinds| kinds.implied).map(|(key, _)| key).collect()
+}
+
+/// Whether a misspelt key is nearer to `implying` than to every one of `names`.
+fn meant(implying: &str, key: &str, names: &[&str]) -> bool {
+    suggest::nearest(key, names.iter().copied().chain([implying])) == Some(implying)
 }
 
 /// What the form of a value says of itself.

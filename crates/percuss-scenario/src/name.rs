@@ -27,6 +27,11 @@ pub(crate) trait Kind: 'static {
     fn near(_: &str) -> Option<String> {
         None
     }
+
+    /// What was found and expected of a name that can only be meant for something known without a table.
+    fn clash(_: &str) -> Option<(String, String)> {
+        None
+    }
 }
 
 /// `beam`.
@@ -65,6 +70,11 @@ impl Kind for SectionName {
     fn near(name: &str) -> Option<String> {
         profile::near(name).first().map(|near| format!("the profile `{near}`"))
     }
+
+    fn clash(name: &str) -> Option<(String, String)> {
+        let (found, expected) = profile::clash(name)?;
+        Some((found, format!("{expected}; or the name of a section")))
+    }
 }
 
 /// The name of a table of some kind.
@@ -75,9 +85,16 @@ impl<K: Kind> Format for NameOf<K> {
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<String> {
         let name = Text::read(node, reader)?;
-        let known =
-            K::is_known(&name) || known_name_or(K::NAME, &name, K::near(&name), node, reader);
-        known.then_some(name)
+        if K::is_known(&name) || reader.knows(K::NAME, &name) {
+            return Some(name);
+        }
+        // A section of the file that is called so but for a letter is meant rather than a profile.
+        let alike = suggest::nearest(&name, reader.names(K::NAME).iter().copied()).is_some();
+        if let Some((found, expected)) = K::clash(&name).filter(|_| !alike) {
+            reader.wrong_as(FaultCode::UnknownName, node, found, expected);
+            return None;
+        }
+        known_name_or(K::NAME, &name, K::near(&name), node, reader).then_some(name)
     }
 
     fn placeholder() -> String {

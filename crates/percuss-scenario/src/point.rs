@@ -239,7 +239,16 @@ impl Format for AnchorText {
                 reader.wrong(node, node.found(), Self::expected() + &near);
                 None
             }
-            DeValue::String(_) => PointText::read(node, reader).map(Anchor::Point),
+            DeValue::String(text) => {
+                let name = text.split(['@', '.']).next().unwrap_or_default().trim();
+                if reader.knows("projectile", name) && !reader.knows("beam", name) {
+                    let found = format!("{text:?}, a place on the projectile {name:?}");
+                    let expected = format!("its name alone, {name:?}, for its centre");
+                    reader.wrong_as(FaultCode::UnknownName, node, found, expected);
+                    return None;
+                }
+                PointText::read(node, reader).map(Anchor::Point)
+            }
             DeValue::Array(_) => Vector::<Length>::read(node, reader).map(Anchor::Ground),
             _ => {
                 reader.wrong(node, node.found(), Self::expected());

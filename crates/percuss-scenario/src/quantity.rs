@@ -11,7 +11,7 @@ use crate::layout::Described;
 use crate::measure::{self, Measure};
 use crate::node::{Node, Reader};
 use crate::reach::{self, Lost, Reached};
-use crate::units;
+use crate::units::{self, Dimension};
 use crate::write;
 
 /// A number: bare in SI, or a text with its unit.
@@ -116,7 +116,8 @@ fn with_unit<M: Measure>(node: &Node<'_>, text: &str, reader: &mut Reader<'_>) -
     };
     if !measure::fits::<M>(quantity.dimension) {
         let found = format!("\"{text}\", which is {}", measure::name(quantity.dimension));
-        reader.wrong_as(FaultCode::Unit, node, found, expected::<M>());
+        let expected = format!("{}{}", expected::<M>(), gravities::<M>(text, quantity.dimension));
+        reader.wrong_as(FaultCode::Unit, node, found, expected);
         return None;
     }
     if let Some(unit) = M::REFUSED.iter().find(|unit| text.contains(*unit)) {
@@ -125,6 +126,26 @@ fn with_unit<M: Measure>(node: &Node<'_>, text: &str, reader: &mut Reader<'_>) -
         return None;
     }
     Some(quantity.value)
+}
+
+/// What an acceleration in `g` is in its unit: `g` is the gram in every file, and means standard gravity to many.
+fn gravities<M: Measure>(text: &str, found: Dimension) -> String {
+    if M::DIMENSION != measure::Acceleration::DIMENSION || found != measure::Mass::DIMENSION {
+        return String::new();
+    }
+    let number = text.trim().strip_suffix('g').and_then(|number| number.trim().parse::<f64>().ok());
+    let told = |number: f64| {
+        let value = units::parse(&format!("{number} kgf/kg")).map(|found| found.value);
+        value.map(|value| {
+            format!("; {number} times standard gravity is \"{} m/s^2\"", rounded(value))
+        })
+    };
+    number.and_then(|number| told(number).ok()).unwrap_or_default()
+}
+
+/// Six significant digits.
+fn rounded(value: f64) -> f64 {
+    format!("{value:.5e}").parse().unwrap_or(value)
 }
 
 /// The bytes `span` of a text as a place in the file, where the text stands there letter by letter.

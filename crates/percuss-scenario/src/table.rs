@@ -131,9 +131,21 @@ impl<T: Declared> Format for Single<T> {
     }
 
     fn expected() -> String {
-        let keys = &T::declared().keys;
+        let Layout { keys, choices, .. } = T::declared();
         let names = keys.iter().filter(|k| k.required).map(|k| format!("`{}`", k.name));
-        format!("a table with {}", names.collect::<Vec<_>>().join(" and "))
+        let mut names: Vec<String> = names.collect();
+        // A table of kinds alone has no key that each of them requires but that of its kind.
+        if names.is_empty() {
+            let open = choices.iter().filter(|kinds| kinds.default.is_none());
+            names.extend(open.map(|kinds| {
+                let words = kinds.variants.iter().map(|v| format!("\"{}\"", v.word));
+                format!("`{}` = {}", kinds.tag, words.collect::<Vec<_>>().join(", "))
+            }));
+        }
+        match names.is_empty() {
+            true => "a table".to_owned(),
+            false => format!("a table with {}", names.join(" and ")),
+        }
     }
 
     fn missing(key: &str) -> (String, String) {

@@ -25,7 +25,7 @@ pub struct Ledger<S = f64> {
     pub work_loads: S,
     /// Work of the supports \[J\].
     pub work_supports: S,
-    /// Energy lost in impacts \[J\].
+    /// Energy lost in impacts and to friction of rigid contacts \[J\].
     pub loss_impacts: S,
     /// Energy taken by damping \[J\].
     pub loss_damping: S,

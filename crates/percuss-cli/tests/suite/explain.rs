@@ -263,6 +263,13 @@ fn tables_keys_and_words_of_files_are_explained() {
     }
     assert!(explained("sequential").starts_with("time.multiple_impacts = \"sequential\"\n\n"));
     assert!(explained("latin-hypercube").contains("design.kind = \"latin-hypercube\" of a study"));
+    for profile in ["IPE", "IPE 200", "W12x26", "chs 168.3x5"] {
+        let text = explained(profile);
+        assert!(text.starts_with("section.profile"), "{profile}: {text}");
+        assert!(text.contains("EN 10365"), "{profile}: {text}");
+    }
+    let base = explained("load.base.acceleration");
+    assert!(base.starts_with("load.acceleration (kind = \"base\")\n"), "{base}");
     let list = desk.percuss(&["explain"]).stdout;
     assert!(
         list.contains("Tables of scenario files\n  [material.NAME]  Material of a beam."),

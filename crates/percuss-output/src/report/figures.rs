@@ -178,7 +178,7 @@ fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
         ("energy.plastic", "dissipated by plastic flow", 10),
         ("energy.failure", "lost in failed parts", 11),
         ("energy.loss_damping", damping, 8),
-        ("energy.loss_impacts", "lost in impacts", 4),
+        ("energy.loss_impacts", "lost in impacts and friction", 4),
     ]);
     curves.iter_mut().for_each(|curve| curve.shape = Shape::Area);
     let works = ["energy.work_loads", "energy.work_supports"];

@@ -75,7 +75,9 @@ fn spelled(value: Option<f64>, unit: &str) -> String {
     if value != 0.0 && !(1e-12..1e15).contains(&value.abs()) {
         return format!("{} {}", number(value), pretty(unit));
     }
-    let scale = Scale::new(value, unit);
+    // The prefix is that of the number as it is shown: 9999.9999 N are 10 kN.
+    let shown = format!("{value:.4e}").parse().unwrap_or(value);
+    let scale = Scale::new(shown, unit);
     format!("{} {}", number(value * scale.factor), scale.unit)
 }
 
@@ -145,6 +147,9 @@ mod tests {
         let quantity = |value, unit| super::quantity(value, unit).replace(NBSP, " ");
         assert_eq!(quantity(Some(337_784.605), "N"), "337.78 kN");
         assert_eq!(quantity(Some(3814.98), "N*s"), "3815 N s");
+        // The prefix is that of the rounded number.
+        assert_eq!(quantity(Some(9999.9999), "N"), "10 kN");
+        assert_eq!(quantity(Some(-0.999_999_9), "m"), "-1 m");
         assert_eq!(quantity(Some(0.0664362), "s"), "66.436 ms");
         assert_eq!(quantity(Some(-19.10077444), "m/s"), "-19.101 m/s");
         assert_eq!(quantity(Some(0.050_62), "m/s"), "0.05062 m/s");

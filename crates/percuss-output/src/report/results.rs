@@ -77,7 +77,7 @@ fn energy(summary: &Value) -> String {
         ("initial energy", always("initial")),
         ("work of loads", value("work_loads")),
         ("work of supports", value("work_supports")),
-        ("lost in impacts", value("loss_impacts")),
+        ("lost in impacts and friction", value("loss_impacts")),
         (damping_label, damping),
         ("dissipated in contacts", value("loss_contacts")),
         ("dissipated by plastic flow", value("plastic")),
@@ -262,7 +262,7 @@ fn departure(projectile: &Value, sizes: &Sizes) -> Vec<Vec<String>> {
     let mut rows = vec![
         row("final velocity", format!("({}, {}) m/s{note}", component(0), component(1))),
         row(
-            "momentum transferred, in the initial direction of motion",
+            "momentum transferred (negative: received)",
             quantity(given("momentum_transferred", sizes.momentum), "kg*m/s"),
         ),
         row("energy transferred", quantity(given("energy_given", sizes.energy), "J")),

@@ -349,7 +349,7 @@ fn beam_rows(summary: &Value, row: &mut impl FnMut(String, String, &'static str)
 /// Where the energy went, the balance error, and what the run cost.
 fn balance_rows(row: &mut impl FnMut(String, String, &'static str)) {
     for (label, pointer) in [
-        ("energy lost in impacts", "/energy/loss_impacts"),
+        ("energy lost in impacts and friction", "/energy/loss_impacts"),
         ("energy dissipated by plastic flow", "/energy/plastic"),
         ("energy dissipated by damping and in contacts", "/energy/loss_damping"),
         ("part of it dissipated in contacts", "/energy/loss_contacts"),

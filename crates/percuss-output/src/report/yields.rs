@@ -12,19 +12,22 @@ const LISTED: usize = 200;
 const NO_COMPONENT: f64 = 1e-9;
 const NONE: &str = "\u{2013}";
 
-/// All tables; nothing where nothing has yielded.
+/// All tables; nothing where nothing has yielded or failed.
 pub(super) fn render(summary: &Value) -> String {
     let (beams, connectors) = (yielded(&summary["plastic"]), yielded(&summary["yielding"]));
-    let notes: String = beams.iter().chain(&connectors).filter_map(note).collect();
+    let bent = |(_, entry): &&Named<'_>| entry["first_yield"]["time"].is_number();
+    let notes: String = beams.iter().chain(&connectors).filter(bent).filter_map(note).collect();
     [beam_table(&beams), hinge_table(&beams), connector_table(&connectors), notes].concat()
 }
 
-/// Something that yielded.
+/// Something that yielded or failed.
 type Named<'s> = (&'s String, &'s Value);
 
 fn yielded(part: &Value) -> Vec<Named<'_>> {
     let entries = part.as_object().into_iter().flat_map(Map::iter);
-    entries.filter(|(_, entry)| entry["first_yield"]["time"].is_number()).collect()
+    // A spring of a given strength alone fails without having yielded.
+    let when = |entry: &Value, what: &str| entry[what]["time"].is_number();
+    entries.filter(|(_, entry)| when(entry, "first_yield") || when(entry, "failure")).collect()
 }
 
 /// The first rows under a caption; nothing where there are none.
@@ -125,7 +128,11 @@ fn connector_table(connectors: &[Named<'_>]) -> String {
         "failed at",
         "plastic dissipation",
     ];
-    table("Yielded springs and joints", &header, connectors.iter().map(row).collect())
+    table(
+        "Springs and joints that yielded or failed",
+        &header,
+        connectors.iter().map(row).collect(),
+    )
 }
 
 /// Why there is no permanent deflection.
@@ -153,16 +160,23 @@ mod tests {
         let elastic = json!({ "first_yield": null, "hinges": [] });
         let loose = json!({ "first_yield": { "time": 0.001, "s": 0.5 }, "permanent_set": null, "permanent_set_note": "nothing holds it" });
         let knee = json!({ "first_yield": { "time": 0.003 }, "plastic_rotation": 0.01, "plastic_rotation_max": { "value": 0.012 }, "failure": { "time": null }, "dissipated": 3.0 });
-        let summary = json!({ "plastic": { "post": post, "rail": elastic, "loose": loose }, "yielding": { "joint.knee": knee } });
+        let unyielding = |failed: Option<f64>| json!({ "first_yield": { "time": null }, "plastic_extension": 0.0, "plastic_extension_max": { "value": 0.0 }, "failure": { "time": failed }, "dissipated": 0.0 });
+        let (rope, slack) = (unyielding(Some(0.039)), unyielding(None));
+        let summary = json!({ "plastic": { "post": post, "rail": elastic, "loose": loose }, "yielding": { "joint.knee": knee, "spring.rope": rope, "spring.slack": slack } });
         let page = render(&summary).replace('\u{a0}', " ");
         for text in [
             "<td>2 ms</td><td>0.005 m</td><td>-0.025</td><td>0.005 m</td><td>20 mm</td><td>(20 mm, 0 m)</td><td>1 m</td><td>500 J</td>",
             "<td>-0.0312 rad</td><td>0.04 m</td><td>0.15 m</td><td>0.05 m</td><td>480 J</td>",
             "<td>3 ms</td><td>0.012 rad</td><td>0.01 rad</td><td>intact</td><td>3 J</td>",
+            "spring.rope</th><td>\u{2013}</td><td>0 m</td><td>0 m</td><td>39 ms</td><td>0 J</td>",
             "Permanent deflection not available for &#39;loose&#39;: nothing holds it",
         ] {
             assert!(page.contains(text), "no {text} in {page}");
         }
+        assert!(
+            !page.contains("spring.slack"),
+            "what has neither yielded nor failed is not listed"
+        );
         assert!(!page.contains("rail"), "what has not yielded is not listed");
         assert!(render(&json!({ "plastic": 3 })).is_empty());
     }

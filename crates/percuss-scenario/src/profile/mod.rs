@@ -65,6 +65,11 @@ impl SteelProfile {
         Some(Self { name: name.into(), form })
     }
 
+    /// Whether profiles of that series are known: `IPE`, `HEA`, `HEB`, `W`, `RHS`, `SHS`, `CHS`; `HE` for both of its series.
+    pub fn is_series(name: &str) -> bool {
+        SERIES.contains(&name.trim().to_uppercase().as_str())
+    }
+
     /// The section, bent about the axis across its depth.
     pub fn section(&self, name: &str) -> percuss::Section {
         match self.form {
@@ -129,12 +134,32 @@ pub(crate) fn near(name: &str) -> Vec<String> {
     all.into_iter().take(3).map(|(_, name)| name).collect()
 }
 
+/// Series of profiles; `HE` is what a name of the series HEA or HEB begins with where its last letter is left out.
+const SERIES: [&str; 8] = ["IPE", "HEA", "HEB", "HE", "W", "RHS", "SHS", "CHS"];
+
+/// What was found and expected of a name that begins with a series, as that of a profile does, but is of none; a `W` alone may be any name.
+pub(crate) fn clash(name: &str) -> Option<(String, String)> {
+    let plain: String = name.chars().filter(|c| !matches!(c, ' ' | '-' | '_')).collect();
+    let letters: String = plain.chars().take_while(char::is_ascii_alphabetic).collect();
+    let sized = plain[letters.len()..].starts_with(|c: char| c.is_ascii_digit());
+    let begins = SteelProfile::is_series(&letters);
+    let whole = letters.len() == plain.len() && letters != "W" && letters != "w";
+    (begins && (sized || whole)).then(|| (unknown(name), right(name)))
+}
+
+fn unknown(name: &str) -> String {
+    format!("the unknown profile {name:?}")
+}
+
 /// What would be right in place of a name that no profile has.
 fn right(name: &str) -> String {
     match (near(name).as_slice(), parts(name)) {
         ([first, rest @ ..], _) if !rest.is_empty() => {
             let rest: Vec<String> = rest.iter().map(|name| format!("`{name}`")).collect();
             format!("a profile of its series, such as `{first}`, {}", rest.join(", "))
+        }
+        (_, Some((series, _))) if series == "HE" => {
+            "a profile of the series HEA or HEB, such as `HEA 200` or `HEB 200`".into()
         }
         (_, Some((series, _))) if series == "RHS" => {
             "depth, width and wall in mm, such as `RHS 200x100x8`, the wall below a quarter of the smaller side".into()
@@ -159,8 +184,7 @@ impl Format for ProfileName {
         let name = Text::read(node, reader)?;
         let found = SteelProfile::find(&name);
         if found.is_none() {
-            let told = format!("the unknown profile {name:?}");
-            reader.wrong_as(FaultCode::UnknownName, node, told, right(&name));
+            reader.wrong_as(FaultCode::UnknownName, node, unknown(&name), right(&name));
         }
         found
     }

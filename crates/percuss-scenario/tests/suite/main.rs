@@ -9,6 +9,7 @@ mod contacts;
 mod everything;
 mod faults;
 mod files_at_fault;
+mod hints;
 mod laws;
 mod overrides;
 mod profiles;

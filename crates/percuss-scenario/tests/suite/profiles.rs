@@ -252,8 +252,36 @@ fn an_unknown_profile_is_told_with_those_near_it() {
     );
     bad(
         &file(&[MATERIAL, &beam("m", "IPE 210")]),
-        &["7:11: beam.b.section: found the unknown section \"IPE 210\", expected a table \
-           [section.\"IPE 210\"], or the profile `IPE 200`"],
+        &[
+            "7:11: beam.b.section: found the unknown profile \"IPE 210\", expected a profile of its series, such as \
+           `IPE 200`, `IPE 220`, `IPE 180`; or the name of a section",
+        ],
+    );
+    bad(
+        &file(&[MATERIAL, &beam("m", "CHS 100x60")]),
+        &[
+            "7:11: beam.b.section: found the unknown profile \"CHS 100x60\", expected diameter and wall in mm, such as \
+           `CHS 168.3x5`, the wall below half the diameter; or the name of a section",
+        ],
+    );
+    bad(
+        &file(&[MATERIAL, &beam("m", "HE 200")]),
+        &[
+            "7:11: beam.b.section: found the unknown profile \"HE 200\", expected a profile of the series HEA or HEB, such as \
+           `HEA 200` or `HEB 200`; or the name of a section",
+        ],
+    );
+    // Nothing is missed of the kind that stands where no profile is named.
+    bad(
+        &file(&[MATERIAL, "[section.s]\nprofil = \"IPE 200\"\n", &beam("m", "s")]),
+        &["4:1: section.s.profil: found the unknown key `profil`, expected `profile`"],
+    );
+    // Neither a profile nor the beginning of one.
+    bad(
+        &file(&[MATERIAL, &beam("m", "web")]),
+        &[
+            "7:11: beam.b.section: found the unknown section \"web\", expected a table [section.web]",
+        ],
     );
     bad(
         &file(&[MATERIAL, &beam("s355", "IPE 200")]),

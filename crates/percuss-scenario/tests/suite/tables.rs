@@ -135,6 +135,7 @@ fn headers_of_tables_say_in_which_units_they_are() {
     );
     let told = read("frame,acc\n0, 0\n20, 1\n").unwrap_err().coded();
     assert!(told.contains("a header without a unit that is known in line 1"), "{told}");
+    assert!(told.contains("or is one of `t`, `time`, `times` and one of `value`, "), "{told}");
 }
 
 /// The file of a base load may hold accelerations: those of its header's unit, times a direction. Other functions of time are factors.

@@ -44,7 +44,7 @@ pub struct EnergySummary {
     pub work_loads: f64,
     /// Work done by the supports.
     pub work_supports: f64,
-    /// Energy lost in impacts.
+    /// Energy lost in impacts and to friction of rigid contacts.
     pub loss_impacts: f64,
     /// Energy dissipated by damping and in smooth contacts; [`RunSummary::loss_contacts`] separates the two.
     pub loss_damping: f64,

@@ -34,8 +34,13 @@ pub fn find<'r>(format: &'r [TableReference], name: &str) -> Vec<Found<'r>> {
     if !found.is_empty() || parts.len() < 2 {
         return found;
     }
-    parts.remove(1);
-    exactly(format, &parts.join("."))
+    let middle = parts.remove(1);
+    let mut found = exactly(format, &parts.join("."));
+    // In `load.base.acceleration` it is a kind, whose key comes first.
+    let of_kind =
+        |one: &Found<'_>| one.kinds.iter().any(|kind| kind.ends_with(&format!("= \"{middle}\"")));
+    found.sort_by_key(|one| !of_kind(one));
+    found
 }
 
 fn exactly<'r>(format: &'r [TableReference], name: &str) -> Vec<Found<'r>> {
@@ -148,6 +153,14 @@ mod tests {
         assert_eq!(of("[beam.girder]"), ["beam"]);
         assert_eq!(of("beam"), ["beam"]);
         assert_eq!(of("nothing"), Vec::<String>::new());
+    }
+
+    #[test]
+    fn the_kind_in_a_path_comes_first() {
+        let format = reference();
+        let found = find(&format, "load.base.acceleration");
+        assert_eq!(found[0].kinds, ["kind = \"base\""]);
+        assert_eq!(find(&format, "load.quake.acceleration").len(), found.len());
     }
 
     #[test]

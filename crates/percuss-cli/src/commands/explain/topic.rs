@@ -1,6 +1,7 @@
 //! Topics of `percuss explain`.
 
 use percuss_codes::{Code, Group};
+use percuss_scenario::content::SteelProfile;
 use percuss_scenario::{Stands, TableReference, reference, study_reference};
 
 use super::print::{self, paragraph, title};
@@ -12,13 +13,18 @@ pub struct Topic {
     pub text: String,
 }
 
-/// Explains a code, or a table, a key or a word of the file formats: `W002`, `beam`, `projectile.stiffness`, `hertz`.
+/// Explains a code, or a table, a key or a word of the file formats: `W002`, `beam`, `projectile.stiffness`, `hertz`; of a steel profile or its
+/// series the key that takes it.
 ///
 /// # Errors
 /// There is no such topic.
 pub fn topic(name: &str) -> Result<Topic, String> {
     if let Some(code) = Code::find(name) {
         let text = format!("{}\n\n{}\n", heading(code), paragraph(code.explanation));
+        return Ok(Topic { text });
+    }
+    if SteelProfile::is_series(name) || SteelProfile::find(name).is_some() {
+        let text = print::text(&reference(), "section.profile", "").unwrap_or_default();
         return Ok(Topic { text });
     }
     let formats = [(reference(), ""), (study_reference(), " of a study")];

@@ -280,7 +280,7 @@ fn energy(run: &RunSummary) -> String {
         false => "dissipated by plastic flow",
     };
     let terms = [
-        ("lost in impacts", energy.loss_impacts),
+        ("lost in impacts and friction", energy.loss_impacts),
         ("dissipated by damping", energy.loss_damping - in_contacts),
         ("dissipated in contacts", in_contacts),
         (plastic, energy.plastic),

@@ -156,7 +156,7 @@ pub(super) fn tables(found: &Equilibrium) -> String {
             contacts(found),
         ),
         (
-            "Elastic-plastic springs and hinges",
+            "Springs and hinges with a limit",
             &[
                 "spring or hinge",
                 "extension or rotation",
@@ -200,6 +200,8 @@ fn yielding_row(found: &StaticYielding) -> Vec<String> {
     let state = match (found.failed, found.yielded) {
         (true, _) => "failed",
         (false, true) => "yielded",
+        // A slack rope, an open gap.
+        (false, false) if found.force == 0.0 && found.extension != 0.0 => "without force",
         (false, false) => "elastic",
     };
     vec![

@@ -54,9 +54,13 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
             intervals,
             ..
         } => {
-            let counted = count(*impact_count, "impact");
-            let struck = (impulse_total - impulse_resting).max(0.0);
-            let mut lines = vec![format!("{counted}, total impulse {}", quantity(struck, "N*s"))];
+            let mut lines = Vec::new();
+            if *impact_count > 0 {
+                let struck = quantity((impulse_total - impulse_resting).max(0.0), "N*s");
+                lines.push(format!("{}, total impulse {struck}", count(*impact_count, "impact")));
+            } else if intervals.is_empty() {
+                lines.push("not closed".to_owned());
+            }
             if !intervals.is_empty() {
                 let total = quantity(*impulse_resting, "N*s");
                 lines.push(format!("persistent contact, total impulse {total}"));
