@@ -125,7 +125,8 @@ class Symbols:
             return np.array(end["position"], float)
         if "body" in end:
             u = self.drawing.u[self.drawing.fields.stations + end["body"]]
-            return np.array(self.scene["bodies"][end["body"]]["position"], float) + u[:2]
+            place: Floats = np.array(self.scene["bodies"][end["body"]]["position"], float) + u[:2]
+            return place
         return self.drawing.on(end)[0]
 
     def joints_and_masses(self) -> None:

@@ -48,7 +48,7 @@ use crate::structure::array;
 /// --------
 /// >>> native = percuss._percuss.run(percuss.load("plank.toml")._source(), None, None, False, 0)
 /// >>> len(native["names"]), len(native["columns"])
-/// (46, 46)
+/// (49, 49)
 #[pyfunction]
 #[pyo3(signature = (source, progress, out, report, shapes))]
 pub fn run<'py>(

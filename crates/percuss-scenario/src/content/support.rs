@@ -157,7 +157,7 @@ kinds! {
             /// Shortening up to which it is open (m).
             gap: f64 as Quantity<measure::Length> = 0.0,
         },
-        /// Along straight lines between given values, and on beyond the first and the last one.
+        /// Along straight lines between given values; beyond the first and the last one the force keeps its value there.
         Table = "table" {
             /// Extensions, increasing; shortenings are negative (m).
             extensions: Vec<f64> as List<Quantity<measure::Length>>,

@@ -293,7 +293,7 @@ pub enum ConnectorLaw<S = f64> {
         /// To which side it acts.
         from: ActsFrom,
     },
-    /// The integral of a force along straight lines.
+    /// The integral of a force along straight lines, constant beyond them.
     Tabulated {
         /// Its lines.
         table: ForceTable<S>,
@@ -311,7 +311,7 @@ pub enum ActsFrom {
     Below,
 }
 
-/// A force along straight lines over an extension, through zero.
+/// A force along straight lines over an extension, through zero; constant beyond its first and last bend.
 #[derive(Clone, Debug)]
 pub struct ForceTable<S = f64> {
     /// Slope next to zero, force per extension.
@@ -373,17 +373,8 @@ impl ConnectorLaw {
     pub fn may_give_way(&self) -> bool {
         match self {
             Self::Linear { .. } => false,
-            Self::OneSided { .. } => true,
-            Self::Tabulated { table, .. } => {
-                let (mut up, mut down) = (table.slope, table.slope);
-                let falls = |slope: &mut f64, change: f64| {
-                    *slope += change;
-                    *slope <= 0.0
-                };
-                table.slope <= 0.0
-                    || table.above.iter().any(|[_, change]| falls(&mut up, *change))
-                    || table.below.iter().rev().any(|[_, change]| falls(&mut down, -change))
-            }
+            // A table has no stiffness beyond its points.
+            Self::OneSided { .. } | Self::Tabulated { .. } => true,
         }
     }
 }

@@ -144,6 +144,30 @@ fn a_table_stores_the_area_below_its_lines() {
     assert!(crossed && least <= back * (1.0 + 1e-4), "{least} {back}");
 }
 
+/// Beyond its last point a table keeps its force, even where its last line falls, and before its first one it has none: the mass turns where
+/// that force has done the work of its speed, and leaves a spring that pulls alone as fast as it came.
+#[test]
+fn a_table_keeps_its_last_forces_beyond_its_points() {
+    let table = |extension: &[f64], force: &[f64]| SpringLaw::Table {
+        extension: extension.to_vec(),
+        force: force.to_vec(),
+    };
+    let energy = 0.5 * mass() * SPEED * SPEED;
+    for (law, turns) in [
+        // 0.05 J up to 1 mm, then 100 N.
+        (table(&[0.0, 0.001], &[0.0, 100.0]), 0.001 + (energy - 0.05) / 100.0),
+        // 0.1 J up to 1 mm and 0.6 J to 5 mm, then 100 N: the falling line would be zero at 7 mm.
+        (table(&[0.0, 0.001, 0.005], &[0.0, 200.0, 100.0]), 0.005 + (energy - 0.7) / 100.0),
+    ] {
+        let (rows, _) = run(spring(law), -SPEED, 0.2);
+        let most = rows.iter().map(|[_, u]| *u).fold(0.0, f64::min);
+        assert!((-most - turns).abs() < 2e-6, "{most} {turns}");
+        let [last, before] = [rows[rows.len() - 1], rows[rows.len() - 20]];
+        let speed = (last[1] - before[1]) / (last[0] - before[0]);
+        assert!(before[1] > 0.0 && (speed / SPEED - 1.0).abs() < 1e-4, "{before:?} {speed}");
+    }
+}
+
 /// With `zeta = c / (2 sqrt(k m))` a mass leaves a damped buffer at `exp(-pi zeta / sqrt(1 - zeta^2))` of its speed.
 #[test]
 fn a_damper_beside_a_spring_of_one_side_acts_while_that_presses() {
@@ -254,6 +278,11 @@ fn laws_that_cannot_be_are_refused() {
     assert_eq!(
         table(&[0.0, 0.1], &[5.0, 6.0]),
         "spring.own.forces: a force of 5 N without extension"
+    );
+    // Before its first point a table has the force of that point.
+    assert_eq!(
+        table(&[0.1, 0.2], &[1.0, 2.0]),
+        "spring.own.forces: a force of 1 N without extension"
     );
     assert_eq!(table(&[0.0], &[0.0]), "spring.own.forces: 1 extensions and 1 forces");
     assert_eq!(

@@ -219,10 +219,14 @@ fn check_force_table(
         out.add(path("extensions"), found, "extensions that increase");
         return;
     }
-    // The line between the points about zero, or the first or last one beyond them.
-    let k = extension.partition_point(|e| *e <= 0.0).clamp(1, extension.len() - 1) - 1;
-    let rise = (force[k + 1] - force[k]) / (extension[k + 1] - extension[k]);
-    let at_zero = force[k] - rise * extension[k];
+    // On the line between the points about zero, or the force of the first or last one beyond them.
+    let k = extension.partition_point(|e| *e <= 0.0);
+    let at_zero = if k == 0 || k == extension.len() {
+        force[k.min(extension.len() - 1)]
+    } else {
+        let rise = (force[k] - force[k - 1]) / (extension[k] - extension[k - 1]);
+        force[k - 1] - rise * extension[k - 1]
+    };
     let most = force.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
     if at_zero.abs() > 1e-12 * most {
         let found = format!("a force of {at_zero} N without extension");

@@ -172,7 +172,7 @@ pub enum SpringLaw {
         /// Shortening up to which it is open \[m\].
         gap: f64,
     },
-    /// Along straight lines between given values, and on beyond the first and the last one.
+    /// Along straight lines between given values; beyond the first and the last one the force keeps its value there.
     Table {
         /// Extensions, increasing; shortenings are negative, shape (points) \[m\].
         extension: Vec<f64>,

@@ -142,14 +142,18 @@ impl<S: Number> ForceTable<S> {
 }
 
 impl ForceTable {
-    /// From points of increasing extension; the line passes through zero.
+    /// From points of increasing extension; without extension there is no force. Beyond the first and the last point the force stays as it is
+    /// there: both are bends, with no slope on their outer side.
     pub fn new(extension: &[f64], force: &[f64]) -> Self {
-        let rise = |k: usize| (force[k + 1] - force[k]) / (extension[k + 1] - extension[k]);
-        let bends = 1..extension.len() - 1;
-        let before = bends.clone().filter(|k| extension[*k] < 0.0).count();
-        let bend = |k: usize| [extension[k], rise(k) - rise(k - 1)];
-        let (below, above) = bends.map(bend).partition(|[x, _]| *x < 0.0);
-        Self { slope: rise(before), above, below }
+        // Slope below the point of number k.
+        let slope = |k: usize| match k == 0 || k == extension.len() {
+            true => 0.0,
+            false => (force[k] - force[k - 1]) / (extension[k] - extension[k - 1]),
+        };
+        let before = extension.iter().filter(|x| **x < 0.0).count();
+        let bend = |k: usize| [extension[k], slope(k + 1) - slope(k)];
+        let (below, above) = (0..extension.len()).map(bend).partition(|[x, _]| *x < 0.0);
+        Self { slope: slope(before), above, below }
     }
 }
 
@@ -161,7 +165,7 @@ mod tests {
         let (stiffness, gap) = (3.0e4, 0.2);
         let table = ForceTable::new(
             &[-0.3, -0.1, 0.0, 0.05, 0.2, 0.4],
-            &[-900.0, -100.0, 0.0, 400.0, 250.0, 250.0],
+            &[-900.0, -100.0, 0.0, 400.0, 250.0, 150.0],
         );
         vec![
             ConnectorLaw::Linear { stiffness, rest: gap },
@@ -174,16 +178,18 @@ mod tests {
     /// The table of [`laws`] by its lines.
     fn line(e: f64) -> f64 {
         match e {
+            e if e < -0.3 => -900.0,
             e if e < -0.1 => -100.0 + 4000.0 * (e + 0.1),
             e if e < 0.0 => 1000.0 * e,
             e if e < 0.05 => 8000.0 * e,
             e if e < 0.2 => 400.0 - 1000.0 * (e - 0.05),
-            _ => 250.0,
+            e if e < 0.4 => 250.0 - 500.0 * (e - 0.2),
+            _ => 150.0,
         }
     }
 
     #[test]
-    fn a_table_gives_its_lines_and_goes_on_beyond_them() {
+    fn a_table_gives_its_lines_and_keeps_its_last_forces_beyond_them() {
         let ConnectorLaw::Tabulated { table, .. } = &laws()[3] else { unreachable!() };
         for k in -60..=60 {
             let e = 0.01 * f64::from(k) + 0.003;
@@ -193,6 +199,23 @@ mod tests {
             assert!((slope - given).abs() < 1e-4, "{e}: {slope} {given}");
         }
         assert_eq!(table.energy(0.0), 0.0);
+    }
+
+    /// Tables that begin, end or lie away from zero: no force on the other side.
+    #[test]
+    fn a_table_on_one_side_acts_there_alone() {
+        for (extension, force, expected) in [
+            ([0.0, 0.1], [0.0, 50.0], [0.0, 0.0, 0.0, 25.0, 50.0]),
+            ([0.05, 0.1], [0.0, 50.0], [0.0, 0.0, 0.0, 0.0, 50.0]),
+            ([-0.1, 0.0], [-50.0, 0.0], [-50.0, -25.0, 0.0, 0.0, 0.0]),
+            ([-0.1, -0.05], [-50.0, 0.0], [-50.0, 0.0, 0.0, 0.0, 0.0]),
+        ] {
+            let table = ForceTable::new(&extension, &force);
+            for (e, expected) in [-0.3, -0.05, 0.0, 0.05, 0.3].into_iter().zip(expected) {
+                let [force, _] = table.at(e);
+                assert!((force - expected).abs() < 1e-10, "{extension:?} {e}: {force}");
+            }
+        }
     }
 
     /// The work of the force over a step is the difference of the potential, and the slope that of the force by the end.
@@ -206,6 +229,8 @@ mod tests {
                 (0.19, 0.02),
                 (0.35, 0.2),
                 (-0.3, 0.9),
+                (0.3, 0.6),
+                (0.7, 0.1),
                 (0.2, 1e-9),
             ] {
                 let [force, slope] = law.quotient(q0, change);
