@@ -269,6 +269,10 @@ fn largest<'a>(values: impl Iterator<Item = &'a f64>) -> f64 {
 /// Share of the largest of its kind below which a number is round-off: balances close to this (docs/results.md).
 const ROUND_OFF: f64 = 1e-10;
 
+/// Share of the other place below which that of an extreme value is the start of the beam: a place at which a smooth function is largest is known
+/// to the root of round-off, 1e-8.
+const NO_DISTANCE: f64 = 1e-7;
+
 /// A quantity, zero if it is round-off beside `size`.
 fn beside(size: f64, value: f64, unit: &str) -> String {
     quantity(if value.abs() < ROUND_OFF * size { 0.0 } else { value }, unit)
@@ -276,8 +280,9 @@ fn beside(size: f64, value: f64, unit: &str) -> String {
 
 fn in_words(range: &SectionRange, unit: &str) -> String {
     let size = range.min.value.abs().max(range.max.value.abs());
-    let at =
-        |p: &SectionPeak| format!("{} at s = {}", beside(size, p.value, unit), quantity(p.s, "m"));
+    let far = range.min.s.abs().max(range.max.s.abs());
+    let place = |s: f64| quantity(if s.abs() < NO_DISTANCE * far { 0.0 } else { s }, "m");
+    let at = |p: &SectionPeak| format!("{} at s = {}", beside(size, p.value, unit), place(p.s));
     format!("{} to {}", at(&range.min), at(&range.max))
 }
 

@@ -177,6 +177,10 @@ pub(super) fn tables(found: &Equilibrium) -> String {
     filled.map(|(caption, header, rows)| table(caption, header, &rows)).collect()
 }
 
+/// Share of the other place below which that of an extreme value is the start of the beam: a place at which a smooth function is largest is known
+/// to the root of round-off, 1e-8.
+const NO_DISTANCE: f64 = 1e-7;
+
 /// Gaps below this are none \[m\].
 const CLOSED: f64 = 1e-12;
 
@@ -225,7 +229,8 @@ fn section_rows(beam: &percuss::SectionForceSummary) -> Vec<Vec<String>> {
     let row = |(what, range, unit): (&str, &SectionRange, &str)| {
         let scale = if unit == "N" { largest_force } else { range.largest().value.abs() };
         let value = |v: f64| quantity(Some(without_round_off(v, scale)), unit);
-        let at = |s: f64| quantity(Some(s), "m");
+        let far = range.min.s.abs().max(range.max.s.abs());
+        let at = |s: f64| quantity(Some(if s.abs() < NO_DISTANCE * far { 0.0 } else { s }), "m");
         let name = format!("{}, {what}", beam.name);
         vec![name, value(range.min.value), at(range.min.s), value(range.max.value), at(range.max.s)]
     };
