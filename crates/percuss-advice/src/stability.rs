@@ -51,6 +51,14 @@ fn far(model: &Model, found: &Equilibrium) -> Option<Advice> {
             }
         }
     }
+    // Projectiles and discs on springs or contacts take part in statics; others stay where they are.
+    for (k, body) in model.bodies().iter().enumerate().filter(|(_, body)| body.kind.strikes()) {
+        let node = model.body_node(k);
+        let moved = norm([0, 1].map(|i| found.state.displacement[node][i]));
+        if moved > farthest {
+            (farthest, place) = (moved, format!("projectile '{}'", body.name));
+        }
+    }
     let size = norm(sub(high, low));
     if farthest.is_nan() || farthest <= FAR * size {
         return None;

@@ -21,7 +21,7 @@ type Clash = (String, String);
 
 /// What a file has.
 pub(crate) struct Loaded {
-    /// Its rows: the line of the file and two numbers in SI, shape (rows, 2).
+    /// Its rows: the line of the file and two numbers, shape (rows, 2) \[SI\].
     pub rows: Vec<Row>,
     /// Its SHA-256.
     pub sum: String,

@@ -47,7 +47,7 @@ impl Error {
         Self::of(ErrorKind::NoEquilibrium { share })
     }
 
-    /// The same with closed rigid contacts, whose forces may be the part that does not converge.
+    /// The same in a model with rigid contacts, whose forces may be the part that does not converge.
     pub(crate) fn unsettled_contacts(share: f64) -> Self {
         Self::of(ErrorKind::UnsettledContacts { share })
     }
@@ -163,8 +163,8 @@ impl fmt::Display for Error {
             ),
             ErrorKind::UnsettledContacts { share } => write!(
                 f,
-                "no equilibrium beyond load factor {share:.4}: rigid contact forces did not converge (use a compliant law), limit \
-                 point, or overload"
+                "no equilibrium beyond load factor {share:.4}: limit point, overload, or, if rigid contacts are closed, no convergence of \
+                 their forces (use a compliant law)"
             ),
             ErrorKind::MomentBeyondLaw { share, beam, most } => write!(
                 f,

@@ -49,7 +49,8 @@ pub struct Ledger<S = f64> {
     pub impulse_damping: [S; 2],
     /// Their angular impulse about the origin \[N m s\].
     pub angular_impulse_damping: S,
-    /// Energy scale: the largest energy so far \[J\].
+    /// Largest magnitude so far of the total energy, of the works and of the losses \[J\]; the scale of residuals is this or the total transfer, see
+    /// [`Ledger::audit_scales`].
     pub energy_scale: S,
     /// Scale of linear momentum: the largest so far \[kg m/s\].
     pub linear_scale: S,

@@ -550,6 +550,44 @@ fn a_static_start_far_from_the_drawing_is_told_with_place_and_distance() {
     }
 }
 
+/// A ball beside the anchor of its rope swings down to below it before the run starts; one that hangs there already stays.
+#[test]
+fn a_static_start_far_from_the_drawing_is_told_of_projectiles() {
+    for (x, told) in [(-2.0, Some(Verdict::Warning)), (-1.0, None)] {
+        let mut b = ModelBuilder::new();
+        let arm = bar(&mut b, 1.0, 4, [0.05, 0.05]);
+        hold(&mut b, arm, &SupportKind::Clamp, &[0.0]);
+        b.disc(Disc {
+            name: "ball".into(),
+            mass: 20.0,
+            inertia: None,
+            radius: 0.1,
+            position: [x, 2.0],
+            velocity: [0.0; 2],
+            spin: 0.0,
+        });
+        b.spring(Spring {
+            name: "rope".into(),
+            between: [Anchor::Ground([-1.0, 3.0]), Anchor::Projectile("ball".into())],
+            law: SpringLaw::Tension { stiffness: 1e7, slack: 0.0 },
+            damping: 0.0,
+            length: None,
+            strength: None,
+            yielding: None,
+        });
+        b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+        let settings = Settings { start: Start::Static, ..Settings::new(0.02, 5e-5) };
+        let advice = advise(&freeze(&b), &settings);
+        assert_eq!(verdict(&advice, Topic::StaticStart), told, "{advice:#?}");
+        if let Some(far) = advice.iter().find(|a| a.topic == Topic::StaticStart) {
+            // From beside to below the anchor at a distance of sqrt(2) m: by (1, 1 - sqrt(2)) m.
+            let expected = 1.0_f64.hypot(2.0_f64.sqrt() - 1.0);
+            assert!((far.value / expected - 1.0).abs() < 0.01, "{far:?}");
+            assert!(far.text.contains("projectile 'ball'"), "{far:?}");
+        }
+    }
+}
+
 /// A bar that flies at a post with a flat end presses with as many points as the mesh has; a round end, or one askew, with one.
 #[test]
 fn a_contact_whose_stiffness_grows_with_the_mesh_is_told() {

@@ -17,6 +17,8 @@ const SPARE: usize = 80;
 const STEP: f64 = 4.0;
 /// Number of attempts to find missing factors.
 const MOST_COUNTS: usize = 8;
+/// Gaps below this share of the length of a spring or the size of the structure are round-off: the spring touches.
+const TOUCHING: f64 = 1e-9;
 /// Loads that move a structure by less than this share of its size are round-off.
 const NO_LOAD: f64 = 1e-14;
 
@@ -113,18 +115,35 @@ pub fn buckling(model: &Model, count: usize) -> LinearBuckling {
 /// The same with the active contacts of an equilibrium kept closed: rigid ones do not move, like supports, compliant ones have the stiffness of
 /// their law, like stops. Open ones and those of discs are omitted.
 ///
-/// Closing of gaps under the loads is neglected, as are all other displacements.
+/// Closing of gaps of contacts and stops under the loads is neglected, as are all other displacements. A spring between points has the stiffness of the
+/// reference configuration: none behind a slack or a gap. One that has failed in the equilibrium has none.
 pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> LinearBuckling {
     let mut structure = model.structure();
     let reference = vec![[0.0; 4]; structure.node_count()];
+    let extent = structure.extent();
     for (c, q) in structure.connectors.iter_mut().zip(&found.state.coordinates) {
-        // A closed stop is a spring, an open one is none.
-        if !matches!(c.law, ConnectorLaw::Linear { .. }) {
-            let stiffness = c.law.stiffness_at(*q);
-            c.law = ConnectorLaw::Linear { stiffness, rest: c.value(&reference, 0.0) };
+        let from = c.value(&reference, 0.0);
+        if c.has_failed(&found.state.memories) {
+            c.law = ConnectorLaw::Linear { stiffness: 0.0, rest: from };
+        } else if !matches!(c.law, ConnectorLaw::Linear { .. }) {
+            c.law = match c.support {
+                // A closed stop is a spring, an open one is none.
+                Some(_) => ConnectorLaw::Linear { stiffness: c.law.stiffness_at(*q), rest: from },
+                None => tangent_law(&c.law, [from, *q], from.abs().max(extent)),
+            };
         }
     }
     result(&structure, found.held.clone(), count)
+}
+
+/// The line that a spring follows from the reference configuration on, to the side to which the loads take it: what just touches there acts if they
+/// close it, and what is slack or has a gap has no stiffness, wherever the loads take it.
+fn tangent_law(law: &ConnectorLaw, [from, to]: [f64; 2], scale: f64) -> ConnectorLaw {
+    let side = if to == from { 0.0 } else { (to - from).signum() };
+    let stiffness = law.stiffness_at(from + side * TOUCHING * scale);
+    let force = law.collocated(from, 0.0, 1.0)[0];
+    let rest = if stiffness == 0.0 { from } else { from - force / stiffness };
+    ConnectorLaw::Linear { stiffness, rest }
 }
 
 fn result(structure: &Model, held: Vec<Held>, count: usize) -> LinearBuckling {
@@ -151,7 +170,7 @@ fn find(
     held: Vec<Held>,
     count: usize,
 ) -> Result<Vec<BucklingMode>, BucklingOutcome> {
-    if model.is_inelastic() {
+    if model.has_inelastic_laws() {
         return Err(BucklingOutcome::Inelastic);
     }
     let rest = State::at_rest(model, Scheme::EnergyMomentum);

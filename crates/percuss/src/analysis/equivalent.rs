@@ -11,7 +11,7 @@ use crate::geometry::row::Row;
 use crate::inspect::LoadView;
 use crate::math::vec2::dot;
 use crate::model::Model;
-use crate::model::frozen::{Connector, ConnectorLaw, ProjectileData};
+use crate::model::frozen::{ConnectorLaw, ProjectileData};
 use crate::settings::{Scheme, Start};
 use crate::state::State;
 use crate::step::workspace::Workspace;
@@ -94,9 +94,7 @@ fn refuse_what_is_not_linear(model: &Model, run: &RunSummary) -> Result<(), &'st
     {
         return Err("part of the structure failed");
     }
-    if !has_slack_springs(model) {
-        return Err("stops, or springs with initial strain, act");
-    }
+    refuse_springs(model)?;
     let mut laws = model.spans.iter().filter_map(|s| s.fibres.as_ref()).flat_map(|f| &f.laws);
     if laws.any(|law| law.slack().is_some()) {
         return Err("a material is tension-only or compression-only");
@@ -104,17 +102,24 @@ fn refuse_what_is_not_linear(model: &Model, run: &RunSummary) -> Result<(), &'st
     Ok(())
 }
 
-/// Whether all springs are linear ones of the structure without force at the start.
-fn has_slack_springs(model: &Model) -> bool {
+/// Rejects springs other than linear ones of the structure without force at the start.
+fn refuse_springs(model: &Model) -> Result<(), &'static str> {
     let start = State::at_rest(model, Scheme::EnergyMomentum);
-    let linear = |c: &Connector| {
-        matches!(c.law, ConnectorLaw::Linear { .. }) && c.tied_nodes().next().is_none()
-    };
-    model
-        .connectors
-        .iter()
-        .zip(&start.coordinates)
-        .all(|(c, &q)| linear(c) && c.potential(q, &start.memories) == 0.0)
+    for (c, &q) in model.connectors.iter().zip(&start.coordinates) {
+        if c.tied_nodes().next().is_some() {
+            return Err("a spring ends at a projectile");
+        }
+        if !matches!(c.law, ConnectorLaw::Linear { .. }) {
+            return Err(match c.support {
+                Some(_) => "the structure has stops",
+                None => "a spring is not linear",
+            });
+        }
+        if c.potential(q, &start.memories) != 0.0 {
+            return Err("a spring has initial strain");
+        }
+    }
+    Ok(())
 }
 
 /// Displacements, and multipliers of constraints.

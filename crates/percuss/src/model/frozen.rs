@@ -172,6 +172,11 @@ impl Model {
         self.has_fibres() || self.memory_count() > 0
     }
 
+    /// Whether any beam has a fibre section, or any spring or joint yields; up to a strength alone these are elastic.
+    pub(crate) fn has_inelastic_laws(&self) -> bool {
+        self.has_fibres() || self.yielding().any(|(.., own)| own.law.is_some())
+    }
+
     /// Whether the law of any contact crushes.
     pub fn crushes(&self) -> bool {
         self.contacts.iter().any(|c| c.law.crushes())

@@ -259,6 +259,61 @@ fn ties_at_rest_bear_tension_alone() {
     assert!(sag(&|| SpringLaw::Tension { stiffness, slack: 0.0 }, Some(20.0)).is_ok());
 }
 
+/// A column on a pin between two stays, pressed by its dead load and drawn to the left: linear buckling is about the reference configuration, where a
+/// stay behind a slack has no stiffness, however far the loads take it; a strength that is not reached changes nothing.
+#[test]
+fn linear_buckling_takes_stays_as_they_are_in_the_reference_configuration() {
+    const STAY: f64 = 1e3;
+    // As good as none: linear springs without stiffness are refused.
+    const WEAK: f64 = 1e-9;
+    let factor = |laws: [SpringLaw; 2], length: Option<f64>, strength: Option<f64>| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let column = b.beam(beam("column", [0.0, 0.0], [0.0, 1.0], 4, material, section));
+        let head = at("head", column, 1.0);
+        let kind = SupportKind::Elastic {
+            direction: [1.0, 0.0],
+            stiffness: [1e9, 1e9],
+            damping: [0.0; 2],
+            rotational_stiffness: 100.0,
+            rotational_damping: 0.0,
+        };
+        b.support(Support::new("foot", at("foot", column, 0.0), kind));
+        for (law, (name, x)) in laws.into_iter().zip([("left", -2.0), ("right", 2.0)]) {
+            let between = [Anchor::Point(head.clone()), Anchor::Ground([x, 1.0])];
+            let (name, damping) = (name.into(), 0.0);
+            b.spring(Spring { name, between, law, damping, length, strength, yielding: None });
+        }
+        let (force, moment, follower) = ([-1.0, -1.0], 0.0, false);
+        let kind = LoadKind::Point { at: head, force, moment, follower };
+        b.load(Load::new("press", kind));
+        let model = b.build().unwrap();
+        let found = equilibrium(&model).unwrap();
+        buckling_in_contact(&model, &found, 1).modes[0].factor
+    };
+    let linear = |stiffness| SpringLaw::Linear { stiffness };
+    let tension = |slack| SpringLaw::Tension { stiffness: STAY, slack };
+    // Round-off: the column is 1e6 times as stiff as the hinge at its foot.
+    let same = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-7, "{a} {b}");
+    let [none, one, two] = [[WEAK, WEAK], [WEAK, STAY], [STAY, STAY]]
+        .map(|stays| factor(stays.map(linear), None, None));
+    assert!(1.5 * none < one && one < two, "{none} {one} {two}");
+    // The left stay slackens, and the right one is at once in tension, after a slack that closes, or never.
+    for (slack, expected) in [(0.0, one), (1e-4, none), (0.5, none)] {
+        same(factor([tension(0.0), tension(slack)], None, None), expected);
+        same(factor([tension(0.0), tension(slack)], None, Some(1e3)), expected);
+    }
+    // Two stays in tension from the start, which the load does not slacken, are springs.
+    let short = Some(1.9);
+    same(
+        factor([tension(0.0), tension(0.0)], short, None),
+        factor([linear(STAY), linear(STAY)], short, None),
+    );
+    // A table on one side acts as a stay does.
+    let table = || SpringLaw::Table { extension: vec![0.0, 0.1], force: vec![0.0, 0.1 * STAY] };
+    same(factor([table(), table()], None, None), one);
+}
+
 #[test]
 fn laws_that_cannot_be_are_refused() {
     let fault = |spring: Spring| {
