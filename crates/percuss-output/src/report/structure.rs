@@ -15,7 +15,7 @@ const SHOWN: usize = 24;
 
 /// A quantity and how its figure is called.
 struct Quantity {
-    /// Curves of a name: what comes after it in a channel, and the label beside those of others, if there are any.
+    /// Curves of a name: the end of the channel name, and the label if there are several, shape (curves).
     parts: Parts,
     id: &'static str,
     title: &'static str,
