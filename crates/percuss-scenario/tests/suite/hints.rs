@@ -7,7 +7,7 @@ const ELASTIC: &str = include_str!("../files/elastic.toml");
 /// The one fault of a file with more tables.
 fn one(more: &str) -> String {
     let text = format!("{ELASTIC}\n{more}");
-    let faults = read(&text, "f.toml").err().expect("a fault");
+    let faults = read(&text, "f.toml").expect_err("a fault");
     assert_eq!(faults.all().len(), 1, "{faults}");
     faults.to_string()
 }
