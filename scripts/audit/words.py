@@ -82,7 +82,8 @@ def strangers(text: str, known: list[float], digits: float, where: str) -> list[
     out = []
     for value, _, words in quantities(text):
         near = min((abs(abs(value) - x) for x in known), default=math.inf)
-        if near > digits * abs(value) * 1.01 + 1e-300:
+        # Numbers with an exponent have four digits everywhere.
+        if near > max(digits, 5e-4 if "e" in words else 0.0) * abs(value) * 1.01 + 1e-300:
             out.append(f"{where}: {words} is no number of the run")
     return out
 
