@@ -26,7 +26,7 @@ pub(super) fn render(summary: &Value, scenario: &str) -> String {
         let value = residual(of, key);
         rows.push([
             label.to_owned(),
-            quantity(value.map(|v| without_round_off(v, 1.0)), "1"),
+            quantity(value, "1"),
             verdict(value, of, scheme, midpoint_force),
         ]);
     }

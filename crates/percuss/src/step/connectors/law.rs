@@ -48,7 +48,7 @@ impl<S: Number> ConnectorLaw<S> {
             Self::OneSided { stiffness, from, .. } => {
                 let (zero, p0) = (q0.constant(0.0), self.closed_by(q0));
                 let p = match from {
-                    ActsFrom::Above => p0 + (p0 + change - p0) * theta,
+                    ActsFrom::Above => p0 + change * theta,
                     ActsFrom::Below => p0 - change * theta,
                 };
                 let presses = zero.less(p);
