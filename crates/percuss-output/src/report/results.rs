@@ -90,7 +90,10 @@ fn energy(summary: &Value) -> String {
     };
     let mut rows: Vec<Vec<String>> = terms.into_iter().filter_map(row).collect();
     // As the summary text gives it: a residual is round-off where the balance holds.
-    rows.push(vec!["residual, relative".to_owned(), quantity(energy["residual_max"].as_f64(), "1")]);
+    rows.push(vec![
+        "residual, relative".to_owned(),
+        quantity(energy["residual_max"].as_f64(), "1"),
+    ]);
     table("Energy", &[], &rows)
 }
 
