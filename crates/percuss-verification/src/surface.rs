@@ -133,7 +133,7 @@ pub fn infinite_beam() -> Report {
     c.into_report()
 }
 
-/// A disc thrown obliquely at a free beam, step 1e-3 s: its contact crosses element borders (theory, section 6).
+/// A disc thrown obliquely at a free beam, step 1e-3 s: its contact crosses element borders (theory, page 3).
 pub fn oblique_throw() -> Report {
     let mut c = Checks::new();
     let throw = |force: ContactForce| {

@@ -7,6 +7,7 @@ mod paper;
 mod plain_words;
 mod release;
 mod scenario;
+mod theory;
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The gap over a step: its projected discrete gradient (theory, section 6).
+//! The gap over a step: its projected discrete gradient (theory, page 3).
 //!
 //! The gradient in the middle of the step, for the closest point there, is corrected along the non-rigid part of the increment, so that on the
 //! increment it gives the change of the gap exactly. The work of a force along it is that of its potential, and it has no resultant momentum and

@@ -25,7 +25,7 @@ pub trait ForceCurve<S: Number> {
     fn mean(&self, q0: S, q1: S) -> S;
 
     /// Force over a step from penetration `p0` to `p1`, and its slope by `p1`: in place of `F = R1 p` of the paper's eq. (3) the difference
-    /// quotient `(V(p1) - V(p0)) / (p1 - p0)` of the potential, which vanishes without penetration (theory, section 4).
+    /// quotient `(V(p1) - V(p0)) / (p1 - p0)` of the potential, which vanishes without penetration (theory, page 3).
     #[inline(always)]
     fn quotient(&self, p0: S, p1: S) -> [S; 2] {
         let zero = p1.constant(0.0);

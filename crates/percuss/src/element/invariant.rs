@@ -1,4 +1,4 @@
-//! An element over a step of the invariant energy-momentum scheme (theory, section 3), elastic or with a fibre section (section 11): its share of
+//! An element over a step of the invariant energy-momentum scheme (theory, page 2), elastic or with a fibre section (page 6): its share of
 //! the integrals of the paper's eqs. (4) and (9), without the inertia of translation.
 
 use super::beam::{ElementSums, ElementTable, ElementValues};

@@ -1,4 +1,4 @@
-//! Gap, normal and point of contact of a pair in a configuration (theory, section 6).
+//! Gap, normal and point of contact of a pair in a configuration (theory, page 8).
 //!
 //! The gap is signed by the previous side of the source: a source that has passed the axis is deep inside, not on the other side.
 

@@ -13,7 +13,7 @@ impl Pair {
     ///
     /// With A the motion across the normal and O the rotation of the axis at the closest point, both as forms, the second derivative of the gap is
     /// `A (x) A / d` at a distance d from a fixed closest point. One that slides by `(l A + d O) / (l^2 - d n.x'')`, l = across . x', contributes
-    /// its share (theory, section 6). An edge that rotates by O gives `A (x) O + O (x) A - d O (x) O`.
+    /// its share (theory, page 8). An edge that rotates by O gives `A (x) O + O (x) A - d O (x) O`.
     pub fn turning(&self, touch: &Touch, at: &Configuration) -> Option<Turning> {
         let turns = match touch.bend {
             Bend::Flat => false,

@@ -1,7 +1,7 @@
 //! Values and gradients of constraints.
 //!
 //! Linear ones are exact. The angle of a rigid corner, `c = g_a x R g_b`, is quadratic: along its gradient at the midpoint a multiplier does no
-//! work, and `c` vanishes at the end of the step (theory, section 2).
+//! work, and `c` vanishes at the end of the step (theory, page 1).
 
 use super::forcing::Forcing;
 use crate::linalg::condensed::BorderVector;

@@ -10,7 +10,7 @@ use crate::math::vec2::add;
 use crate::scalar::Real;
 
 /// `int EA (Deps)^2 + EI (Dkappa)^2 ds` of an element for the changes of strain at its Gauss points, and at the sampling points of a slender one;
-/// `tau/h` times this is the dissipation by stiffness-proportional damping (theory, section 3).
+/// `tau/h` times this is the dissipation by stiffness-proportional damping (theory, page 2).
 #[inline(always)]
 pub fn viscous<S: Real>(
     table: &ElementTable<S>,

@@ -16,7 +16,7 @@ pub struct FibreLosses {
     pub yielded: bool,
 }
 
-/// Result of moving fibres to the end of a step (theory, section 11).
+/// Result of moving fibres to the end of a step (theory, page 6).
 #[derive(Clone, Copy, Debug)]
 pub struct FibreFlow<S: Number> {
     /// Dissipation by plastic flow and by the viscosity of their materials, shape (2) \[J\].

@@ -19,7 +19,7 @@ impl<S: Number> ConnectorLaw<S> {
         }
     }
 
-    /// Force over a step from `q0` by `change`, the difference quotient of the potential (theory, section 4), and its slope by the end.
+    /// Force over a step from `q0` by `change`, the difference quotient of the potential (theory, page 1), and its slope by the end.
     #[inline(always)]
     pub fn quotient(&self, q0: S, change: S) -> [S; 2] {
         match self {
