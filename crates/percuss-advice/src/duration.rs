@@ -185,7 +185,7 @@ impl Lasting {
     }
 
     /// How far off the largest force is likely to be in steps of this size, as a share of it: the mean over instants at which a
-    /// step may meet the touch. None where it cannot be told.
+    /// step may meet the touch. None where there is no estimate.
     pub fn off(&self, step: f64) -> Option<f64> {
         let mut sum = 0.0;
         for early in EARLY {

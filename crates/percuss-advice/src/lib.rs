@@ -78,8 +78,8 @@ pub fn settle(advice: &mut [Advice], settings: &Settings, summary: &RunSummary) 
     touch::settle(advice, settings, summary);
 }
 
-/// What the audit of a finished run warns of: conditions of contacts, things inside each other, blows that were shared, impulses that are
-/// properties of the mesh (unless `advice`, all that was found, has it), balances that do not close. `reason` is that of [`allow`].
+/// What the audit of a finished run warns of: conditions of contacts, initial interpenetration, multiple impacts, impulses that are
+/// properties of the mesh (unless `advice`, all that was found, has it), balance errors. `reason` is that of [`allow`].
 pub fn audit<'r>(
     run: &RunSummary,
     advice: &[Advice],

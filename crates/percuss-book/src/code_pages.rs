@@ -18,7 +18,7 @@ pub struct Provocations(DocumentMut);
 pub struct Provoked {
     /// The page.
     pub page: Page,
-    /// What went otherwise than it should: the code was not told, or the cure did not help, shape (faults).
+    /// What went otherwise than it should: the code was not in the output, or the correction did not help, shape (faults).
     pub faults: Vec<String>,
 }
 

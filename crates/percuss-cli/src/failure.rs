@@ -15,9 +15,9 @@ pub enum Status {
     System,
     /// The input is wrong.
     Input,
-    /// The solver gave up, or a verification case does not hold.
+    /// No convergence, or a verification case does not hold.
     GaveUp,
-    /// The balances did not close (`--strict`).
+    /// A balance error above its limit (`--strict`).
     BalanceOpen,
     /// Interrupted.
     Interrupted,

@@ -77,7 +77,7 @@ fn refused(error: &clap::Error) -> u8 {
     if error.use_stderr() && percuss_scenario::visible(&text) != text {
         terminal::tell(&text);
     } else {
-        // Where standard output is closed nobody is to be told.
+        // Where standard output is closed nobody reads it.
         let _ = error.print();
     }
     u8::try_from(error.exit_code()).unwrap_or(outcome::Status::Input.code())

@@ -134,7 +134,7 @@ pub(crate) fn is_within(folder: &Path, name: &str) -> bool {
     let real = |path: PathBuf| path.canonicalize();
     match (real(here.to_owned()), real(here.join(name))) {
         (Ok(folder), Ok(file)) => file.starts_with(folder),
-        // What is not there is told as that.
+        // A missing file is reported as missing.
         _ => true,
     }
 }

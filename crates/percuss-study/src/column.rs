@@ -9,7 +9,7 @@ pub enum Role {
     Input,
     /// A result.
     Result,
-    /// How the run ended: `completed`, `failed` (the solver gave up) or `invalid` (the scenario has faults).
+    /// How the run ended: `completed`, `failed` (no convergence) or `invalid` (the scenario has faults).
     Status,
     /// Why it did not end well; empty if it did.
     Reason,

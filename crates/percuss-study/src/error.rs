@@ -19,7 +19,7 @@ impl Error {
         Self::system(format!("cannot {what} {}: {source}", path.display()))
     }
 
-    /// The same, told otherwise.
+    /// The same for errors of the operating system.
     pub(crate) fn system(message: impl Into<String>) -> Self {
         Self { message: message.into(), code: FileCode::System.into(), unfit: false }
     }

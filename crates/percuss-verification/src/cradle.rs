@@ -58,6 +58,6 @@ pub fn cradle_of_five() -> Report {
             1e-12,
         );
     }
-    c.absolute("at once: shared blows", shared.shared_blows.count as f64, 1.0, 0.0);
+    c.absolute("at once: multiple impacts", shared.shared_blows.count as f64, 1.0, 0.0);
     c.into_report()
 }

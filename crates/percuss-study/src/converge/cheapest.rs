@@ -25,7 +25,7 @@ pub struct Cheapest {
     pub fibre_factor: f64,
     /// Steps times elements times fibres over those of the given settings.
     pub cost: f64,
-    /// Results for which no such settings can be told, each with the reason, shape (results).
+    /// Results for which no such settings are known, each with the reason, shape (results).
     pub out_of_reach: Vec<String>,
 }
 

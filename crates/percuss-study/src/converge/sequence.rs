@@ -1,6 +1,6 @@
 //! A number on finer and finer steps or meshes: observed order, limit, and how sure both are.
 
-/// Ratio of neighbouring changes from which on an order is told: that of the first order, less what further terms do to it. Changes that
+/// Ratio of neighbouring changes from which on an order is given: that of the first order, less what further terms do to it. Changes that
 /// shrink more slowly are as often a wave or a kink as an order of a half, and what is extrapolated from them is worse than the finest value.
 const LEAST_RATIO: f64 = 1.9;
 /// Roache's safety factor for observed orders (Annu. Rev. Fluid Mech. 29, 1997).
@@ -17,7 +17,7 @@ pub struct Extrapolation {
     /// Richardson's extrapolation; the finest value where there is no order.
     pub limit: f64,
     /// Uncertainty of the limit. With an order that four values or more agree upon, what the limits of neighbouring triples differ by, and
-    /// 1.25 times what is extrapolated at least; else 1.25 times what would still change if changes fell at first order from here on, told by
+    /// 1.25 times what is extrapolated at least; else 1.25 times what would still change if changes fell at first order from here on, from
     /// the largest of all changes seen, each reduced at that order to the finest level. Over random scenes more than nine of ten limits lie
     /// within it (`limits_lie_within_their_uncertainty` in the tests).
     pub uncertainty: f64,

@@ -29,7 +29,7 @@ pub struct Request {
 /// What bytes of a connection are, so far.
 #[derive(Debug, PartialEq)]
 pub enum Parsed {
-    /// The beginning of a request that takes this many bytes or more; whether its sender waits to be told to go on.
+    /// The beginning of a request that takes this many bytes or more; whether its sender waits for `100 Continue`.
     Part { least: usize, waits: bool },
     /// A request, and how many bytes it took.
     Whole(Request, usize),

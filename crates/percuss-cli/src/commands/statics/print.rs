@@ -266,7 +266,7 @@ fn largest<'a>(values: impl Iterator<Item = &'a f64>) -> f64 {
     values.fold(0.0, |most: f64, v| most.max(v.abs()))
 }
 
-/// Share of the largest of its kind below which a number is round-off: balances close to this (docs/results.md).
+/// Share of the largest of its kind below which a number is round-off, as balance errors are (docs/results.md).
 const ROUND_OFF: f64 = 1e-10;
 
 /// Share of the other place below which that of an extreme value is the start of the beam: a place at which a smooth function is largest is known

@@ -6,7 +6,7 @@
 //! `dn/dxi = f`, `dM/dxi = mu - dx/dxi x n`, `N = n . t`, `V = -n . J t`,
 //!
 //! t the unit tangent, J its turn by a quarter counter-clockwise, and mu the rotary inertia, spread evenly: it is what the balance of
-//! moments leaves over. But for that `V = dM/ds`, s the arc length of the deformed beam. The force f is the cubic that does the same work as nodal loads and inertia on every motion the element knows, so the balance closes.
+//! moments leaves over. But for that `V = dM/ds`, s the arc length of the deformed beam. The force f is the cubic that does the same work as nodal loads and inertia on every motion the element knows, so that there is no balance error.
 
 use pulp::Simd;
 use serde::{Deserialize, Serialize};

@@ -244,32 +244,21 @@ impl<S: Number> FlowLine<'_, S> {
         let over = relative - lowest;
         let free = (over / (self.stiffness * most)).powf(one / self.law.exponent);
         let stiff = over / lowest;
-        let mut high = S::choose(flows, stiff.if_less(free, stiff, free), one);
-        let (mut low, mut z) = (none, high);
-        let mut seeking = flows;
+        let mut search =
+            RootSearch::up_to(S::choose(flows, stiff.if_less(free, stiff, free), one), flows);
         let whole = whole(self.law.exponent);
         for _ in 0..MOST_ROOTS {
+            let z = search.at;
             let flow = most * power(z, self.law.exponent, whole);
             let limit = self.limit(self.accumulated + flow);
             let rate = self.law.exponent * flow / z;
             let left = relative - self.stiffness * flow - limit * (one + z);
             let slope = -((self.stiffness + self.part.modulus * (one + z)) * rate + limit);
-            let change = left / slope;
-            let found = change.abs().at_most(z * ROOT);
-            if S::DERIVES && found.any() {
-                z = z - change; // of which the derivatives are those of the root
-            }
-            seeking = seeking & !found;
-            if !seeking.any() {
+            if search.is_found_after(left / slope, none.less(left)) {
                 break;
             }
-            let above = none.less(left);
-            low = S::choose(above, z, low);
-            high = S::choose(above, high, z);
-            let next = z - change;
-            let within = low.less(next) & next.less(high);
-            z = S::choose(seeking, S::choose(within, next, (low + high) * 0.5), z);
         }
+        let z = search.at;
         let flows = flows & none.less(z);
         let found = most * power(z, self.law.exponent, whole);
         let limit = self.limit(self.accumulated + found);
@@ -292,33 +281,59 @@ impl<S: Number> FlowLine<'_, S> {
         let (left, limit) = (until - self.accumulated, self.limit(until));
         let fallen = relative - self.stiffness * left;
         let most = S::choose(crosses, left / (self.law.rate * h), one);
-        let mut high = S::choose(crosses, rest, one);
-        let (mut low, mut x) = (none, high);
-        let mut seeking = crosses;
+        let mut search = RootSearch::up_to(S::choose(crosses, rest, one), crosses);
         let mut held = none;
         let mut slope = one;
         for _ in 0..MOST_ROOTS {
+            let x = search.at;
             let z = (most / x).powf(one / self.law.exponent);
             held = limit * z / (self.law.exponent * x);
             slope = rise + held;
             let miss = fallen + rise * x - limit * (one + z);
-            let change = miss / slope;
-            let found = change.abs().at_most(x * ROOT);
-            if S::DERIVES && found.any() {
-                x = x - change; // of which the derivatives are those of the root
-            }
-            seeking = seeking & !found;
-            if !seeking.any() {
+            if search.is_found_after(miss / slope, !none.less(miss)) {
                 break;
             }
-            let beyond = none.less(miss);
-            high = S::choose(beyond, x, high);
-            low = S::choose(beyond, low, x);
-            let next = x - change;
-            let within = low.less(next) & next.less(high);
-            x = S::choose(seeking, S::choose(within, next, (low + high) * 0.5), x);
         }
-        [x, slope, held]
+        [search.at, slope, held]
+    }
+}
+
+/// Newton's iteration for a positive root in an interval, halved where a correction leaves it.
+struct RootSearch<S: Number> {
+    low: S,
+    high: S,
+    /// The current value, which begins at the upper end.
+    at: S,
+    seeking: S::Mask,
+}
+
+impl<S: Number> RootSearch<S> {
+    /// Between zero and `high`, in the lanes of the mask.
+    #[inline(always)]
+    fn up_to(high: S, seeking: S::Mask) -> Self {
+        Self { low: high.constant(0.0), high, at: high, seeking }
+    }
+
+    /// Subtracts a correction; `above` says where the root is above the current value. Whether it is found in all lanes.
+    #[inline(always)]
+    fn is_found_after(&mut self, change: S, above: S::Mask) -> bool {
+        let at = self.at;
+        let found = change.abs().at_most(at * ROOT);
+        if S::DERIVES && found.any() {
+            self.at = at - change; // of which the derivatives are those of the root
+        }
+        self.seeking = self.seeking & !found;
+        if !self.seeking.any() {
+            return true;
+        }
+        let at = self.at;
+        self.low = S::choose(above, at, self.low);
+        self.high = S::choose(above, self.high, at);
+        let next = at - change;
+        let within = self.low.less(next) & next.less(self.high);
+        let middle = (self.low + self.high) * 0.5;
+        self.at = S::choose(self.seeking, S::choose(within, next, middle), at);
+        false
     }
 }
 
