@@ -108,9 +108,9 @@ fn terminal_and_page_have_the_same_state_and_number_of_warnings() {
             }
         }
         assert_eq!(text.trim(), state);
-        let told = percuss_output::report::RunState::of(&desk.summary("out"));
-        assert_eq!(told.warnings_in_words(), warnings);
-        assert_eq!(run.stderr.matches("warning: ").count(), told.warnings, "{}", run.stderr);
+        let shown = percuss_output::report::RunState::of(&desk.summary("out"));
+        assert_eq!(shown.warnings_in_words(), warnings);
+        assert_eq!(run.stderr.matches("warning: ").count(), shown.warnings, "{}", run.stderr);
     }
 }
 

@@ -139,7 +139,7 @@ fn settle_joint(joint: &mut Joint, body: &Body<'_>, reader: &mut Reader<'_>) {
 }
 
 kinds! {
-    /// How the force of a spring follows from its extension: the distance of its ends less the length without force.
+    /// How the force of a spring follows from its extension.
     pub enum SpringLaw by "law" default "linear" {
         /// In proportion to it: it pulls and pushes.
         Linear = "linear" {
@@ -152,14 +152,14 @@ kinds! {
             /// Extension or shortening, from the unstrained length, at which it fails permanently (m); no failure if omitted.
             failure_extension: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         },
-        /// Tension only, from a slack on: ropes, hooks, slender braces.
+        /// Tension only, from a slack on: ropes, hooks, slender braces; stiffness times the extension beyond the slack.
         Tension = "tension" {
             /// Stiffness (N/m).
             stiffness: f64 as Quantity<measure::Stiffness>,
             /// Extension up to which it is slack (m).
             slack: f64 as Quantity<measure::Length> = 0.0,
         },
-        /// Compression only, behind a gap: buffers, clearances.
+        /// Compression only, behind a gap: buffers, clearances; stiffness times the shortening beyond the gap.
         Compression = "compression" {
             /// Stiffness (N/m).
             stiffness: f64 as Quantity<measure::Stiffness>,
@@ -189,7 +189,7 @@ table! {
         strength: Option<f64> as Maybe<Quantity<measure::Force>> = None,
     }
     with {
-        /// Its law.
+        /// Its law: how the force follows from the extension, which is the distance of its ends less `length`.
         law: SpringLaw
     }
     then settle_spring

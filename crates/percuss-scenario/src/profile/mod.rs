@@ -128,7 +128,7 @@ fn tabulated() -> impl Iterator<Item = (&'static str, [f64; 2], String)> {
 }
 
 /// Names near one that no profile has, at most three, those of the nearest size first; none where it is of no series with a table. A size beyond
-/// all of its series is a slip of the pen: those that differ from it in the fewest letters come first.
+/// all of its series is a typing error: those that differ from it in the fewest letters come first.
 pub(crate) fn near(name: &str) -> Vec<String> {
     let Some((series, sizes)) = parts(name) else { return Vec::new() };
     let size = |i: usize| sizes.get(i).copied().unwrap_or(0.0);
