@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 _QUANTITIES = {
@@ -63,12 +64,25 @@ def unit_words(unit: str) -> str:
 
 
 def engineering(value: float, unit: str) -> str:
-    """Four digits with a prefix of thousands; stresses below 1 Pa and velocities have none."""
-    size = abs(float(f"{value:.4g}"))  # the prefix is that of the number as it is shown
+    """Five digits, as on the page: no prefix from 1 to 10 000, else a prefix of thousands.
+
+    Velocities and stresses below 1 Pa have none.
+    """
+    size = abs(float(f"{value:.5g}"))  # the prefix is that of the number as it is shown
     if size < 1e-12:
         return f"0 {unit}"
-    if unit == "m/s" or (unit == "Pa" and size < 1):
-        return f"{value:.4g} {unit}"
-    prefixes = [(1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n")]
-    by, prefix = next(((by, p) for by, p in prefixes if size >= by), prefixes[-1])
-    return f"{value / by:.4g} {prefix}{unit}"
+    prefixed = unit in ("s", "m", "N", "N s", "J", "N m", "Pa") and not (unit == "Pa" and size < 1)
+    if not prefixed or 1 <= size < 1e4:
+        return f"{_five_digits(value)} {unit}"
+    prefixes = [(1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n"), (1e-12, "p")]
+    by, prefix = next((by, p) for by, p in prefixes if size >= by)
+    return f"{_five_digits(value / by)} {prefix}{unit}"
+
+
+def _five_digits(value: float) -> str:
+    """Plain where that is short, else with an exponent."""
+    exponent = math.floor(math.log10(abs(value))) if value else 0
+    if -4 <= exponent < 9:
+        return f"{float(f'{value:.5g}'):.15g}"
+    digits, power = f"{value:.3e}".split("e")
+    return f"{float(digits):g}e{int(power)}"

@@ -114,6 +114,7 @@ impl Desk<'_> {
         let contact = expected.and_then(Expected::duration);
         let lasting = expected.and_then(|expected| expected.lasting);
         let across = struck.across();
+        let mass = mass.filter(|_| struck.begins_with_an_impact());
         vec![
             touch::finding(self, struck, contact, expected),
             expected.map(|expected| self.duration(expected)),
@@ -137,7 +138,8 @@ impl Desk<'_> {
         let contact = blow.map(|blow| blow.duration);
         vec![
             touch::finding(self, struck, contact, None),
-            mass.and_then(|mass| self.effective_mass(mass)),
+            mass.filter(|_| struck.begins_with_an_impact())
+                .and_then(|mass| self.effective_mass(mass)),
             self.rear(struck),
         ]
     }

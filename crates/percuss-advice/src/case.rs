@@ -112,7 +112,7 @@ pub fn read<'a>(model: &'a Model, index: usize, at: Option<ContactPlace>) -> Opt
 }
 
 /// Whether a spring acts on a projectile of a contact: no formula knows of that.
-fn is_on_a_spring(model: &Model, contact: &ContactView<'_>, guided: Option<usize>) -> bool {
+pub fn is_on_a_spring(model: &Model, contact: &ContactView<'_>, guided: Option<usize>) -> bool {
     let tied = |name: &str| model.connectors().any(|c| c.projectiles().any(|own| own == name));
     if let Some(projectile) = guided.and_then(|k| model.guided().nth(k)) {
         return tied(&projectile.body.name);

@@ -72,10 +72,11 @@ pub fn allow<'r>(advice: &mut [Advice], reason: impl Fn(Code) -> Option<&'r str>
     }
 }
 
-/// Puts what a run showed of first touches in the place of what was expected of them before it; the reasons of [`allow`] are still to be
-/// given to them.
+/// Puts what a run showed of first touches, and of rigid contacts without impacts, in the place of what was expected of them before it; the
+/// reasons of [`allow`] are still to be given to them.
 pub fn settle(advice: &mut [Advice], settings: &Settings, summary: &RunSummary) {
     touch::settle(advice, settings, summary);
+    review::settle(advice, summary);
 }
 
 /// What the audit of a finished run warns of: conditions of contacts, initial interpenetration, multiple impacts, impulses that are
@@ -104,8 +105,8 @@ pub fn compare(model: &Model, settings: &Settings, summary: &RunSummary) -> Vec<
 }
 
 /// Beams of an equilibrium that are stressed beyond what their materials usually bear.
-pub fn beyond_strength(section_forces: &[SectionForceSummary]) -> Vec<Advice> {
-    section_forces.iter().filter_map(review::beyond_strength).collect()
+pub fn beyond_strength(model: &Model, section_forces: &[SectionForceSummary]) -> Vec<Advice> {
+    section_forces.iter().filter_map(|beam| review::beyond_strength(model, beam)).collect()
 }
 
 /// What is worth knowing of a finished run before its results are used: contacts still closed or never reached at its end,

@@ -1,15 +1,16 @@
 //! Findings after a run: where its results are incomplete, inaccurate or depend on the mesh.
 
+use super::case::is_on_a_spring;
 use super::desk::{STEPS, graded};
 use super::structure::BeamPlace;
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
 use percuss::Settings;
-use percuss::inspect::{ContactView, MovingPartner};
+use percuss::inspect::{ContactView, MovingPartner, SpanView};
 use percuss::{
     ContactRecord, ContactSummary, PressedIn, RunSummary, SectionForceSummary, Termination,
 };
-use percuss::{Model, StrainMeasure};
+use percuss::{Model, StrainMeasure, Strength};
 
 /// Compressive strains from which on strain measures differ by some per cent, and by a tenth.
 const STRAINS: [f64; 2] = [0.05, 0.15];
@@ -30,15 +31,21 @@ pub fn findings(
     }
     if matches!(run.termination, Termination::Completed) {
         let untouched = !run.contacts.iter().any(touched);
-        let open = |contact| still_to_come(contact, settings, untouched);
-        all.extend(run.contacts.iter().filter_map(open));
+        let open = |(index, contact)| {
+            let hangs = model.contact(index).is_some_and(|view| {
+                let guided = (index < model.guided().len()).then_some(index);
+                is_on_a_spring(model, &view, guided)
+            });
+            still_to_come(contact, settings, untouched && !hangs)
+        };
+        all.extend(run.contacts.iter().enumerate().filter_map(open));
     }
     all.extend(run.contacts.iter().filter_map(pressed_deep));
     all.extend(run.contacts.iter().filter_map(carried_crush));
     all.extend(reactions(model, run));
     all.extend(jumps(model, run));
     all.extend((0..model.beam_count()).filter_map(|beam| compressed(model, run, beam)));
-    all.extend(run.section_forces.iter().filter_map(beyond_strength));
+    all.extend(run.section_forces.iter().filter_map(|beam| beyond_strength(model, beam)));
     all
 }
 
@@ -99,12 +106,14 @@ fn carried_crush(contact: &ContactSummary) -> Option<Advice> {
     Some(Advice::new(&contact.name, Topic::CarriedCrush, values, "m", Verdict::Warning, text))
 }
 
-/// A contact that is closed at the end, or that never closed where none did.
+/// A contact that is closed at the end, or that never closed where none did; a projectile on a spring may be meant to touch nothing.
 fn still_to_come(contact: &ContactSummary, settings: &Settings, untouched: bool) -> Option<Advice> {
     let (ContactRecord::Smooth { intervals, .. } | ContactRecord::Nonsmooth { intervals, .. }) =
         &contact.record;
     let end = quantity(settings.end, "s");
     let (since, verdict, text) = match intervals.last() {
+        // What lies on something from the start on, and stays there, is no contact cut short.
+        Some(only) if only.start == 0.0 && only.approach_velocity == 0.0 => return None,
         Some(last) if last.end.is_nan() => {
             let since = quantity(settings.end - last.start, "s");
             // A rigid contact has impulses, and no peak force.
@@ -218,9 +227,45 @@ fn compressed(model: &Model, run: &RunSummary, index: usize) -> Option<Advice> {
     Some(Advice::new(contact, Topic::Strain, [strain, STRAINS[0]], "1", verdict, text))
 }
 
+/// Takes the weight from the effective masses of rigid contacts that had no impact in a run: nothing depends on them.
+pub fn settle(advice: &mut [Advice], run: &RunSummary) {
+    for one in advice.iter_mut().filter(|one| one.topic == Topic::EffectiveMass) {
+        let own = run.contacts.iter().find(|c| c.name == one.contact);
+        let without = own
+            .is_some_and(|c| matches!(c.record, ContactRecord::Nonsmooth { impact_count: 0, .. }));
+        if without && one.verdict > Verdict::Fine {
+            (one.verdict, one.reason) = (Verdict::Fine, None);
+            one.text = format!(
+                "effective mass {} on this mesh, tends to {} with refinement; no impact in this run",
+                quantity(one.value, "kg"),
+                quantity(one.reference, "kg")
+            );
+        }
+    }
+}
+
+/// The usual strength that a stress at `s` exceeds, in tension or compression, its magnitude \[Pa\]; where materials change, that of either.
+fn strength_passed(model: &Model, name: &str, s: f64, stress: f64) -> Option<f64> {
+    let index = (0..model.beam_count()).find(|&i| model.beam(i).name() == name)?;
+    let beam = model.beam(index);
+    let near = 1e-9 * beam.length();
+    let here = |span: &SpanView<'_>| match span.stations() {
+        [first, .., last] => (first - near..=last + near).contains(&s),
+        _ => false,
+    };
+    let passed = beam.spans().filter(here).filter_map(|span| span.strength());
+    let passed = passed.filter(|strength| strength.is_passed(stress));
+    let limit = |strength: Strength| match stress < 0.0 {
+        true => strength.compression,
+        false => strength.tension,
+    };
+    passed.map(limit).min_by(f64::total_cmp)
+}
+
 /// An elastic beam whose stress exceeds the usual strength of its material.
-pub fn beyond_strength(beam: &SectionForceSummary) -> Option<Advice> {
+pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advice> {
     let first = beam.beyond?;
+    let strength = strength_passed(model, &beam.name, first.s, first.value).unwrap_or(f64::NAN);
     let most = beam.stress.largest();
     let stress = |value| quantity(value, "Pa");
     // An equilibrium has no time.
@@ -235,11 +280,12 @@ pub fn beyond_strength(beam: &SectionForceSummary) -> Option<Advice> {
         false => format!("{} at s = {}", stress(first.value), quantity(first.s, "m")),
     };
     let text = format!(
-        "beam '{}' exceeds the usual strength of its material: {passed}. The material is modelled as elastic: set `yield`, or accept \
+        "beam '{}' exceeds the usual strength of its material, {}: {passed}. The material is modelled as elastic: set `yield`, or accept \
          this in [allow] with the strength of your material",
-        beam.name
+        beam.name,
+        stress(strength)
     );
-    let values = [most.value, first.value];
+    let values = [most.value, strength];
     let subject = format!("beam {}", beam.name);
     Some(Advice::new(subject, Topic::Strength, values, "Pa", Verdict::Warning, text))
 }

@@ -56,7 +56,8 @@ fn far(model: &Model, found: &Equilibrium) -> Option<Advice> {
         let node = model.body_node(k);
         let moved = norm([0, 1].map(|i| found.state.displacement[node][i]));
         if moved > farthest {
-            (farthest, place) = (moved, format!("projectile '{}'", body.name));
+            let kind = if body.kind.is_disc() { "disc" } else { "projectile" };
+            (farthest, place) = (moved, format!("{kind} '{}'", body.name));
         }
     }
     let size = norm(sub(high, low));

@@ -1,13 +1,21 @@
 //! Numbers in sentences.
 
-/// Three significant digits and a unit with a prefix, stresses below 1 Pa and velocities without one: `51.2 ms`, `750 kN/m`, `91.2 kg`.
+/// Three significant digits and a unit, with a prefix outside 1 to 10 000, stresses below 1 Pa and velocities without one: `51.2 ms`, `750 kN/m`,
+/// `91.2 kg`.
 pub fn quantity(value: f64, unit: &str) -> String {
     let prefixed = matches!(unit, "s" | "m" | "N" | "N/m" | "J" | "m/s" | "N m" | "N s" | "Pa");
     if value == 0.0 || !value.is_finite() || !prefixed {
         return format!("{} {unit}", digits(value)).trim_end().to_owned();
     }
-    // A value that rounds up to the next prefix takes it.
-    let exponent = (value.abs() * (1.0 + 1e-9)).log10().floor().div_euclid(3.0) as i32;
+    // The prefix is that of the number as it is shown: below 10 000 whole numbers have four digits.
+    let whole = (1e3..1e4).contains(&value.abs());
+    let rounded =
+        if whole { value.round() } else { format!("{value:.2e}").parse().unwrap_or(value) };
+    let shown = rounded.abs();
+    let exponent = match (1.0..1e4).contains(&shown) {
+        true => 0,
+        false => (shown * (1.0 + 1e-9)).log10().floor().div_euclid(3.0) as i32,
+    };
     let prefixes = ["p", "n", "\u{b5}", "m", "", "k", "M", "G", "T"];
     // mPa would be read as MPa.
     let least = if unit == "Pa" { 0 } else { -4 };
@@ -56,7 +64,11 @@ mod tests {
             (-0.0, "kg", "0 kg"),
             (1e-4, "s", "100 \u{b5}s"),
             (0.0587, "Pa", "0.0587 Pa"),
-            (1e3, "N", "1 kN"),
+            (1e3, "N", "1000 N"),
+            (3195.4, "N", "3195 N"),
+            (9999.7, "N", "10 kN"),
+            (0.9996, "m", "1 m"),
+            (999_600.0, "J", "1 MJ"),
             (0.002, "m/s", "0.002 m/s"),
             (3.2, "", "3.2"),
         ];

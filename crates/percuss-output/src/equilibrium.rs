@@ -58,6 +58,7 @@ pub fn equilibrium_value(model: &Model, found: &Equilibrium, linear: &LinearBuck
         "failures": found.failures.iter().map(failure).collect::<Vec<_>>(),
         "balance": balance(&found.balance),
         "linear_buckling": linear.modes.iter().map(|mode| mode.factor).collect::<Vec<_>>(),
+        "linear_buckling_assumptions": linear.assumptions(),
         "linear_buckling_note": linear.outcome.reason(),
         "linear_buckling_code": linear.outcome.code().map(percuss::Caution::code),
         "follower_stability": linear.stability.map(stability),

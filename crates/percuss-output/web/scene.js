@@ -337,17 +337,25 @@ class Motion {
   }
 }
 
-// Five digits as an engineer writes them, with a prefix of thousands; stresses below 1 Pa and velocities below 1 m/s have none, as in
-// the tables of the page.
+// Five digits as an engineer writes them, as in the tables of the page (report/quantity.rs): no prefix from 1 to 10 000, above and below it
+// a prefix of thousands. Velocities and stresses below 1 Pa have none.
 function engineering(value, unit) {
   if (!Number.isFinite(value)) return "";
   // The prefix is that of the number as it is shown.
   const size = Math.abs(Number(value.toPrecision(5)));
-  const steps = [[1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"]];
+  const steps = [[1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"], [1e-12, "p"]];
   if (size < 1e-12) return `0 ${unit}`;
-  const plain = unit === "Pa" ? size < 1 : unit === "m/s";
-  const [by, prefix] = plain ? [1, ""] : (steps.find(([by]) => size >= by) ?? steps[steps.length - 1]);
-  return `${Number((value / by).toPrecision(5))} ${prefix}${unit}`;
+  const plain = !["s", "m", "N", "N s", "J", "N m", "Pa"].includes(unit) || (unit === "Pa" && size < 1) || (size >= 1 && size < 1e4);
+  const [by, prefix] = plain ? [1, ""] : steps.find(([by]) => size >= by);
+  return `${fiveDigits(value / by)} ${prefix}${unit}`;
+}
+
+// Plain where that is short, else with an exponent.
+function fiveDigits(value) {
+  const exponent = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value)));
+  if (exponent >= -4 && exponent < 9) return `${Number(value.toPrecision(5))}`;
+  const [digits, power] = value.toExponential(3).split("e");
+  return `${Number(digits)}e${Number(power)}`;
 }
 
 if (typeof module !== "undefined") module.exports = { Motion, engineering };

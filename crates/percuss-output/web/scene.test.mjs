@@ -119,7 +119,7 @@ test("the label of the scene says time, contacts with their forces and the large
     return label;
   };
   assert.equal(labelOf(m, 0), "Scene, t = 0 s; no contact; largest displacement of beams 0 m");
-  assert.equal(labelOf(m, 1), "Scene, t = 1 s; in contact: 'hammer' 5 N, 'stop' 2 kN s; largest displacement of beams 1 m");
+  assert.equal(labelOf(m, 1), "Scene, t = 1 s; in contact: 'hammer' 5 N, 'stop' 2000 N s; largest displacement of beams 1 m");
   assert.equal(labelOf(new page.RestingMotion(m.scene, m.frames), 1), "Scene, largest displacement of beams 1 m");
 });
 
@@ -309,6 +309,9 @@ test("numbers carry prefixes of thousands", () => {
   assert.equal(page.engineering(0.0123, "m"), "12.3 mm");
   assert.equal(page.engineering(-176632, "N"), "-176.63 kN");
   assert.equal(page.engineering(0, "s"), "0 s");
+  // The same as in the tables of the page.
+  const cases = JSON.parse(readFileSync(new URL("../tests/quantities.json", import.meta.url), "utf8"));
+  for (const [value, unit, shown] of cases) assert.equal(page.engineering(value, unit.replace("*", " ")), shown);
   assert.equal(page.engineering(0.0587, "Pa"), "0.0587 Pa");
   assert.equal(page.engineering(-0.05, "m/s"), "-0.05 m/s");
 });

@@ -85,7 +85,7 @@ macro_rules! reach_key {
 
 /// A table, or keys that stand together in several of them: `key: Type as Format`, `= default` where it may be left out, `with`
 /// parts whose keys stand beside them, `either` keys of which one set must be there, `not` keys that people look for in vain
-/// with what stands here instead, `then` a function that sees the whole table once it has been read.
+/// with what stands here instead, `only` a part whose keys belong to one kind of another part, `then` a function that sees the whole table once it has been read.
 macro_rules! table {
     (
         $(#[doc = $doc:literal])*
@@ -101,6 +101,7 @@ macro_rules! table {
         ),+ $(,)?})?
         $(either $($($needed:ident)&+)|+)?
         $(not { $($refused:ident: $instead:expr),+ $(,)? })?
+        $(only $bound:ty: $bound_tag:literal = $bound_word:literal)?
         $(then $settle:path)?
     ) => {
         $(#[doc = $doc])*
@@ -128,6 +129,9 @@ macro_rules! table {
                 layout
                     .either(vec![$($(vec![$(crate::declare::name_of(stringify!($needed))),+]),+)?])
                     .not(vec![$($((stringify!($refused), $instead)),+)?])
+                    .only(vec![$(crate::layout::Bound::of(
+                        &<$bound as crate::table::Part>::layout(), $bound_tag, $bound_word
+                    ))?])
             }
 
             fn read(body: &Body<'_>, reader: &mut Reader<'_>) -> Option<Self> {

@@ -52,8 +52,27 @@ pub(crate) struct Layout {
     pub either: Vec<Vec<&'static str>>,
     /// Keys that people look for here in vain, and what stands here instead, shape (keys).
     pub refused: Vec<(&'static str, &'static str)>,
+    /// Keys of one kind that another choice brings, shape (parts).
+    pub bound: Vec<Bound>,
     /// Choices of kinds, shape (choices).
     pub choices: Vec<Kinds>,
+}
+
+/// Keys that one choice of kinds brings, and that count only with one kind of another choice.
+#[derive(Clone)]
+pub(crate) struct Bound {
+    /// The keys, shape (keys).
+    keys: Vec<&'static str>,
+    tag: &'static str,
+    word: &'static str,
+}
+
+impl Bound {
+    /// The keys of a part count only where `tag` is `word`.
+    pub fn of(part: &Layout, tag: &'static str, word: &'static str) -> Self {
+        let keys = part.keys.iter().map(|key| key.name).collect();
+        Self { keys, tag, word }
+    }
 }
 
 /// A key that stands in another kind than the one chosen.
@@ -135,6 +154,20 @@ impl Layout {
         self
     }
 
+    /// With keys that belong to one kind only.
+    pub fn only(self, bound: Vec<Bound>) -> Self {
+        Self { bound, ..self }
+    }
+
+    /// The kinds that the keys bound to a kind miss, with the kind chosen.
+    fn unmet(&self, body: &Body<'_>) -> Vec<(&Bound, &Variant)> {
+        let chosen = |bound: &Bound| {
+            let kinds = self.choices.iter().find(|kinds| kinds.tag == bound.tag);
+            kinds.and_then(|kinds| kinds.chosen(body)).filter(|chosen| chosen.word != bound.word)
+        };
+        self.bound.iter().filter_map(|bound| chosen(bound).map(|is| (bound, is))).collect()
+    }
+
     /// The kinds of its choices, each with what stands beside them.
     pub fn distributed(self) -> Vec<Variant> {
         let Self { keys, refused, choices, .. } = self;
@@ -173,7 +206,10 @@ impl Layout {
     /// Tells of every key of a table that does not belong there.
     pub fn check_keys(&self, body: &Body<'_>, reader: &mut Reader<'_>) {
         let active = self.active(body);
+        let unmet = self.unmet(body);
+        let missed = |key: &str| unmet.iter().find(|(bound, _)| bound.keys.contains(&key));
         let keys = active.iter().flat_map(|layout| &layout.keys).map(|key| key.name);
+        let keys = keys.filter(|key| missed(key).is_none());
         let tags = active.iter().flat_map(|layout| &layout.choices).map(|kinds| kinds.tag);
         let names: Vec<&str> = keys.chain(tags).collect();
         let expected = |key: &str| suggest::one_of(key, names.iter().copied());
@@ -183,6 +219,10 @@ impl Layout {
                 continue;
             }
             let (found, expected) = match self.elsewhere(key, body) {
+                _ if let Some((Bound { tag, word, .. }, is)) = missed(key) => {
+                    let expected = format!("{} for {tag} = \"{}\"", expected(""), is.word);
+                    (format!("`{key}`, which belongs to {tag} = \"{word}\""), expected)
+                }
                 Some(Elsewhere { kinds: Kinds { tag, .. }, owner, chosen: Some(chosen) }) => {
                     let expected = format!("{} for {tag} = \"{}\"", expected(""), chosen.word);
                     (format!("`{key}`, which belongs to {tag} = \"{}\"", owner.word), expected)

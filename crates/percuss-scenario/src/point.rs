@@ -211,6 +211,66 @@ impl Inline for Place {
     }
 }
 
+/// A point on a beam, at which a joint connects it.
+pub(crate) struct JointEnd;
+
+impl JointEnd {
+    /// The projectile that a text names in the place of a point, if it does.
+    fn projectile<'t>(text: &'t str, reader: &Reader<'_>) -> Option<&'t str> {
+        let name = text.split(['@', '.']).next()?.trim();
+        (reader.knows("projectile", name) && !reader.knows("beam", name)).then_some(name)
+    }
+}
+
+impl Format for JointEnd {
+    type Value = Point;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Point> {
+        let text = node.value.as_str().unwrap_or_default();
+        let Some(name) = Self::projectile(text, reader) else {
+            return PointText::read(node, reader);
+        };
+        let found = format!("{text:?}, the projectile {name:?}");
+        let expected = format!(
+            "a point on a beam; a projectile is connected by a stiff spring, \
+             `[spring.NAME] between = [..., {name:?}]`, and a mass on a hinge at a point is \
+             a `[mass.NAME]`"
+        );
+        reader.wrong_as(FaultCode::UnknownName, node, found, expected);
+        None
+    }
+
+    fn placeholder() -> Point {
+        PointText::placeholder()
+    }
+
+    fn expected() -> String {
+        PointText::expected()
+    }
+
+    fn schema() -> Json {
+        PointText::schema()
+    }
+
+    fn number(value: &Point) -> Option<(f64, &'static str)> {
+        PointText::number(value)
+    }
+
+    fn set_number(value: &mut Point, number: f64) -> Result<(), String> {
+        PointText::set_number(value, number)
+    }
+
+    fn read_over(old: &Point, node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Point> {
+        PointText::read_over(old, node, reader)
+    }
+}
+
+impl Inline for JointEnd {
+    fn text(value: &Point) -> Option<String> {
+        PointText::text(value)
+    }
+}
+
 /// An end of a spring.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Anchor {

@@ -46,7 +46,7 @@ macro_rules! presets {
                 yields: $bears.1,
                 rate: $bears.2,
             },
-            concat!($about, ": ", $mega, " MPa, ", $density, " kg/m^3"),
+            concat!($about, ": Young's modulus ", $mega, " MPa, density ", $density, " kg/m^3"),
         )),*]
     };
 }
@@ -78,30 +78,30 @@ impl Words for Presets {
     const WORDS: &'static [(&'static str, Preset, &'static str)] = presets! {
         // Strength: yield stress of S235 (EN 1993-1-1, table 3.1). Rates: mild steel (Cowper and Symonds 1957; Jones 1989, table 8.1).
         "steel" = 210_000 MPa, 7850 kg, metal(235.0, Some([40.4, 5.0])),
-            "structural steel (EN 1993-1-1, 3.2.6; density EN 1993-1-2)";
+            "structural steel, yield strength 235 MPa (EN 1993-1-1, 3.2.6; density EN 1993-1-2)";
         // Yield strength of thicknesses up to 40 mm (EN 1993-1-1, table 3.1).
         "S235" = 210_000 MPa, 7850 kg, metal(235.0, Some([40.4, 5.0])),
-            "structural steel S235 (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+            "structural steel S235, yield strength 235 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
         "S275" = 210_000 MPa, 7850 kg, metal(275.0, None),
-            "structural steel S275 (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+            "structural steel S275, yield strength 275 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
         "S355" = 210_000 MPa, 7850 kg, metal(355.0, None),
-            "structural steel S355 (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+            "structural steel S355, yield strength 355 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
         "S420" = 210_000 MPa, 7850 kg, metal(420.0, None),
-            "structural steel S420 N or M (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+            "structural steel S420 N or M, yield strength 420 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
         "S450" = 210_000 MPa, 7850 kg, metal(440.0, None),
-            "structural steel S450, whose yield strength is 440 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+            "structural steel S450, yield strength 440 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
         "S460" = 210_000 MPa, 7850 kg, metal(460.0, None),
-            "structural steel S460 N or M (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
+            "structural steel S460 N or M, yield strength 460 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
         // Proof stress of hot rolled plate (EN 10088-2). Rates: AISI 304 (Forrestal and Sagartz 1978; Jones 1989, table 8.1).
         "stainless-steel" = 200_000 MPa, 7900 kg, metal(210.0, Some([100.0, 10.0])),
-            "austenitic stainless steel 1.4301 (EN 10088-1)";
+            "austenitic stainless steel 1.4301, yield strength 210 MPa (EN 10088-1)";
         // Proof stress of EN AW-6061 T6 (EN 1999-1-1, table 3.2b): alloys reach from 35 to some 300 MPa. Rates: 6061-T6 (Symonds 1965;
         // Jones 1989, table 8.1).
         "aluminium" = 70_000 MPa, 2700 kg, metal(240.0, Some([6500.0, 4.0])),
-            "aluminium alloys (EN 1999-1-1, 3.2.5)";
+            "aluminium alloys, yield strength 240 MPa (EN 1999-1-1, 3.2.5)";
         // Yield stress of annealed sheet (MMPDS: 120 ksi).
         "titanium" = 110_000 MPa, 4430 kg, metal(827.0, None),
-            "Ti-6Al-4V, annealed (MMPDS: 16.0e3 ksi, 0.160 lb/in^3)";
+            "Ti-6Al-4V, annealed, yield strength 827 MPa (MMPDS: 16.0e3 ksi, 0.160 lb/in^3)";
         // From soft to hard by a factor of five: no usual strength.
         "copper" = 117_000 MPa, 8940 kg, UNKNOWN,
             "oxygen-free copper C10200 (Copper Development Association: 17e3 ksi, 0.323 lb/in^3)";
@@ -150,4 +150,23 @@ impl Words for Presets {
         "nylon" = 3100 MPa, 1140 kg, both(82.0),
             "polyamide 66, dry; moist air halves its modulus (data sheet of Zytel 101L)";
     };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn materials_that_yield_say_where() {
+        let mut yielding = 0;
+        for (name, preset, about) in Presets::WORDS {
+            let said = preset.yields.map(|stress| format!(", yield strength {} MPa", stress / 1e6));
+            yielding += usize::from(said.is_some());
+            match said {
+                Some(said) => assert!(about.contains(&said), "{name}: {about}"),
+                None => assert!(!about.contains("yield strength"), "{name}: {about}"),
+            }
+        }
+        assert!(yielding >= 9, "{yielding}");
+    }
 }

@@ -163,8 +163,8 @@ impl fmt::Display for Error {
             ),
             ErrorKind::UnsettledContacts { share } => write!(
                 f,
-                "no equilibrium beyond load factor {share:.4}: limit point, overload, or, if rigid contacts are closed, no convergence of \
-                 their forces (use a compliant law)"
+                "no equilibrium beyond load factor {share:.4}: limit point, overload, or no convergence of the forces of rigid \
+                 contacts (use a compliant law)"
             ),
             ErrorKind::MomentBeyondLaw { share, beam, most } => write!(
                 f,

@@ -15,6 +15,11 @@ impl Struck<'_> {
         dot(self.direction, rot90(self.place.tangent())).abs()
     }
 
+    /// Whether the contact begins with an impact: bodies that touch at the start without approach have none.
+    pub fn begins_with_an_impact(&self) -> bool {
+        self.speed != 0.0 || self.gap != Some(0.0)
+    }
+
     /// Acceleration of gravity along the direction of the blow, and all of it \[m/s^2\].
     pub fn gravity_shares(&self) -> [f64; 2] {
         let (pull, _) = gravity(self.place.model);

@@ -350,6 +350,68 @@ fn contacts_left_open_by_a_run_are_told_after_it() {
     assert!(rigid.iter().any(|a| a.topic == Topic::Reactions), "{rigid:#?}");
 }
 
+fn ball(position: [f64; 2]) -> Disc {
+    let (velocity, name) = ([0.0; 2], "ball".to_owned());
+    Disc { name, mass: 40.0, inertia: None, radius: 0.05, position, velocity, spin: 0.0 }
+}
+
+/// A ball that lies on a girder from the start, or falls on it from a height: only the fall has an impact, whose impulse depends on the mesh, and
+/// a ball that lies there is no contact cut short.
+#[test]
+fn persistent_contacts_without_impacts_have_no_effective_mass_to_warn_of() {
+    for (height, struck) in [(0.0, false), (1e-3, true)] {
+        let mut b = ModelBuilder::new();
+        let girder = bar(&mut b, 2.0, 8, [0.05, 0.05]);
+        hold(&mut b, girder, &SupportKind::Clamp, &[0.0, 1.0]);
+        let disc = b.disc(ball([1.0, 0.075 + height]));
+        let between = [ContactPartner::Disc(disc), ContactPartner::Beam(girder)];
+        let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
+        b.contact(Contact::new("seat", between, law));
+        b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+        let start = if struck { Start::Reference } else { Start::Static };
+        let (model, settings) = (freeze(&b), Settings { start, ..Settings::new(0.02, 2e-5) });
+        let mut advice = advise(&model, &settings);
+        let summary = run(&model, &settings);
+        settle(&mut advice, &settings, &summary);
+        let warned = verdict(&advice, Topic::EffectiveMass) == Some(Verdict::Warning);
+        assert_eq!(warned, struck, "{advice:#?}");
+        let of_mesh = |one: &AuditWarning| one.caution == Caution::MeshImpulse;
+        assert_eq!(audit(&summary, &[], |_| None).iter().any(of_mesh), struck);
+        let after = review(&model, &settings, &summary, &advice);
+        let cut_short = after.iter().any(|a| a.topic == Topic::Ending);
+        assert!(struck || !cut_short, "{after:#?}");
+    }
+}
+
+/// A ball on a rope beside a beam is meant to hang; one without a rope is missed.
+#[test]
+fn a_ball_on_a_spring_that_touches_nothing_is_no_missed_contact() {
+    for hangs in [true, false] {
+        let mut b = ModelBuilder::new();
+        let girder = bar(&mut b, 2.0, 8, [0.05, 0.05]);
+        hold(&mut b, girder, &SupportKind::Clamp, &[0.0, 1.0]);
+        let disc = b.disc(ball([1.0, 1.0]));
+        let between = [ContactPartner::Disc(disc), ContactPartner::Beam(girder)];
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
+        b.contact(Contact::new("seat", between, law));
+        if hangs {
+            b.spring(Spring {
+                name: "rope".into(),
+                between: [Anchor::Ground([1.0, 2.0]), Anchor::Projectile("ball".into())],
+                law: SpringLaw::Tension { stiffness: 1e5, slack: 0.0 },
+                damping: 0.0,
+                length: None,
+                strength: None,
+                yielding: None,
+            });
+        }
+        let (model, settings) = (freeze(&b), Settings::new(0.02, 2e-5));
+        let after = review(&model, &settings, &run(&model, &settings), &[]);
+        let missed = after.iter().any(|a| a.text.contains("no contact up to the end"));
+        assert_eq!(missed, !hangs, "{after:#?}");
+    }
+}
+
 /// A rubber block pressed together by a fifth: Green's strain and the engineering strain are no longer the same.
 #[test]
 fn large_compression_under_greens_strain_is_told() {
@@ -583,7 +645,7 @@ fn a_static_start_far_from_the_drawing_is_told_of_projectiles() {
             // From beside to below the anchor at a distance of sqrt(2) m: by (1, 1 - sqrt(2)) m.
             let expected = 1.0_f64.hypot(2.0_f64.sqrt() - 1.0);
             assert!((far.value / expected - 1.0).abs() < 0.01, "{far:?}");
-            assert!(far.text.contains("projectile 'ball'"), "{far:?}");
+            assert!(far.text.contains("disc 'ball'"), "{far:?}");
         }
     }
 }

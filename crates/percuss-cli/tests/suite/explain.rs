@@ -268,6 +268,12 @@ fn tables_keys_and_words_of_files_are_explained() {
         assert!(text.starts_with("section.profile"), "{profile}: {text}");
         assert!(text.contains("EN 10365"), "{profile}: {text}");
     }
+    // What is explained on the spot is not referred to.
+    for table in ["joint.strength", "load.function"] {
+        let text = explained(table).split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(!text.contains(&format!("see `percuss explain {table}`")), "{text}");
+        assert!(text.contains(&format!("{table} = {{ ... }}")), "{text}");
+    }
     let base = explained("load.base.acceleration");
     assert!(base.starts_with("load.acceleration (kind = \"base\")\n"), "{base}");
     let list = desk.percuss(&["explain"]).stdout;
@@ -295,6 +301,11 @@ fn keys_are_documented_by_the_names_of_the_field() {
         ("joint.strength", "Breakaway strength"),
         ("fix", "Partial fixity"),
         ("contact.law", "compliant"),
+        ("connector.law", "how the force follows from the extension"),
+        ("grade", "structural steel S355, yield strength 355 MPa"),
+        ("beam.section", "or a steel profile, such as \"IPE 200\""),
+        ("beam.material", "such as \"S355\""),
+        ("load.base.acceleration", "times `function`"),
     ] {
         let outcome = desk.percuss(&["explain", key]);
         outcome.ends_with(0);

@@ -165,6 +165,16 @@ mod tests {
         assert_eq!(quantity(Some(1e-300), "J"), "1e-300 J");
     }
 
+    /// The same cases test the scripts of the page (scene.test.mjs) and the Python package (test_words.py).
+    #[test]
+    fn quantities_are_the_same_everywhere() {
+        let cases: Vec<(f64, String, String)> =
+            serde_json::from_str(include_str!("../../tests/quantities.json")).unwrap();
+        for (value, unit, text) in cases {
+            assert_eq!(super::quantity(Some(value), &unit).replace(NBSP, " "), text);
+        }
+    }
+
     #[test]
     fn axes_keep_their_ticks_short() {
         let scale = |largest, unit| {

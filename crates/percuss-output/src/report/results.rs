@@ -2,6 +2,8 @@
 
 use serde_json::{Map, Value};
 
+use crate::summary::kind_of_body;
+
 use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
 use super::{extremes, figures, yields};
@@ -47,7 +49,7 @@ fn tables(summary: &Value) -> String {
         out.push_str(&not_closed(&untouched));
     }
     for (name, projectile) in projectiles.iter().filter(|(name, _)| !contacts.contains_key(*name)) {
-        out.push_str(&table(&format!("Projectile {name}"), &[], &departure(projectile, &sizes)));
+        out.push_str(&table(&titled(name, projectile), &[], &departure(projectile, &sizes)));
     }
     out.push_str(&yields::render(summary));
     out.push_str(&points(summary));
@@ -172,7 +174,7 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
     let title = match projectile {
         Some(projectile) => {
             rows.extend(departure(projectile, sizes));
-            format!("Projectile {name}")
+            titled(name, projectile)
         }
         None => {
             let partner = |k: usize| contact["between"][k].as_str().unwrap_or("?");
@@ -245,6 +247,14 @@ impl Sizes {
             momentum: size(&momentum),
             energy: size(&given).max(size(&[&summary["energy"]["scale"]])),
         }
+    }
+}
+
+/// Kind and name of a projectile.
+fn titled(name: &str, projectile: &Value) -> String {
+    match kind_of_body(projectile) {
+        "disc" => format!("Disc {name}"),
+        _ => format!("Projectile {name}"),
     }
 }
 

@@ -247,6 +247,11 @@ fn projectiles(run: &RunSummary) -> Value {
     all
 }
 
+/// What a projectile of a summary is called: a free one is a disc, which turns; a guided one has no angular velocity.
+pub(crate) fn kind_of_body(projectile: &Value) -> &'static str {
+    if projectile["spin_final"].is_number() { "disc" } else { "projectile" }
+}
+
 fn projectile(projectile: &ProjectileSummary) -> Value {
     json!({
         "direction": projectile.direction,

@@ -93,7 +93,7 @@ fn connections(
             damping: table.damping,
             length: table.length,
             strength: table.strength,
-            yielding: yielding::of_spring(name, table, faults),
+            yielding: yielding::of_spring(name, &table.law, faults),
         });
     }
     for Named { name, table } in &content.mass {
@@ -108,7 +108,7 @@ fn connections(
 
 fn spring_law(law: &SpringLaw) -> percuss::SpringLaw {
     match law {
-        SpringLaw::Linear { stiffness } => percuss::SpringLaw::Linear { stiffness: *stiffness },
+        SpringLaw::Linear { stiffness, .. } => percuss::SpringLaw::Linear { stiffness: *stiffness },
         SpringLaw::Tension { stiffness, slack } => {
             percuss::SpringLaw::Tension { stiffness: *stiffness, slack: *slack }
         }

@@ -3,7 +3,9 @@
 use percuss::{Fault, Hardening, Inelasticity, Overstress, Plasticity, Slack};
 
 use super::stress_table::StressTable;
-use crate::content::{HingeHardening, JointKind, Material, Spring, SpringHardening, TableStress};
+use crate::content::{
+    HingeHardening, JointKind, Material, SpringHardening, SpringLaw, TableStress,
+};
 
 /// What a file gives of a hardening curve.
 struct Given<'a> {
@@ -113,12 +115,19 @@ pub(super) fn inelasticity(
 }
 
 /// How a spring yields, if it does.
-pub(super) fn of_spring(name: &str, table: &Spring, faults: &mut Vec<Fault>) -> Option<Plasticity> {
+pub(super) fn of_spring(
+    name: &str,
+    law: &SpringLaw,
+    faults: &mut Vec<Fault>,
+) -> Option<Plasticity> {
+    let SpringLaw::Linear { yield_force, hardening, failure_extension, .. } = law else {
+        return None;
+    };
     let none = SpringHardening { isotropic: None, kinematic: 0.0, table: None };
-    let hardening = table.hardening.as_ref().unwrap_or(&none);
+    let hardening = hardening.as_ref().unwrap_or(&none);
     let given = Given {
         path: format!("spring.{name}"),
-        first: table.yield_force?,
+        first: (*yield_force)?,
         unit: "N",
         over: "plastic extension at the yield force",
         isotropic: hardening.isotropic,
@@ -126,7 +135,7 @@ pub(super) fn of_spring(name: &str, table: &Spring, faults: &mut Vec<Fault>) -> 
         table: hardening.table.as_deref(),
         test: None,
     };
-    Some(Plasticity { failure_strain: table.failure_extension, ..given.plasticity(faults) })
+    Some(Plasticity { failure_strain: *failure_extension, ..given.plasticity(faults) })
 }
 
 /// How a hinge yields, if it does.

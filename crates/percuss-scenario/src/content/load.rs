@@ -18,7 +18,7 @@ kinds! {
     pub enum LoadKind by "kind" {
         /// Gravity on every beam, point mass and projectile.
         Gravity = "gravity" {
-            /// Acceleration (m/s^2).
+            /// Acceleration (m/s^2), times `function`.
             acceleration: [f64; 2] as Vector<measure::Acceleration>,
         },
         /// An acceleration of the base: of the ground, and of all supports and obstacles with it, as of an accelerogram (`acceleration =
@@ -27,7 +27,7 @@ kinds! {
         /// value at time zero, as other loads do. A CSV file may hold accelerations, by its header (`time (s),acceleration (m/s^2)`, or `(g)`);
         /// `acceleration` is then their direction, of magnitude 1 m/s^2.
         Base = "base" {
-            /// Acceleration of the base (m/s^2).
+            /// Acceleration of the base (m/s^2), times `function`.
             acceleration: [f64; 2] as Vector<measure::Acceleration>,
         },
         /// A force and a moment at a point.

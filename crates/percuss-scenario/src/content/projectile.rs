@@ -8,7 +8,7 @@ use crate::partner::{Strikes, StrikesText};
 use crate::point::{Point, PointText};
 use crate::quantity::{Quantity, Vector};
 use crate::source::join;
-use crate::table::{Braces, Declared};
+use crate::table::Braces;
 use crate::write::Writer;
 
 kinds! {
@@ -91,23 +91,15 @@ table! {
         /// Guided to a point, or free with contact on its surface.
         contact: Touch,
     }
+    only Sliding: "kind" = "rigid"
     then settle_projectile
 }
 
-/// Only a rigid contact has friction, and a free projectile has a position or a target point.
+/// A rigid contact has friction, and a free projectile has a position or a target point.
 fn settle_projectile(projectile: &mut Projectile, body: &Body<'_>, reader: &mut Reader<'_>) {
     let Touch::Surface { strikes, standoff, sliding, .. } = &mut projectile.contact else { return };
-    match projectile.kind {
-        ProjectileKind::Rigid { .. } => _ = sliding.get_or_insert_default(),
-        ProjectileKind::Elastic { .. } => {
-            let keys = Sliding::declared().keys.iter().filter_map(|key| body.get(key.name));
-            for node in keys {
-                let key = node.path.rsplit('.').next().unwrap_or_default();
-                let found = format!("`{key}`, which belongs to kind = \"rigid\"");
-                let expected = format!("no `{key}` for kind = \"elastic\"");
-                reader.misplaced(&node.path, node.span, found, expected);
-            }
-        }
+    if matches!(projectile.kind, ProjectileKind::Rigid { .. }) {
+        sliding.get_or_insert_default();
     }
     let point = strikes.as_ref().and_then(|strikes| strikes.point.as_ref());
     if point.is_some() {

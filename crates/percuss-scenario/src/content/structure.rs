@@ -24,7 +24,8 @@ const NO_SHEAR: &str =
 table! {
     /// Material of a beam.
     pub struct Material {
-        /// A material by name: gives `young` and `density` where these are omitted.
+        /// A material or grade by name: gives `young` and `density` where these are omitted. It is elastic without `yield`; a warning says where a
+        /// stress exceeds its usual strength.
         preset: Option<Preset> as Maybe<Word<Presets>> = None,
         /// Young's modulus (Pa); required without `preset`.
         young: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
@@ -94,9 +95,9 @@ table! {
         element_length: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         /// Mesh grading: smaller elements towards a location.
         grading: Option<Grading> as Maybe<Braces<Grading>> = None,
-        /// Name of its material.
+        /// Name of its material, or a material or grade known by name, such as "S355".
         material: String as NameOf<MaterialName>,
-        /// Name of its section.
+        /// Name of its section, or a steel profile, such as "IPE 200".
         section: String as NameOf<SectionName>,
         /// Locations from which it has another material or section, in their order.
         changes: Vec<Change> as List<Braces<Change>> = Vec::new(),

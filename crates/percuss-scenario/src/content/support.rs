@@ -7,7 +7,7 @@ use super::yielding::{HingeHardening, SpringHardening, settle_connector_yield};
 use crate::format::{Flag, List, Maybe, Pair};
 use crate::measure;
 use crate::node::{Body, Reader};
-use crate::point::{Anchor, AnchorText, Point, PointText};
+use crate::point::{Anchor, AnchorText, JointEnd, Point, PointText};
 use crate::quantity::{Quantity, Vector};
 use crate::table::Braces;
 use crate::words::{Held, OrEndless, Until};
@@ -119,8 +119,8 @@ table! {
 table! {
     /// A joint between two beams.
     pub struct Joint {
-        /// The two connected points, which must coincide.
-        between: [Point; 2] as Pair<PointText>,
+        /// The two connected points of beams, which must coincide. A projectile is connected by a stiff spring.
+        between: [Point; 2] as Pair<JointEnd>,
         /// Breakaway strength: the joint fails after a step whose mean force or moment exceeds it; no failure if omitted.
         strength: Option<JointStrength> as Maybe<Braces<JointStrength>> = None,
     }
@@ -131,26 +131,35 @@ table! {
     then settle_joint
 }
 
-fn settle_joint(_: &mut Joint, body: &Body<'_>, reader: &mut Reader<'_>) {
+fn settle_joint(joint: &mut Joint, body: &Body<'_>, reader: &mut Reader<'_>) {
+    if !matches!(joint.kind, JointKind::Hinge { .. }) {
+        return; // these keys belong to another kind, which is reported
+    }
     settle_connector_yield(["yield_moment", "hardening", "failure_rotation"], body, reader);
 }
 
 kinds! {
-    /// How the force of a spring follows from its extension: the distance of its ends less the length without force.
+    /// How the force of a spring follows from its extension.
     pub enum SpringLaw by "law" default "linear" {
         /// In proportion to it: it pulls and pushes.
         Linear = "linear" {
             /// Stiffness (N/m).
             stiffness: f64 as Quantity<measure::Stiffness>,
+            /// Yield force, in tension and compression (N); elastic if omitted.
+            yield_force: Option<f64> as Maybe<Quantity<measure::Force>> = None,
+            /// Hardening with plastic extension; perfectly plastic if omitted.
+            hardening: Option<SpringHardening> as Maybe<Braces<SpringHardening>> = None,
+            /// Extension or shortening, from the unstrained length, at which it fails permanently (m); no failure if omitted.
+            failure_extension: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         },
-        /// Tension only, from a slack on: ropes, hooks, slender braces.
+        /// Tension only, from a slack on: ropes, hooks, slender braces; stiffness times the extension beyond the slack.
         Tension = "tension" {
             /// Stiffness (N/m).
             stiffness: f64 as Quantity<measure::Stiffness>,
             /// Extension up to which it is slack (m).
             slack: f64 as Quantity<measure::Length> = 0.0,
         },
-        /// Compression only, behind a gap: buffers, clearances.
+        /// Compression only, behind a gap: buffers, clearances; stiffness times the shortening beyond the gap.
         Compression = "compression" {
             /// Stiffness (N/m).
             stiffness: f64 as Quantity<measure::Stiffness>,
@@ -178,21 +187,18 @@ table! {
         length: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         /// Breaking force, damper included (N): the spring fails after a step whose mean force is larger in magnitude; without it it does not break.
         strength: Option<f64> as Maybe<Quantity<measure::Force>> = None,
-        /// Yield force, in tension and compression (N), of a linear spring; elastic if omitted.
-        yield_force: Option<f64> as Maybe<Quantity<measure::Force>> = None,
-        /// Hardening with plastic extension; perfectly plastic if omitted.
-        hardening: Option<SpringHardening> as Maybe<Braces<SpringHardening>> = None,
-        /// Extension or shortening, from the unstrained length, at which it fails permanently (m); no failure if omitted.
-        failure_extension: Option<f64> as Maybe<Quantity<measure::Length>> = None,
     }
     with {
-        /// Its law.
+        /// Its law: how the force follows from the extension, which is the distance of its ends less `length`.
         law: SpringLaw
     }
     then settle_spring
 }
 
-fn settle_spring(_: &mut Spring, body: &Body<'_>, reader: &mut Reader<'_>) {
+fn settle_spring(spring: &mut Spring, body: &Body<'_>, reader: &mut Reader<'_>) {
+    if !matches!(spring.law, SpringLaw::Linear { .. }) {
+        return; // these keys belong to another law, which is reported
+    }
     settle_connector_yield(["yield_force", "hardening", "failure_extension"], body, reader);
 }
 

@@ -97,10 +97,15 @@ fn hollow(depth: f64, width: f64, wall: f64) -> Option<Form> {
     (wall > 0.0 && !thick).then(|| Form::Box([depth, width, wall].map(|x| x * MILLIMETRE)))
 }
 
+/// A name without what does not matter: blanks, hyphens, case, the sign between sizes.
+fn plain(name: &str) -> String {
+    let plain: String = name.chars().filter(|c| !matches!(c, ' ' | '-' | '_')).collect();
+    plain.to_uppercase().replace(['×', '*'], "X").replace(',', ".")
+}
+
 /// Series and sizes of a name: `HE 200 A` is `HEA` and 200.
 fn parts(name: &str) -> Option<(String, Vec<f64>)> {
-    let plain: String = name.chars().filter(|c| !matches!(c, ' ' | '-' | '_')).collect();
-    let plain = plain.to_uppercase().replace(['×', '*'], "X").replace(',', ".");
+    let plain = plain(name);
     let digits = plain.find(|c: char| c.is_ascii_digit())?;
     let (series, sizes) = plain.split_at(digits);
     let (series, sizes) = match (series, sizes.strip_suffix(['A', 'B'])) {
@@ -122,16 +127,25 @@ fn tabulated() -> impl Iterator<Item = (&'static str, [f64; 2], String)> {
     european.chain(american)
 }
 
-/// Names near one that no profile has, at most three, the nearest first; none where it is of no series with a table.
+/// Names near one that no profile has, at most three, those of the nearest size first; none where it is of no series with a table. A size beyond
+/// all of its series is a typing error: those that differ from it in the fewest letters come first.
 pub(crate) fn near(name: &str) -> Vec<String> {
     let Some((series, sizes)) = parts(name) else { return Vec::new() };
     let size = |i: usize| sizes.get(i).copied().unwrap_or(0.0);
-    let mut all: Vec<([f64; 2], String)> = tabulated()
-        .filter(|(known, ..)| *known == series)
-        .map(|(_, [a, b], name)| ([(a - size(0)).abs(), (b - size(1)).abs()], name))
+    let of_series = || tabulated().filter(|(known, ..)| *known == series);
+    let beyond = of_series().all(|(_, [first, _], _)| first < size(0))
+        || of_series().all(|(_, [first, _], _)| first > size(0));
+    let written = plain(name);
+    let letters = |other: &str| match beyond {
+        true => strsim::damerau_levenshtein(&written, &plain(other)),
+        false => 0,
+    };
+    let mut all: Vec<(usize, [f64; 2], String)> = of_series()
+        .map(|(_, [a, b], name)| (letters(&name), [(a - size(0)).abs(), (b - size(1)).abs()], name))
         .collect();
-    all.sort_by(|([a, b], _), ([c, d], _)| a.total_cmp(c).then(b.total_cmp(d)));
-    all.into_iter().take(3).map(|(_, name)| name).collect()
+    let nearer = |a: &[f64; 2], b: &[f64; 2]| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]));
+    all.sort_by(|(m, a, _), (n, b, _)| m.cmp(n).then(nearer(a, b)));
+    all.into_iter().take(3).map(|(.., name)| name).collect()
 }
 
 /// Series of profiles; `HE` is what a name of the series HEA or HEB begins with where its last letter is left out.

@@ -93,6 +93,21 @@ fn hinges_may_be_stiff() {
 }
 
 #[test]
+fn joints_at_projectiles_name_the_spring_to_use() {
+    let ball = "[projectile.ball]\nkind = \"elastic\"\ncontact = \"surface\"\nmass = 1\n\
+                velocity = [0, 0]\nposition = [3, 1]\nradius = 0.1\nstiffness = 1\n\
+                [joint.j]\nkind = \"hinge\"\n";
+    for (end, place) in [("ball", "23:21"), ("ball.start", "23:21")] {
+        let found = format!(
+            "{place}: joint.j.between: found {end:?}, the projectile \"ball\", expected a point on a \
+             beam; a projectile is connected by a stiff spring, `[spring.NAME] between = [..., \
+             \"ball\"]`, and a mass on a hinge at a point is a `[mass.NAME]`"
+        );
+        bad(&format!("{ball}between = [\"b.end\", {end:?}]\n"), &[&found]);
+    }
+}
+
+#[test]
 fn springs_reach_beams_and_ground() {
     let content =
         good("[spring.a]\nbetween = [\"b.end\", [3, \"50 cm\"]]\nstiffness = \"1 kN/m\"\n");

@@ -198,8 +198,10 @@ fn keys_of_another_kind_law_or_contact_say_so() {
             "contact = \"surface\"\nkind = \"elastic\"\nstiffness = 1\nposition = [0, 1]\n\
              friction = 0.1",
         ),
-        &["22:12: projectile.p.friction: found `friction`, which belongs to kind = \"rigid\", \
-           expected no `friction` for kind = \"elastic\""],
+        &["22:1: projectile.p.friction: found `friction`, which belongs to kind = \"rigid\", \
+           expected one of `mass`, `velocity`, `direction`, `dissipation`, `rebound`, `force`, \
+           `stiffness`, `unloading_stiffness`, `strikes`, `standoff`, `position`, `radius`, \
+           `inertia`, `spin`, `kind`, `contact`, `law` for kind = \"elastic\""],
     );
 }
 

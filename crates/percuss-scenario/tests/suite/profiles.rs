@@ -236,6 +236,9 @@ fn an_unknown_profile_is_told_with_those_near_it() {
         bad(&file(&[MATERIAL, &text, &beam("m", "s")]), &[&expected]);
     };
     profile("IPE 210", "a profile of its series, such as `IPE 200`, `IPE 220`, `IPE 180`");
+    // A typing error, rather than the largest of its series.
+    profile("IPE 2000", "a profile of its series, such as `IPE 200`, `IPE 600`, `IPE 500`");
+    profile("W120x26", "a profile of its series, such as `W12x26`, `W10x26`, `W16x26`");
     profile("W12x27", "a profile of its series, such as `W12x26`, `W12x30`, `W12x22`");
     profile(
         "RHS 100x50x20",

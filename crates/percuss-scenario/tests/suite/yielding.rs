@@ -23,9 +23,13 @@ fn springs_and_hinges_yield_as_materials_do() {
         "kind = \"hinge\"\nstiffness = \"1 MN*m/rad\"\nyield_moment = \"2 kN*m\"\n\
          hardening = { table = [[0, \"2 kN*m\"], [\"2 deg\", \"2.5 kN*m\"]] }\n",
     ]));
-    let spring = &content.spring[0].table;
-    assert_eq!((spring.yield_force, spring.failure_extension), (Some(1e4), Some(0.02)));
-    let hardening = spring.hardening.as_ref().unwrap();
+    let SpringLaw::Linear { yield_force, hardening, failure_extension, .. } =
+        &content.spring[0].table.law
+    else {
+        panic!("a linear spring")
+    };
+    assert_eq!((*yield_force, *failure_extension), (Some(1e4), Some(0.02)));
+    let hardening = hardening.as_ref().unwrap();
     assert_eq!((hardening.isotropic, hardening.kinematic), (Some(5e4), 2e4));
 }
 
@@ -35,7 +39,13 @@ fn springs_have_laws() {
         let content = good(&file(&[HEAD, BEAM, SPRING, text]));
         content.spring[0].table.law.clone()
     };
-    assert_eq!(law("stiffness = 5\n"), SpringLaw::Linear { stiffness: 5.0 });
+    let linear = SpringLaw::Linear {
+        stiffness: 5.0,
+        yield_force: None,
+        hardening: None,
+        failure_extension: None,
+    };
+    assert_eq!(law("stiffness = 5\n"), linear);
     assert_eq!(
         law("law = \"tension\"\nstiffness = \"2 kN/m\"\nslack = \"3 mm\"\nstrength = \"9 kN\"\n"),
         SpringLaw::Tension { stiffness: 2e3, slack: 3e-3 }
@@ -60,8 +70,8 @@ fn springs_have_laws() {
     );
     wrong(
         &[HEAD, BEAM, SPRING, "law = \"tension\"\nstiffness = 9\nyield_force = 1\n"],
-        "16:15: spring.k.yield_force: found a yield force of a spring whose law is not linear, expected a \
-         linear spring, or none",
+        "16:1: spring.k.yield_force: found `yield_force`, which belongs to law = \"linear\", expected one of \
+         `between`, `damping`, `length`, `strength`, `stiffness`, `slack`, `law` for law = \"tension\"",
     );
 }
 

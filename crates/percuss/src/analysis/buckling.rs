@@ -40,6 +40,33 @@ pub struct LinearBuckling {
     pub outcome: BucklingOutcome,
     /// Under follower loads, where stability is lost instead; not searched with active contacts.
     pub stability: Option<FollowerStability>,
+    /// Number of stops behind a gap that are closed in the equilibrium: springs from the start, without their gaps.
+    pub closed_stops: usize,
+    /// Number of springs between points with the stiffness of the reference configuration whose stiffness in the equilibrium is another one: of
+    /// tension or compression only, behind a slack or a gap that the loads close, or of a table.
+    pub springs_as_unloaded: usize,
+}
+
+impl LinearBuckling {
+    /// What it assumes of springs and stops whose stiffness changes under the loads, in words, shape (assumptions).
+    pub fn assumptions(&self) -> Vec<String> {
+        let of = |count: usize, one: &str, many: &str| match count {
+            0 => None,
+            1 => Some(format!("1 {one}")),
+            _ => Some(format!("{count} {many}")),
+        };
+        let stops = of(
+            self.closed_stops,
+            "stop behind a gap counts as a spring from the start, since the loads close it: its gap is neglected",
+            "stops behind gaps count as springs from the start, since the loads close them: their gaps are neglected",
+        );
+        let springs = of(
+            self.springs_as_unloaded,
+            "spring has the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows it)",
+            "springs have the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows them)",
+        );
+        stops.into_iter().chain(springs).map(|what| format!("linear buckling: {what}")).collect()
+    }
 }
 
 /// Result of linear buckling.
@@ -121,19 +148,31 @@ pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> 
     let mut structure = model.structure();
     let reference = vec![[0.0; 4]; structure.node_count()];
     let extent = structure.extent();
+    let (mut closed_stops, mut springs_as_unloaded) = (0, 0);
     for (c, q) in structure.connectors.iter_mut().zip(&found.state.coordinates) {
         let from = c.value(&reference, 0.0);
+        let scale = from.abs().max(extent);
         if c.has_failed(&found.state.memories) {
             c.law = ConnectorLaw::Linear { stiffness: 0.0, rest: from };
         } else if !matches!(c.law, ConnectorLaw::Linear { .. }) {
+            let unloaded = tangent_law(&c.law, [from, *q], scale);
+            let now = c.law.stiffness_at(*q);
+            let changes = unloaded.stiffness_at(from) != now;
             c.law = match c.support {
                 // A closed stop is a spring, an open one is none.
-                Some(_) => ConnectorLaw::Linear { stiffness: c.law.stiffness_at(*q), rest: from },
-                None => tangent_law(&c.law, [from, *q], from.abs().max(extent)),
+                Some(_) => {
+                    closed_stops += usize::from(changes && now > 0.0);
+                    ConnectorLaw::Linear { stiffness: now, rest: from }
+                }
+                None => {
+                    springs_as_unloaded += usize::from(changes);
+                    unloaded
+                }
             };
         }
     }
-    result(&structure, found.held.clone(), count)
+    let all = result(&structure, found.held.clone(), count);
+    LinearBuckling { closed_stops, springs_as_unloaded, ..all }
 }
 
 /// The line that a spring follows from the reference configuration on, to the side to which the loads take it: what just touches there acts if they
@@ -148,14 +187,13 @@ fn tangent_law(law: &ConnectorLaw, [from, to]: [f64; 2], scale: f64) -> Connecto
 
 fn result(structure: &Model, held: Vec<Held>, count: usize) -> LinearBuckling {
     let alone = held.is_empty();
-    match find(structure, held, count) {
-        Ok(modes) => LinearBuckling { modes, outcome: BucklingOutcome::Found, stability: None },
-        Err(outcome) => {
-            let follows = alone && outcome == BucklingOutcome::Follower;
-            let stability = follows.then(|| follower_stability(structure));
-            LinearBuckling { modes: Vec::new(), outcome, stability }
-        }
-    }
+    let (modes, outcome) = match find(structure, held, count) {
+        Ok(modes) => (modes, BucklingOutcome::Found),
+        Err(outcome) => (Vec::new(), outcome),
+    };
+    let follows = alone && outcome == BucklingOutcome::Follower;
+    let stability = follows.then(|| follower_stability(structure));
+    LinearBuckling { modes, outcome, stability, closed_stops: 0, springs_as_unloaded: 0 }
 }
 
 /// Stiffness and geometric stiffness, both symmetric.

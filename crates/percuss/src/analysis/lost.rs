@@ -41,7 +41,7 @@ pub(super) fn lost(search: &mut StaticSearch, share: f64) -> Error {
             }
         }
     }
-    match search.model.has_rigid_contact() {
+    match search.contacts.rigid_ones_matter(search.model) {
         true => Error::unsettled_contacts(share),
         false => Error::no_equilibrium(share),
     }

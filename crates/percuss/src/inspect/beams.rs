@@ -6,7 +6,7 @@ use crate::element::beam::SectionValues;
 use crate::element::point::SectionLaw;
 use crate::math::hermite;
 use crate::model::frozen::{BeamData, Span};
-use crate::model::{Model, StrainMeasure};
+use crate::model::{Model, StrainMeasure, Strength};
 
 /// A beam.
 #[derive(Clone, Copy, Debug)]
@@ -78,6 +78,11 @@ impl<'m> SpanView<'m> {
     /// Strain measure.
     pub fn measure(&self) -> StrainMeasure {
         self.data.measure
+    }
+
+    /// Stresses up to which its material is known to be elastic.
+    pub fn strength(&self) -> Option<Strength> {
+        self.data.strength
     }
 
     /// Whether its material damps.

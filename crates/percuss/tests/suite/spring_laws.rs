@@ -1,6 +1,8 @@
 //! Springs between two points whose force is no line: tension or compression alone, behind a gap or a slack, by a table; damped, and of a
 //! given strength. A short bar on its way along the spring is the mass.
 
+use std::cell::Cell;
+
 use crate::common;
 
 use common::*;
@@ -266,6 +268,7 @@ fn linear_buckling_takes_stays_as_they_are_in_the_reference_configuration() {
     const STAY: f64 = 1e3;
     // As good as none: linear springs without stiffness are refused.
     const WEAK: f64 = 1e-9;
+    let as_unloaded = Cell::new(usize::MAX);
     let factor = |laws: [SpringLaw; 2], length: Option<f64>, strength: Option<f64>| {
         let mut b = ModelBuilder::new();
         let (material, section) = plank(&mut b);
@@ -289,7 +292,11 @@ fn linear_buckling_takes_stays_as_they_are_in_the_reference_configuration() {
         b.load(Load::new("press", kind));
         let model = b.build().unwrap();
         let found = equilibrium(&model).unwrap();
-        buckling_in_contact(&model, &found, 1).modes[0].factor
+        let buckling = buckling_in_contact(&model, &found, 1);
+        as_unloaded.set(buckling.springs_as_unloaded);
+        assert_eq!(buckling.closed_stops, 0);
+        assert_eq!(buckling.assumptions().len(), buckling.springs_as_unloaded);
+        buckling.modes[0].factor
     };
     let linear = |stiffness| SpringLaw::Linear { stiffness };
     let tension = |slack| SpringLaw::Tension { stiffness: STAY, slack };
@@ -298,9 +305,10 @@ fn linear_buckling_takes_stays_as_they_are_in_the_reference_configuration() {
     let [none, one, two] = [[WEAK, WEAK], [WEAK, STAY], [STAY, STAY]]
         .map(|stays| factor(stays.map(linear), None, None));
     assert!(1.5 * none < one && one < two, "{none} {one} {two}");
-    // The left stay slackens, and the right one is at once in tension, after a slack that closes, or never.
-    for (slack, expected) in [(0.0, one), (1e-4, none), (0.5, none)] {
+    // The left stay slackens, and the right one is at once in tension, after a slack that closes (which is said), or never.
+    for (slack, expected, said) in [(0.0, one, 0), (1e-4, none, 1), (0.5, none, 0)] {
         same(factor([tension(0.0), tension(slack)], None, None), expected);
+        assert_eq!(as_unloaded.get(), said, "{slack}");
         same(factor([tension(0.0), tension(slack)], None, Some(1e3)), expected);
     }
     // Two stays in tension from the start, which the load does not slacken, are springs.

@@ -487,3 +487,27 @@ fn a_rigid_joint_torn_by_settlements_is_refused() {
         assert!(text.contains("`a`") && text.contains("`c`"), "{text}");
     }
 }
+
+/// A bar pressed beyond the largest force in Green strains, between guides and beside a floor: an open contact is not the reason, and is not named
+/// as such.
+#[test]
+fn contact_forces_are_a_reason_only_where_a_contact_is_closed() {
+    for (gap, code) in [(0.01, AnalysisCode::Equilibrium), (0.0, AnalysisCode::UnsettledContacts)] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+        let section = b.section(Section::rectangle("bar", 0.02, 0.02));
+        let bar = b.beam(beam("bar", [0.0, 0.0], [1.0, 0.0], 10, material, section));
+        b.support(Support::new("foot", at("foot", bar, 0.0), SupportKind::Clamp));
+        let components = vec![Component::Displacement2, Component::Rotation];
+        let guide = SupportKind::Fix { components };
+        b.support(Support::new("guide", at("guide", bar, 1.0), guide));
+        let floor = b.obstacle(floor_at(-0.01 - gap));
+        let between = [ContactPartner::Beam(bar), ContactPartner::Obstacle(floor)];
+        b.contact(Contact::new("floor", between, rigid_law()));
+        let (at, force) = (at("head", bar, 1.0), [-1e8, 0.0]);
+        let kind = LoadKind::Point { at, force, moment: 0.0, follower: false };
+        b.load(Load::new("press", kind));
+        let error = equilibrium(&b.build().unwrap()).unwrap_err();
+        assert_eq!(error.code(), code, "{error}");
+    }
+}

@@ -92,6 +92,19 @@ fn a_closed_stop_is_a_spring_in_small_motions() {
     assert!((stops.1 / spring.1 - 1.0).abs() < 1e-9, "{} {}", stops.1, spring.1);
 }
 
+/// Buckling neglects the gap of a stop that the wind closes, and says so.
+#[test]
+fn linear_buckling_says_that_the_gap_of_a_closed_stop_is_neglected() {
+    for (gap, said) in [(0.0, 0), (0.01, 1)] {
+        let model = mast(Guys::Stops(gap), 1e3);
+        let found = equilibrium(&model).unwrap();
+        let linear = buckling_in_contact(&model, &found, 1);
+        assert_eq!((linear.closed_stops, linear.springs_as_unloaded), (said, 0), "{gap}");
+        let words = linear.assumptions().join(" ");
+        assert_eq!(words.contains("1 stop behind a gap counts as a spring"), said == 1, "{words}");
+    }
+}
+
 /// A run from the equilibrium stays there.
 #[test]
 fn a_static_start_on_a_stop_stays_at_rest() {

@@ -25,10 +25,25 @@ pub enum Meaning<'r> {
     Word(&'r str, &'r str),
 }
 
-/// Every location at which a format has a name. The user's name of a table may be in it: `projectile.hammer.mass`.
+/// Terms of the field for tables and keys that have another name in files.
+const TERMS: [(&str, &str); 3] =
+    [("connector", "spring"), ("grade", "material.preset"), ("base acceleration", "load.base")];
+
+/// Every location at which a format has a name, or the name in files of a term of the field. The user's name of a table may be in it:
+/// `projectile.hammer.mass`.
 pub fn find<'r>(format: &'r [TableReference], name: &str) -> Vec<Found<'r>> {
     let name = name.trim_start_matches('[');
     let name = name.split(['[', ']']).next().unwrap_or_default();
+    let found = by_name(format, name);
+    if !found.is_empty() {
+        return found;
+    }
+    let (first, rest) = name.split_at(name.find('.').unwrap_or(name.len()));
+    let term = TERMS.iter().find(|(term, _)| *term == first);
+    term.map_or_else(Vec::new, |(_, ours)| by_name(format, &format!("{ours}{rest}")))
+}
+
+fn by_name<'r>(format: &'r [TableReference], name: &str) -> Vec<Found<'r>> {
     let found = exactly(format, name);
     let mut parts: Vec<&str> = name.split('.').collect();
     if !found.is_empty() || parts.len() < 2 {
@@ -153,6 +168,11 @@ mod tests {
         assert_eq!(of("[beam.girder]"), ["beam"]);
         assert_eq!(of("beam"), ["beam"]);
         assert_eq!(of("nothing"), Vec::<String>::new());
+        assert_eq!(of("connector.law"), ["spring.law"]);
+        assert_eq!(of("grade"), ["material.preset"]);
+        for (term, _) in TERMS {
+            assert!(!of(term).is_empty(), "{term}");
+        }
     }
 
     #[test]

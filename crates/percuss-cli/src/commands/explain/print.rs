@@ -13,7 +13,7 @@ const INDENT: usize = 2;
 pub fn text(format: &[TableReference], name: &str, of: &str) -> Option<String> {
     let mut all: Vec<(String, String)> = Vec::new();
     for one in find(format, name) {
-        let (title, text) = (titled(&one) + of, meaning(format, &one.meaning));
+        let (title, text) = (titled(&one) + of, meaning(format, &one));
         match all.iter_mut().find(|(_, known)| *known == text) {
             Some((titles, _)) => *titles = format!("{titles}\n{title}"),
             None => all.push((title, text)),
@@ -50,11 +50,11 @@ fn titled(found: &Found<'_>) -> String {
     }
 }
 
-fn meaning(format: &[TableReference], meaning: &Meaning<'_>) -> String {
+fn meaning(format: &[TableReference], found: &Found<'_>) -> String {
     let mut out = String::new();
-    match meaning {
+    match &found.meaning {
         Meaning::Table(table) => described(format, &table.body, &mut out),
-        Meaning::Key(key) => about(format, key, 0, &mut out),
+        Meaning::Key(key) => about(format, key, (0, &found.paths), &mut out),
         Meaning::Choice(kinds) => choice(format, kinds, 0, &mut out),
         Meaning::Kind(_, variant) => described(format, variant, &mut out),
         Meaning::Word(_, about) => lines(&sentence(about), 0, &mut out),
@@ -75,7 +75,7 @@ fn described(format: &[TableReference], body: &BodyReference, out: &mut String) 
 fn contents(format: &[TableReference], body: &BodyReference, indent: usize, out: &mut String) {
     for key in &body.keys {
         lines(key.name, indent, out);
-        about(format, key, indent + 2 * INDENT, out);
+        about(format, key, (indent + 2 * INDENT, &[]), out);
     }
     if !body.either.is_empty() {
         let sets: Vec<String> = body.either.iter().map(|keys| keys.join(" and ")).collect();
@@ -87,8 +87,13 @@ fn contents(format: &[TableReference], body: &BodyReference, indent: usize, out:
     }
 }
 
-/// The meaning of a key, its value and its default.
-fn about(format: &[TableReference], key: &KeyReference, indent: usize, out: &mut String) {
+/// The meaning of a key, its value and its default. The table of a key at one of `places` is explained separately.
+fn about(
+    format: &[TableReference],
+    key: &KeyReference,
+    (indent, places): (usize, &[String]),
+    out: &mut String,
+) {
     lines(&sentence(&key.about), indent, out);
     for (word, about) in &key.words {
         lines(&format!("\"{word}\": {}", sentence(about)), indent + INDENT, out);
@@ -96,6 +101,9 @@ fn about(format: &[TableReference], key: &KeyReference, indent: usize, out: &mut
     let table = key.table.and_then(|name| format.iter().find(|table| table.name == name));
     let value = match (key.words.is_empty(), table) {
         (false, _) => String::new(),
+        (true, Some(table)) if table.places.iter().any(|place| places.contains(place)) => {
+            format!("Value: {}. ", key.expected)
+        }
         (true, Some(table)) => {
             format!("Value: {}; see `percuss explain {}`. ", key.expected, table.places[0])
         }

@@ -61,6 +61,7 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
             number(mode.factor),
             contacts_of_buckling(&found.contacts)
         ));
+        linear.assumptions().iter().for_each(|line| text.push_str(&format!("{line}\n")));
     }
     if let Some(reason) = linear.outcome.reason()
         && linear.outcome != BucklingOutcome::Unloaded

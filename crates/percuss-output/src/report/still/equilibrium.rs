@@ -86,6 +86,7 @@ fn story(found: &Equilibrium, linear: &LinearBuckling) -> String {
     }
     if let Some(mode) = linear.modes.first() {
         out.push(format!("Linear buckling factor: {}.", number(mode.factor)));
+        out.extend(linear.assumptions().iter().map(|line| sentence(line)));
     } else if let Some(reason) =
         linear.outcome.reason().filter(|_| linear.outcome != BucklingOutcome::Unloaded)
     {
@@ -103,6 +104,13 @@ fn story(found: &Equilibrium, linear: &LinearBuckling) -> String {
         _ => {}
     }
     out.join(" ")
+}
+
+/// A line of the terminal as a sentence.
+fn sentence(line: &str) -> String {
+    let mut letters = line.chars();
+    let first = letters.next().map(|c| c.to_ascii_uppercase());
+    format!("{}{}.", first.map_or(String::new(), String::from), letters.as_str())
 }
 
 fn largest_section(

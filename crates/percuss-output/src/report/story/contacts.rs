@@ -2,6 +2,8 @@
 
 use serde_json::{Map, Value};
 
+use crate::summary::kind_of_body;
+
 use super::words::{capital, instant, list, quantity};
 
 /// Beside those of the run, smaller velocities are none.
@@ -133,7 +135,7 @@ fn struck_first<'n>(a: &'n str, b: &'n str, summary: &Value) -> Option<[&'n str;
 fn named(name: &str, summary: &Value) -> String {
     let is = |part: &str| summary[part].get(name).is_some();
     match (is("projectile"), is("section_forces")) {
-        (true, false) => format!("projectile '{name}'"),
+        (true, false) => format!("{} '{name}'", kind_of_body(&summary["projectile"][name])),
         (false, true) => format!("beam '{name}'"),
         _ => format!("'{name}'"),
     }
@@ -306,7 +308,7 @@ mod tests {
     fn the_struck_body_is_the_one_that_the_other_moved_against() {
         let between = |a: &str, b: &str| {
             plain(&json!({
-                "projectile": { "car": {} },
+                "projectile": { "car": { "spin_final": null }, "ball": { "spin_final": 0.0 } },
                 "support": { "stop": {} },
                 "section_forces": { "left": {}, "right": {} },
                 "contact": { "c": {
@@ -322,7 +324,8 @@ mod tests {
             ("left", "stop", "'stop' was struck by beam 'left' at 4 m/s, t = 1 ms."),
             ("rope", "left", "Beam 'left' was struck by 'rope' at 4 m/s, t = 1 ms."),
             ("left", "right", "Beam 'left' and beam 'right' collided at 4 m/s, t = 1 ms."),
-            ("rope", "ball", "'rope' and 'ball' collided at 4 m/s, t = 1 ms."),
+            ("left", "ball", "Beam 'left' was struck by disc 'ball' at 4 m/s, t = 1 ms."),
+            ("rope", "cord", "'rope' and 'cord' collided at 4 m/s, t = 1 ms."),
         ] {
             let text = between(a, b);
             assert!(text.starts_with(said), "{text}");

@@ -12,6 +12,19 @@ pub(super) const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 /// What changes by less than this share of itself along half an element does not change.
 pub(super) const FLAT: f64 = 1e-12;
 
+/// Share of an element next to a node within which an extreme is at the node: its value there is that of the extreme but for a millionth of the
+/// change along the element.
+const NEXT_TO_NODE: f64 = 1e-3;
+
+/// The place of an extreme in an element, as it is given: at a node if it is next to it.
+fn place_of_extreme(xi: f64) -> f64 {
+    match xi {
+        _ if xi < NEXT_TO_NODE => 0.0,
+        _ if xi > 1.0 - NEXT_TO_NODE => 1.0,
+        _ => xi,
+    }
+}
+
 /// Arc length at a share of the way.
 pub(super) fn station(a: f64, b: f64, xi: f64) -> f64 {
     if xi == 1.0 { b } else { a + xi * (b - a) }
@@ -50,9 +63,10 @@ impl<'a> ElementForces<'a> {
         self.stresses && self.span.has_depth() && self.yielded.is_none()
     }
 
-    /// Arc length at a share of the way.
+    /// Arc length of an extreme at a share of the way.
     pub(super) fn s(&self, xi: f64) -> f64 {
-        station(self.span.stations[self.k], self.span.stations[self.k + 1], xi)
+        let (a, b) = (self.span.stations[self.k], self.span.stations[self.k + 1]);
+        station(a, b, place_of_extreme(xi))
     }
 
     /// Extreme fibres; nothing without a depth.
@@ -139,5 +153,21 @@ pub(super) fn widen([min, max]: &mut [Vec<f64>; 2], i: usize, least: f64, most: 
     }
     if most > max[i] || max[i].is_nan() {
         max[i] = most;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn extremes_next_to_a_node_are_at_it() {
+        for (found, given) in
+            [(0.0, 0.0), (1.2e-8, 0.0), (0.999_999_6, 1.0), (1.0, 1.0), (0.01, 0.01)]
+        {
+            assert_eq!(place_of_extreme(found), given);
+        }
+        // The end of an element is that of its span to the last bit.
+        assert_eq!(station(0.1, 0.3, place_of_extreme(0.999_99)), 0.3);
     }
 }

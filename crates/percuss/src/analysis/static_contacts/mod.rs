@@ -30,6 +30,8 @@ use place::{CandidatePair, ROUND_OFF, RestingDisc};
 
 /// Gaps below this share of the largest coordinate are closed: a tenth of the tolerance of a transient.
 const CLOSED: f64 = 1e-13;
+/// Gaps below this share of the size of the structure may close within the smallest load step.
+const ABOUT_TO_CLOSE: f64 = 1e-3;
 /// Initial stiffness of a rigid contact: that of a foundation into which its beam sinks by this share of its length. Whole regions close and open
 /// at once on it, which on a stiff one would do so one by one.
 const SOFT: f64 = 0.1;
@@ -182,6 +184,12 @@ impl StaticContacts {
     /// Whether any contact transmits a force.
     pub fn press(&self) -> bool {
         self.places.iter().any(|p| p.force != 0.0)
+    }
+
+    /// Whether a rigid contact transmits a force, or is about to close: an open one cannot be the reason for a failed iteration.
+    pub fn rigid_ones_matter(&self, model: &Model) -> bool {
+        let near = ABOUT_TO_CLOSE * model.extent();
+        self.places.iter().any(|p| !p.is_compliant() && (p.force != 0.0 || p.gap <= near))
     }
 
     /// An iteration begins.

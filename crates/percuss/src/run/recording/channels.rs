@@ -30,15 +30,18 @@ pub fn channels(model: &Model) -> Vec<Channel> {
     };
     add("time".into(), "s", "Time");
     for (_, name, disc) in projectiles(model) {
+        let body = if disc { "disc" } else { "projectile" };
         for i in 1..=2 {
-            add(format!("projectile.{name}.position_{i}"), "m", "Position of the projectile");
+            let what = format!("Position of the {body}");
+            add(format!("projectile.{name}.position_{i}"), "m", &what);
         }
         for i in 1..=2 {
-            add(format!("projectile.{name}.velocity_{i}"), "m/s", "Velocity of the projectile");
+            let what = format!("Velocity of the {body}");
+            add(format!("projectile.{name}.velocity_{i}"), "m/s", &what);
         }
         if disc {
-            add(format!("projectile.{name}.angle"), "rad", "Rotation of the projectile");
-            add(format!("projectile.{name}.spin"), "rad/s", "Angular velocity of the projectile");
+            add(format!("projectile.{name}.angle"), "rad", "Rotation of the disc");
+            add(format!("projectile.{name}.spin"), "rad/s", "Angular velocity of the disc");
         }
     }
     for contact in &model.contacts {
@@ -153,7 +156,11 @@ const BALANCE_COLUMNS: [(&str, &str, &str); 24] = [
     ("energy.total", "J", "Total energy"),
     ("energy.work_loads", "J", "Work of the loads so far"),
     ("energy.work_supports", "J", "Work of the supports so far"),
-    ("energy.loss_impacts", "J", "Energy dissipated in impacts so far"),
+    (
+        "energy.loss_impacts",
+        "J",
+        "Energy dissipated by impacts and by friction of rigid contacts so far",
+    ),
     ("energy.loss_damping", "J", "Energy dissipated by damping and in compliant contacts so far"),
     ("energy.residual", "J", "Error of the energy balance"),
     ("momentum.linear_1", "kg*m/s", "Linear momentum"),
