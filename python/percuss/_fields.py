@@ -153,6 +153,34 @@ class Fields:
         self._require()
         return int(np.abs(self.time - t).argmin())
 
+    def instant_shown(self, t: float) -> float:
+        """The instant at which a drawing shows an event.
+
+        Parameters
+        ----------
+        t : float
+            Time of the event [s].
+
+        Returns
+        -------
+        float
+            The time itself; before a frame with impulses that of the frame, since impulses are in the frame after an impact [s].
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.instant_shown(0.02)
+        0.02
+        """
+        if not len(self):
+            return t
+        after = int(np.searchsorted(self.time, t, side="right"))
+
+        def strikes(frame: int) -> bool:
+            return 0 <= frame < len(self) and any(c.impulsive for c in self.contacts(frame))
+
+        here = after > 0 and self.time[after - 1] == t and strikes(after - 1)
+        return float(self.time[after]) if strikes(after) and not here else t
+
     def displacement_at(self, t: float) -> Floats:
         """Displacements at a time, straight between frames.
 

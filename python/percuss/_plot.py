@@ -60,7 +60,8 @@ class Plots:
         Parameters
         ----------
         t : float, optional
-            The time [s]; by default that of the largest contact force.
+            The time [s]; by default the end where something stays bent or has failed, else that of the largest contact force, or
+            without one of the largest impulse.
         ax : matplotlib.axes.Axes, optional
             Where to draw; by default on a figure of its own.
         scale : float
@@ -93,8 +94,7 @@ class Plots:
         fields = self._result.fields
         fields._require()
         if t is None:
-            peak = fields.largest[1]
-            t = float(fields.time[0]) if peak is None else peak
+            t = self._result._instant()
         ax = ax or pyplot().subplots(figsize=_figure_size(fields))[1]
         Drawing(fields, ax, scale, colour).draw(t, hide)
         return ax

@@ -237,6 +237,12 @@ class Result(Columns[np.float64]):
         """
         return _percuss.story(self._native["summary"])
 
+    def _instant(self) -> float:
+        """The instant at which a page opens, as a drawing shows it [s]."""
+        named = _percuss.instant(self._native["summary"])
+        peak = self.fields.largest[1] if named is None else named
+        return self.fields.instant_shown(float(self.fields.time[0]) if peak is None else peak)
+
     @property
     def plot(self) -> Plots:
         """Figures: ``result.plot()`` draws the scene; ``result.plot.energy()``, ``.force()``, ``.displacement()`` draw curves.

@@ -156,6 +156,31 @@ pub fn story(summary: &str) -> PyResult<String> {
     Ok(report::story(&summary))
 }
 
+/// The instant of greatest interest, at which a page opens.
+///
+/// Parameters
+/// ----------
+/// summary : str
+///     That of a run, JSON.
+///
+/// Returns
+/// -------
+/// float or None
+///     The end where something stays bent or has failed, else that of the largest contact force, else of the largest impulse [s]; None where
+///     nothing touches.
+///
+/// Examples
+/// --------
+/// >>> native = percuss._percuss.open(percuss.run("plank.toml", out="plank") and "plank")
+/// >>> round(percuss._percuss.instant(native["summary"]), 4)
+/// 0.0305
+#[pyfunction]
+pub fn instant(summary: &str) -> PyResult<Option<f64>> {
+    let summary =
+        serde_json::from_str(summary).map_err(|e| PyValueError::new_err(e.to_string()))?;
+    Ok(report::instant(&summary))
+}
+
 /// How a run ended and the number of its warnings, in a line.
 ///
 /// Parameters
