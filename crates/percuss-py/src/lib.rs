@@ -41,7 +41,7 @@ mod _percuss {
     #[pymodule_export]
     use super::sensitivity::{extrapolated, sensitivity};
     #[pymodule_export]
-    use super::shock::{acceleration, shock_spectrum};
+    use super::shock::{acceleration, samples, shock_spectrum};
     #[pymodule_export]
     use super::study::Study;
 

@@ -181,7 +181,7 @@ fn a_contact_at_rest_keeps_its_force_in_the_impacts_of_others() {
     assert!((beside.of(1, true) - impulse(1)).abs() < 1e-9);
     assert_eq!((beside.of(0, true), beside.of(2, true)), (0.0, 0.0));
     assert!((above.of(2, true) - impulse(2)).abs() < 1e-9);
-    assert!((above.of(0, true) - impulse(2)).abs() < 1e-6, "passed on to the floor");
+    assert!((above.of(0, true) - impulse(2)).abs() < 1e-6, "transmitted to the floor");
     assert_eq!(above.of(1, true), 0.0);
     assert!([1, 2].iter().all(|c| frames.iter().all(|f| f.of(*c, false) == 0.0)));
 }

@@ -27,10 +27,10 @@ struct Carried {
 pub struct Frames {
     /// Forces of compliant contacts in the last accepted part of a step, shape (such pairs) \[N\].
     compliant: Vec<Carried>,
-    /// Forces of persistent contacts in the last part without a jump of velocities, of those still closed, shape (such pairs) \[N\]; at the
-    /// start of a run those of the equilibrium.
+    /// Forces of persistent contacts in the last part without a jump of velocities, of those still closed, in the order of pairs,
+    /// shape (such pairs) \[N\]; at the start of a run those of the equilibrium.
     persistent: Vec<Carried>,
-    /// Impulses of impacts since the last row, shape (such pairs) \[N s\].
+    /// Impulses of impacts since the last row, in the order of pairs, shape (such pairs) \[N s\].
     impulses: Vec<Carried>,
     /// Factors of the loads in the last part, shape (loads) \[-\].
     load_factors: Vec<f64>,
@@ -46,7 +46,9 @@ impl Frames {
     /// At the start of a run, with the forces of the pairs of an equilibrium.
     pub fn at_start(pressed: &[PressingPair]) -> Self {
         let force = |one: &PressingPair| Carried { pair: one.pair, vector: [one.force, 0.0] };
-        Self { persistent: pressed.iter().map(force).collect(), ..Self::default() }
+        let mut persistent: Vec<Carried> = pressed.iter().map(force).collect();
+        persistent.sort_unstable_by_key(|one| one.pair);
+        Self { persistent, ..Self::default() }
     }
 
     /// Whether they belong to a model.
@@ -76,13 +78,14 @@ impl Frames {
             self.persistent.clear();
             let forces = given.map(|one| Carried { vector: one.vector.map(|l| l / h), ..one });
             self.persistent.extend(forces.filter(Carried::is_any));
+            self.persistent.sort_unstable_by_key(|one| one.pair);
             return;
         }
         // A part without impact may be as short as one: what contacts at rest have in it is no force, and nothing strikes.
         if !matches!(solved.trial.kind, PartKind::Free { .. }) {
             for one in given.filter(Carried::is_any) {
-                let known = self.persistent.iter().find(|force| force.pair == one.pair);
-                let of_force = known.map_or(0.0, |force| norm(force.vector) * h);
+                let known = place_of(&self.persistent, one.pair).ok();
+                let of_force = known.map_or(0.0, |k| norm(self.persistent[k].vector) * h);
                 if norm(one.vector) > OF_FORCE * of_force {
                     self.add_impulse(one);
                 }
@@ -93,9 +96,9 @@ impl Frames {
     }
 
     fn add_impulse(&mut self, one: Carried) {
-        match self.impulses.iter_mut().find(|known| known.pair == one.pair) {
-            Some(known) => (0..2).for_each(|i| known.vector[i] += one.vector[i]),
-            None => self.impulses.push(one),
+        match place_of(&self.impulses, one.pair) {
+            Ok(k) => (0..2).for_each(|i| self.impulses[k].vector[i] += one.vector[i]),
+            Err(k) => self.impulses.insert(k, one),
         }
     }
 
@@ -134,6 +137,11 @@ impl Frames {
     pub fn end_row(&mut self) {
         self.impulses.clear();
     }
+}
+
+/// Place of a pair in a list in the order of pairs, or that where it belongs.
+fn place_of(list: &[Carried], pair: usize) -> Result<usize, usize> {
+    list.binary_search_by_key(&pair, |one| one.pair)
 }
 
 impl Carried {
