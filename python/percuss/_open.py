@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from typing import Any
 
 from . import _percuss, _run
 from ._errors import MissingRunError, coded
@@ -11,7 +12,8 @@ from ._storage import kept
 from ._study import Sweep
 
 
-def open(directory: str | os.PathLike[str]) -> Result | Sweep:
+# The type of what a directory contains is known to its reader: `Any` beside `Result` spares type checkers a test of it.
+def open(directory: str | os.PathLike[str]) -> Result | Any:
     """A finished run or sweep, read back; nothing is written.
 
     Parameters

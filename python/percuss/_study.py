@@ -183,8 +183,10 @@ class Sweep(Columns[Any]):
         >>> percuss.sweep("speed.toml").role("speed")
         'input'
         """
-        self[name]
-        return next(role for own, _, role, _, _ in self._native if own == name)
+        roles = {own: role for own, _, role, _, _ in self._native}
+        if name not in roles:
+            raise KeyError(f"no column {name!r}{nearest(name, roles)}")
+        return roles[name]
 
     def __len__(self) -> int:
         """Number of runs."""

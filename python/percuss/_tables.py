@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 def dataset(result: Result) -> xarray.Dataset:
     """The history over ``time``, and the frames over ``instant``."""
-    xarray = _xarray()
+    arrays = _xarray()
     units, descriptions = result.units, result.descriptions
     variables: dict[str, Any] = {}
     for name, values in result.items():
@@ -32,13 +32,13 @@ def dataset(result: Result) -> xarray.Dataset:
         variables.update(more)
         coordinates.update(places)
     attributes = {"title": result.summary["title"], "status": result.status, "scenario": result.scenario}
-    data: xarray.Dataset = xarray.Dataset(variables, coordinates, attributes)
+    data: xarray.Dataset = arrays.Dataset(variables, coordinates, attributes)
     return data
 
 
 def study_dataset(sweep: Sweep) -> xarray.Dataset:
     """The table of a study over ``run``."""
-    xarray = _xarray()
+    arrays = _xarray()
     variables: dict[str, Any] = {}
     coordinates: dict[str, Any] = {}
     inputs = sweep.names("input")
@@ -48,7 +48,7 @@ def study_dataset(sweep: Sweep) -> xarray.Dataset:
         if values.dtype.kind in "fi":
             about["units"] = unit_words(sweep.units[name])
         (coordinates if name == "run" or name in inputs else variables)[name] = ("run", values, about)
-    data: xarray.Dataset = xarray.Dataset(variables, coordinates, {"title": sweep.study.title, "study": sweep.study.text})
+    data: xarray.Dataset = arrays.Dataset(variables, coordinates, {"title": sweep.study.title, "study": sweep.study.text})
     return data
 
 

@@ -317,7 +317,7 @@ fn begin<'a>(
     })
 }
 
-/// Findings of a finished run, told unless it is to be quiet, and what of them is denied.
+/// Findings of a finished run, printed unless it is to be quiet, and those that are denied.
 fn judge(
     ready: &Ready,
     arguments: &Run,
