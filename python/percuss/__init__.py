@@ -33,11 +33,12 @@ from ._function import Function, function
 from ._function import openturns_function as openturns
 from ._given import Potential
 from ._load import check, load
+from ._open import open
 from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
 from ._review import Advice, Review
-from ._run import open, run
+from ._run import run
 from ._scenario import Scenario
 from ._sensitivity import Sensitivity, sensitivity
 from ._study import Sweep

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from . import _percuss
+from ._columns import read_only
 from ._load import Scenarios, changes_of, scenario_of
 from ._structure import Beams, Floats
 
@@ -30,6 +31,7 @@ class Modes:
     """
 
     def __init__(self, native: dict[str, Any]) -> None:
+        read_only(native)
         self._native = native
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -109,6 +111,8 @@ class Modes:
         ------
         MissingError
             If matplotlib is not installed.
+        IndexError
+            If there is no such mode.
 
         Examples
         --------
@@ -117,6 +121,8 @@ class Modes:
         """
         from ._plot import equal_axes, pyplot
 
+        if not 1 <= number <= len(self):
+            raise IndexError(f"mode {number}: expected one from 1 to {len(self)}")
         ax = ax or pyplot().subplots()[1]
         beams, shape = Beams(self._native["beams"]), self.shapes[number - 1]
         base = self._native["displacement"][: len(shape)]
@@ -124,11 +130,12 @@ class Modes:
         points = np.concatenate(list(rest.values()))
         size = float(np.ptp(points, axis=0).max())
         largest = float(np.hypot(shape[:, 0], shape[:, 1]).max()) or 1.0
+        scale = amplitude * size / largest  # of a shape of unit modal mass
         for curve in rest.values():
             ax.plot(*curve.T, color="0.7", linewidth=1)
-        for curve in beams.curves(base + amplitude * size / largest * shape).values():
+        for curve in beams.curves(base + scale * shape).values():
             ax.plot(*curve.T, linewidth=2)
-        equal_axes(ax)
+        equal_axes(ax, scale)
         ax.set_title(f"mode {number}: {self.frequencies[number - 1]:.6g} Hz")
         return ax
 
@@ -155,6 +162,7 @@ class Equilibrium:
     """
 
     def __init__(self, native: dict[str, Any]) -> None:
+        read_only(native)
         self._native = native
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -233,7 +241,7 @@ class Equilibrium:
         Examples
         --------
         >>> percuss.static("plank.toml").plot(scale=10).get_xlabel()
-        'x [m]'
+        'x [m], displacements \u00d7 10'
         """
         from ._plot import equal_axes, pyplot
 
@@ -243,7 +251,7 @@ class Equilibrium:
             ax.plot(*curve.T, color="0.7", linewidth=1)
         for curve in beams.curves(scale * self.displacement).values():
             ax.plot(*curve.T, linewidth=2)
-        equal_axes(ax)
+        equal_axes(ax, scale)
         return ax
 
     def __repr__(self) -> str:

@@ -147,6 +147,18 @@ class Columns(Generic[Kind]):
         return table
 
 
+def read_only(value: Any) -> None:
+    """Makes the arrays in nested dictionaries, lists and tuples read-only: pickles lose that."""
+    if isinstance(value, np.ndarray):
+        value.flags.writeable = False
+    elif isinstance(value, Mapping):
+        for entry in value.values():
+            read_only(entry)
+    elif isinstance(value, (list, tuple)):
+        for entry in value:
+            read_only(entry)
+
+
 def nearest(name: str, names: Iterable[str]) -> str:
     """Suggestions for an unknown name."""
     from difflib import get_close_matches

@@ -117,7 +117,8 @@ class Convergence(NamedTuple):
         'times finer than given'
         """
         ax = ax or pyplot().subplots()[1]
-        off = [abs(value - self.limit) for value in self.values]
+        # Without an order the finest value is the limit: it has no distance to draw on a logarithmic axis.
+        off = [abs(value - self.limit) or math.nan for value in self.values]
         name = self.refined if self.order is None else f"{self.refined}, order {self.order:.2f}"
         (line,) = ax.loglog(self.factors, off, marker="o", label=name)
         if self.uncertainty > 0:

@@ -11,7 +11,7 @@ from ._fields import Fields
 from ._scene import Curve, SceneBeam
 from ._structure import Floats
 from ._symbols import Symbols
-from ._words import engineering
+from ._words import engineering, position_label
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -47,8 +47,8 @@ class Drawing:
         ax.set_aspect("equal", adjustable="box")
         ax.set_xlim(self.low[0] - margin, self.high[0] + margin)
         ax.set_ylim(self.low[1] - margin, self.high[1] + margin)
-        ax.set_xlabel("x [m]")
-        ax.set_ylabel("y [m]")
+        ax.set_xlabel(position_label("x", scale))
+        ax.set_ylabel(position_label("y", scale))
         if colour != "none":
             self._legend()
 
@@ -79,8 +79,7 @@ class Drawing:
                 symbols.loads()
             if "forces" not in hide:
                 self._forces()
-        note = f", displacements \u00d7 {self.scale:g}" if self.scale != 1.0 else ""
-        self.ax.set_title(f"t = {engineering(t, 's')}{note}")
+        self.ax.set_title(f"t = {engineering(t, 's')}")
         return self._own
 
     def line(self, points: Any, colour: str, width: float = 1.2, **style: Any) -> None:

@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ._errors import InputError, coded
 from ._scene import Contact, Curve, SceneBeam
-from ._structure import Beams, Floats
+from ._structure import Beams, Floats, index_at, require_within
 
 Singles = NDArray[np.float32]
 
@@ -143,15 +142,42 @@ class Fields:
         Raises
         ------
         InputError
-            If no frames were kept.
+            If no frames were kept, or the time is outside the run.
 
         Examples
         --------
         >>> percuss.run("plank.toml").fields.index(0.02)
         100
         """
-        self._require()
-        return int(np.abs(self.time - t).argmin())
+        return index_at(self.time, t)
+
+    def instant_shown(self, t: float) -> float:
+        """The instant at which a drawing shows an event.
+
+        Parameters
+        ----------
+        t : float
+            Time of the event [s].
+
+        Returns
+        -------
+        float
+            The time itself; before a frame with impulses that of the frame, since impulses are in the frame after an impact [s].
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml").fields.instant_shown(0.02)
+        0.02
+        """
+        if not len(self):
+            return t
+        after = int(np.searchsorted(self.time, t, side="right"))
+
+        def strikes(frame: int) -> bool:
+            return 0 <= frame < len(self) and any(c.impulsive for c in self.contacts(frame))
+
+        here = after > 0 and self.time[after - 1] == t and strikes(after - 1)
+        return float(self.time[after]) if strikes(after) and not here else t
 
     def displacement_at(self, t: float) -> Floats:
         """Displacements at a time, straight between frames.
@@ -166,6 +192,11 @@ class Fields:
         ndarray of shape (n_node, 4)
             As ``displacement`` [m, 1]; zeros where no frames were kept.
 
+        Raises
+        ------
+        InputError
+            If the time is outside the run.
+
         Examples
         --------
         >>> u = percuss.run("plank.toml").fields.displacement_at(0.02)
@@ -174,6 +205,7 @@ class Fields:
         """
         if not len(self):
             return np.zeros((self.nodes, 4))
+        require_within(self.time, t)
         b = int(np.clip(np.searchsorted(self.time, t), 1, max(len(self) - 1, 1)))
         a, b = b - 1, min(b, len(self) - 1)
         span = self.time[b] - self.time[a]
@@ -348,5 +380,4 @@ class Fields:
         return Beams(native)
 
     def _require(self) -> None:
-        if not len(self):
-            raise coded(InputError, "no shapes were kept of this run: run it with record.shapes (or shapes=) above 0", "E210")
+        require_within(self.time)

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._errors import InputError, MissingError, coded
-from ._words import unit_words, words
+from ._structure import require_within
+from ._words import position_label, unit_words, words
 
 if TYPE_CHECKING:
     from matplotlib.animation import FuncAnimation
@@ -27,11 +28,17 @@ def pyplot() -> Any:
     return plt
 
 
-def equal_axes(ax: Any) -> None:
-    """Axes of positions."""
+def equal_axes(ax: Any, scale: float = 1.0) -> None:
+    """Axes of positions; displacements are drawn so many times as large."""
     ax.set_aspect("equal", adjustable="datalim")
-    ax.set_xlabel("x [m]")
-    ax.set_ylabel("y [m]")
+    ax.set_xlabel(position_label("x", scale))
+    ax.set_ylabel(position_label("y", scale))
+
+
+def stems(ax: Any, time: Any, values: Any, label: str) -> None:
+    """Values at single instants as lines from zero, in a colour of their own."""
+    (marks,) = ax.plot(time, values, "o", markersize=4, label=label)
+    ax.vlines(time, 0.0, values, color=marks.get_color())
 
 
 class Plots:
@@ -60,7 +67,8 @@ class Plots:
         Parameters
         ----------
         t : float, optional
-            The time [s]; by default that of the largest contact force.
+            The time [s]; by default the end where something stays bent or has failed, else that of the largest contact force, or
+            without one of the largest impulse.
         ax : matplotlib.axes.Axes, optional
             Where to draw; by default on a figure of its own.
         scale : float
@@ -80,7 +88,7 @@ class Plots:
         MissingError
             If matplotlib is not installed.
         InputError
-            If the run has no frames.
+            If the run has no frames, or the time is outside it.
         ValueError
             If there is no such colour or part, or enlarged displacements would show bodies that overlap and do not.
 
@@ -93,8 +101,7 @@ class Plots:
         fields = self._result.fields
         fields._require()
         if t is None:
-            peak = fields.largest[1]
-            t = float(fields.time[0]) if peak is None else peak
+            t = self._result._instant()
         ax = ax or pyplot().subplots(figsize=_figure_size(fields))[1]
         Drawing(fields, ax, scale, colour).draw(t, hide)
         return ax
@@ -211,8 +218,7 @@ class Plots:
         ax = ax or pyplot().subplots()[1]
         for name in (name for name in contacts if name.endswith(".impulse")):
             struck = np.flatnonzero(self._result[name])
-            ax.vlines(self._result.time[struck], 0.0, self._result[name][struck])
-            ax.plot(self._result.time[struck], self._result[name][struck], "o", markersize=4, label=words(name).of)
+            stems(ax, self._result.time[struck], self._result[name][struck], words(name).of)
         if not contacts:
             ax.text(0.5, 0.5, "nothing can touch", ha="center", transform=ax.transAxes)
         else:
@@ -265,7 +271,9 @@ class Plots:
         --------
         >>> ax = percuss.run("plank.toml").plot.beam()
         """
-        return self(float(self._result.time[-1]) if t is None else t, ax=ax, scale=scale)
+        fields = self._result.fields
+        fields._require()
+        return self(float(fields.time[-1]) if t is None else t, ax=ax, scale=scale)
 
     def animation(
         self,
@@ -305,7 +313,7 @@ class Plots:
         MissingError
             If matplotlib is not installed.
         InputError
-            If the run has no frames, or the format needs ffmpeg and there is none.
+            If the run has no frames, ``span`` is not within it, or the format needs ffmpeg and there is none.
 
         Examples
         --------
@@ -323,6 +331,7 @@ class Plots:
         fields._require()
         writer = None if path is None else _writer(os.fspath(path))
         start, end = span or (float(fields.time[0]), float(fields.time[-1]))
+        require_within(fields.time, start, end)
         times = np.linspace(start, end, max(int(frames), 1))
         figure, ax = plt.subplots(figsize=_figure_size(fields))
         drawing = Drawing(fields, ax, scale, colour)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _arrow, _percuss
-from ._columns import Columns
+from ._columns import Columns, read_only
 from ._errors import InputError, coded
 from ._fields import Fields
 from ._structure import Shapes
@@ -51,9 +51,7 @@ class Result(Columns[np.float64]):
     def __setstate__(self, state: dict[str, Any]) -> None:
         self._native = state
         self._columns: dict[str, Column] = dict(zip(state["names"], state["columns"]))
-        fields = state["fields"] or {}
-        for array in [*state["columns"], *(a for a in fields.values() if isinstance(a, np.ndarray))]:
-            array.flags.writeable = False  # lost on the way through a pickle
+        read_only([state["columns"], state["fields"]])
 
     def __reduce__(self) -> tuple[Any, ...]:
         return (Result, (self._native,))
@@ -237,6 +235,14 @@ class Result(Columns[np.float64]):
         """
         return _percuss.story(self._native["summary"])
 
+    def _instant(self) -> float:
+        """The instant at which a page opens, as a drawing shows it [s]."""
+        named = _percuss.instant(self._native["summary"])
+        peak = self.fields.largest[1] if named is None else named
+        first, last = float(self.fields.time[0]), float(self.fields.time[-1])
+        # An impact at the very end is later than the last frame by half of its interval.
+        return self.fields.instant_shown(first if peak is None else min(max(peak, first), last))
+
     @property
     def plot(self) -> Plots:
         """Figures: ``result.plot()`` draws the scene; ``result.plot.energy()``, ``.force()``, ``.displacement()`` draw curves.
@@ -361,24 +367,28 @@ class Result(Columns[np.float64]):
         return dataset(self)
 
     def filtered(self, column: str, cfc: int | None = 180) -> xarray.DataArray:
-        """An acceleration in a channel frequency class of SAE J211 and ISO 6487: means over recorded steps, at the middle of them.
+        """A signal in a channel frequency class of SAE J211 and ISO 6487.
+
+        Accelerations are means over recorded steps, at the middle of them; forces and other columns have the values of the rows. Where
+        rows are not evenly spaced, they are interpolated first.
 
         Parameters
         ----------
         column : str
-            Such as ``point.tip.acceleration_2``.
+            An acceleration, such as ``point.tip.acceleration_2``, or a column with a force, moment, stress, displacement or velocity,
+            such as ``contact.bag.force``.
         cfc : {60, 180, 600, 1000, None}
             The class; None leaves it as it is.
 
         Returns
         -------
-        xarray.DataArray of shape (n_row - 1,)
-            The acceleration [m/s^2] over time [s].
+        xarray.DataArray of shape (n_row - 1,), or (n_row,) of a column
+            The signal [m/s^2, or the unit of the column] over time [s].
 
         Raises
         ------
         InputError
-            If the column is no acceleration, the class is unknown, or the rows are too far apart for it.
+            If the column is no signal, such as an impulse, the class is unknown, or the rows are too far apart for it.
         MissingError
             If xarray is not installed.
 
@@ -387,6 +397,9 @@ class Result(Columns[np.float64]):
         >>> result = percuss.run("plank.toml")
         >>> round(float(abs(result.filtered("point.plank.mid.acceleration_2", 60)).max()))  # m/s^2
         176
+        >>> force = result.filtered("contact.bag.force", None)
+        >>> round(float(force.max())), force.attrs["units"]
+        (2561, 'N')
         """
         from ._shock import filtered
 

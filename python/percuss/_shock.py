@@ -1,4 +1,4 @@
-"""Accelerations of a run: filtered in a channel frequency class, and as shock response spectra."""
+"""Columns of a run filtered in a channel frequency class, and accelerations as shock response spectra."""
 
 from __future__ import annotations
 
@@ -22,13 +22,25 @@ _ANSWERS = {
 _WHEN = {"primary": "while the signal lasts", "residual": "after it", "maximax": "at any time"}
 
 
+_SAMPLED = ("N", "N m", "Pa", "m", "m/s", "rad", "rad/s")
+"""Units of columns that are signals: forces, moments, stresses, displacements, velocities. Impulses are sums over output intervals."""
+
+
 def filtered(result: Result, column: str, cfc: int | None) -> xarray.DataArray:
-    """An acceleration over time."""
+    """An acceleration, a force or another signal over time."""
     arrays = _xarray()
-    native = _percuss.acceleration(*_velocity(result, column), cfc)
+    if result.units.get(column) in _SAMPLED:
+        native, unit = _percuss.samples(result.time.tolist(), result[column].tolist(), cfc), result.units[column]
+        times = "Time"
+    elif column in result:
+        text = f"{column}: is no signal that can be filtered; expected an acceleration, force, moment, stress, displacement or velocity"
+        raise coded(InputError, text, "E320")
+    else:
+        native, unit = _percuss.acceleration(*_velocity(result, column), cfc), "m/s^2"
+        times = "Middle of the step"
     suffix = "" if cfc is None else f" (CFC {cfc})"
-    about = {"units": unit_words("m/s^2"), "long_name": f"{column}{suffix}", "resampled": int(native["resampled"])}
-    time = ("time", native["time"], {"units": "s", "long_name": "Middle of the step"})
+    about = {"units": unit_words(unit), "long_name": f"{column}{suffix}", "resampled": int(native["resampled"])}
+    time = ("time", native["time"], {"units": "s", "long_name": times})
     array: xarray.DataArray = arrays.DataArray(native["values"], {"time": time}, ("time",), column, about)
     return array
 

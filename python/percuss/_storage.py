@@ -78,6 +78,29 @@ class Local:
             return file.read()
 
 
+def _files(place: str) -> tuple[Any, str]:
+    """The file system of a location that fsspec knows, and the path there."""
+    try:
+        from fsspec.core import url_to_fs
+    except ImportError as error:
+        raise MissingError.of("fsspec", f"files at {place}", "dask") from error
+    files, root = url_to_fs(place.rstrip("/"))
+    return files, str(root)
+
+
+def kept(place: str, name: str) -> bytes | None:
+    """A file of a directory, or of a location that fsspec knows; None if it is not there."""
+    if "://" not in place:
+        path = os.path.join(place, name)
+        if not os.path.isfile(path):
+            return None
+        with open(path, "rb") as file:
+            return file.read()
+    files, root = _files(place)
+    path = f"{root}/{name}"
+    return bytes(files.cat_file(path)) if files.exists(path) else None
+
+
 def _replace(path: str, data: bytes) -> None:
     """Writes a file whole or not at all."""
     staging = os.path.join(os.path.dirname(path), f".{os.path.basename(path)}.{os.getpid()}")
@@ -92,14 +115,10 @@ class Remote:
     """Any location that fsspec knows: ``s3://bucket/study``, ``sftp://host/study``, ``memory://study``."""
 
     def __init__(self, path: str, study: _percuss.Study) -> None:
-        try:
-            from fsspec.core import url_to_fs
-        except ImportError as error:
-            raise MissingError.of("fsspec", f"writing to {path}", "dask") from error
         self.path = path.rstrip("/")
         self.results_path = f"{self.path}/results.parquet"
         self._study = study
-        self._files, self._root = url_to_fs(self.path)
+        self._files, self._root = _files(self.path)
         own = f"{self._root}/study.toml"
         text = study.text.encode()
         if self._files.exists(own):

@@ -12,6 +12,27 @@ from ._errors import InputError, coded
 Floats = NDArray[np.float64]
 
 
+_SAME = 1e-9
+"""Times outside a run by less than this share of its duration are its start or its end."""
+
+
+def require_within(times: Floats, *instants: float) -> None:
+    """Refuses instants outside those of the frames."""
+    if not len(times):
+        raise coded(InputError, "no shapes were kept of this run: run it with record.shapes (or shapes=) above 0", "E210")
+    first, last = float(times[0]), float(times[-1])
+    slack = _SAME * (last - first)
+    for t in instants:
+        if not first - slack <= t <= last + slack:
+            raise coded(InputError, f"t = {t:g} s: the run has shapes from {first:g} s to {last:g} s", "E313")
+
+
+def index_at(times: Floats, t: float) -> int:
+    """The frame nearest to a time within the run."""
+    require_within(times, t)
+    return int(np.abs(times - t).argmin())
+
+
 class Beams:
     """Centre lines of the beams of a structure: Hermite's cubic in every element.
 
@@ -135,16 +156,14 @@ class Shapes:
         Raises
         ------
         InputError
-            If no shapes were kept.
+            If no shapes were kept, or the time is outside the run.
 
         Examples
         --------
         >>> percuss.run("plank.toml").shapes.index(0.02)
         100
         """
-        if not len(self.times):
-            raise coded(InputError, "no shapes were kept of this run: run it with record.shapes (or shapes=) above 0", "E210")
-        return int(np.abs(self.times - t).argmin())
+        return index_at(self.times, t)
 
     def at(self, t: float) -> dict[str, Floats]:
         """Points of each beam at the shape nearest to a time.
@@ -162,7 +181,7 @@ class Shapes:
         Raises
         ------
         InputError
-            If no shapes were kept.
+            If no shapes were kept, or the time is outside the run.
 
         Examples
         --------

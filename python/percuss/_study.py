@@ -12,11 +12,12 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from . import _arrow, _percuss, _toml
-from ._columns import Columns, nearest
+from ._columns import Columns, nearest, read_only
 from ._scenario import Scenario
 
 if TYPE_CHECKING:
     import pandas
+    import xarray
 
 StudySource = Union[_percuss.Study, str, "os.PathLike[str]", Mapping[str, Any]]
 """A study, the path of its file, or nested dictionaries with the file's names."""
@@ -85,6 +86,10 @@ class Sweep(Columns[Any]):
         self.path = path
         self._native = columns
         self._columns = {name: values for name, _, _, _, values in columns}
+        read_only([values for values in self._columns.values() if isinstance(values, np.ndarray)])
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return (Sweep, (self.study, self._native, self.path))
 
     @property
     def columns(self) -> tuple[str, ...]:
@@ -155,6 +160,34 @@ class Sweep(Columns[Any]):
         """
         return tuple(name for name, _, own, _, _ in self._native if own == role)
 
+    def role(self, name: str) -> str:
+        """Role of a column.
+
+        Parameters
+        ----------
+        name : str
+            Its name.
+
+        Returns
+        -------
+        str
+            ``run``, ``input``, ``result``, ``status``, ``reason``, ``audit`` or ``open``.
+
+        Raises
+        ------
+        KeyError
+            If there is none of that name.
+
+        Examples
+        --------
+        >>> percuss.sweep("speed.toml").role("speed")
+        'input'
+        """
+        roles = {own: role for own, _, role, _, _ in self._native}
+        if name not in roles:
+            raise KeyError(f"no column {name!r}{nearest(name, roles)}")
+        return roles[name]
+
     def __len__(self) -> int:
         """Number of runs."""
         return len(self._columns["run"])
@@ -195,6 +228,29 @@ class Sweep(Columns[Any]):
         [512.0, 1024.0, 1537.0]
         """
         return self._to_pandas(self.units, self.descriptions)
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The table as a data set of xarray over ``run``.
+
+        Returns
+        -------
+        xarray.Dataset
+            Numbers of the runs and values of the parameters are coordinates; units, descriptions and roles are attributes.
+
+        Raises
+        ------
+        MissingError
+            If xarray is not installed.
+
+        Examples
+        --------
+        >>> data = percuss.sweep("speed.toml").to_xarray()
+        >>> data.sizes["run"], data["peak_force"].attrs["units"], round(float(data["peak_force"].sel(run=0)))
+        (9, 'N', 512)
+        """
+        from ._tables import study_dataset
+
+        return study_dataset(self)
 
     def __arrow_c_stream__(self, requested_schema: object = None) -> object:
         return _arrow.study_table(self).__arrow_c_stream__(requested_schema)

@@ -14,14 +14,12 @@ if TYPE_CHECKING:
 
     from ._fields import Fields
     from ._result import Result
+    from ._study import Sweep
 
 
 def dataset(result: Result) -> xarray.Dataset:
     """The history over ``time``, and the frames over ``instant``."""
-    try:
-        import xarray
-    except ImportError as error:
-        raise MissingError.of("xarray", "a data set", "tables") from error
+    arrays = _xarray()
     units, descriptions = result.units, result.descriptions
     variables: dict[str, Any] = {}
     for name, values in result.items():
@@ -29,12 +27,37 @@ def dataset(result: Result) -> xarray.Dataset:
             about = {"units": unit_words(units[name]), "long_name": descriptions[name]}
             variables[name] = ("time", np.array(values), about)
     coordinates: dict[str, Any] = {"time": ("time", np.array(result.time), {"units": "s", "long_name": "Time"})}
-    if len(result.fields):
+    if result._native["fields"] is not None and len(result.fields):
         more, places = _fields(result.fields)
         variables.update(more)
         coordinates.update(places)
     attributes = {"title": result.summary["title"], "status": result.status, "scenario": result.scenario}
-    return xarray.Dataset(variables, coordinates, attributes)
+    data: xarray.Dataset = arrays.Dataset(variables, coordinates, attributes)
+    return data
+
+
+def study_dataset(sweep: Sweep) -> xarray.Dataset:
+    """The table of a study over ``run``."""
+    arrays = _xarray()
+    variables: dict[str, Any] = {}
+    coordinates: dict[str, Any] = {}
+    inputs = sweep.names("input")
+    for name in sweep.columns:
+        values = np.array(sweep[name])
+        about = {"long_name": sweep.descriptions[name] or name, "role": sweep.role(name)}
+        if values.dtype.kind in "fi":
+            about["units"] = unit_words(sweep.units[name])
+        (coordinates if name == "run" or name in inputs else variables)[name] = ("run", values, about)
+    data: xarray.Dataset = arrays.Dataset(variables, coordinates, {"title": sweep.study.title, "study": sweep.study.text})
+    return data
+
+
+def _xarray() -> Any:
+    try:
+        import xarray
+    except ImportError as error:
+        raise MissingError.of("xarray", "a data set", "tables") from error
+    return xarray
 
 
 def _fields(fields: Fields) -> tuple[dict[str, Any], dict[str, Any]]:

@@ -58,6 +58,11 @@ def words(name: str) -> Words:
     return Words(plain, ", ".join(part for part in (thing or kind, along) if part))
 
 
+def position_label(axis: str, scale: float = 1.0) -> str:
+    """Label of an axis of positions, with the factor on the displacements that are drawn."""
+    return f"{axis} [m]" if scale == 1.0 else f"{axis} [m], displacements \u00d7 {scale:.3g}"
+
+
 def unit_words(unit: str) -> str:
     """A unit as it is written: ``N*m`` is N m."""
     return unit.replace("*", " ").replace("^2", "\u00b2").replace("^3", "\u00b3")

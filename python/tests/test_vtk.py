@@ -154,6 +154,28 @@ def test_every_frame_and_every_contact_is_there(elastic, tmp_path):
     assert result["contact.mass.force"][row] == pytest.approx(np.linalg.norm(here[0].force) if here else 0.0, rel=0.05, abs=1.0)
 
 
+@pytest.mark.parametrize("name", ["rigid-clamped-e0.5", "rigid-clamped-e0.5-paper", "rigid-clamped-e0"])
+def test_impulses_and_forces_have_arrays_of_their_own(name, tmp_path):
+    result = percuss.run(SCENARIOS / "paper" / f"{name}.toml", time__end="2 ms")
+    result.export(tmp_path / "out")
+    contacts = Reader(tmp_path / "out" / "contacts.vtkhdf")
+    told = result.summary["contact"]["hammer"]["impacts"][0]["impulse"]
+    forces, impulses = 0.0, 0.0
+    for frame, t in enumerate(result.fields.time):
+        here = result.fields.contacts(frame)
+        if contacts.at(t).data.GetNumberOfPoints() == 0:
+            assert not here
+            continue
+        for key, impulsive in (("force", False), ("impulse", True)):
+            expected = [c.force if c.impulsive == impulsive else np.zeros(2) for c in here]
+            assert contacts[key][:, :2] == pytest.approx(np.array(expected), rel=1e-6)
+        forces = max(forces, float(np.abs(contacts["force"]).max()))
+        impulses = max(impulses, float(np.abs(contacts["impulse"]).max()))
+    assert impulses == pytest.approx(told, rel=1e-6)
+    # Persistent contact follows a plastic impact: its force is that of the deceleration, far below impulse over step.
+    assert (forces > 0) == (name == "rigid-clamped-e0") and forces < 0.1 * told / 1e-5
+
+
 def test_lists_of_files_say_the_same(tmp_path):
     scenario = percuss.load(SCENARIOS / "disc-chain.toml")
     result = percuss.run(scenario, shapes=10)

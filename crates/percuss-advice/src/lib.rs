@@ -72,6 +72,42 @@ pub fn allow<'r>(advice: &mut [Advice], reason: impl Fn(Code) -> Option<&'r str>
     }
 }
 
+/// Findings of a finished run.
+#[derive(Clone, Debug)]
+pub struct Findings {
+    /// Those before the run, with what the run showed of them, then those after it, shape (findings).
+    pub advice: Vec<Advice>,
+    /// Number of those before the run.
+    pub before: usize,
+    /// Warnings of the audit, shape (warnings).
+    pub warnings: Vec<AuditWarning>,
+}
+
+impl Findings {
+    /// Those after the run, shape (findings).
+    pub fn after(&self) -> &[Advice] {
+        &self.advice[self.before..]
+    }
+}
+
+/// Findings of a finished run from those `before` it ([`advise`], then [`allow`]); `reason` is that of [`allow`].
+pub fn conclude<'r>(
+    model: &Model,
+    settings: &Settings,
+    summary: &RunSummary,
+    before: Vec<Advice>,
+    reason: impl Fn(Code) -> Option<&'r str>,
+) -> Findings {
+    let mut advice = before;
+    let after = review(model, settings, summary, &advice);
+    settle(&mut advice, settings, summary);
+    let before = advice.len();
+    advice.extend(after);
+    allow(&mut advice, &reason);
+    let warnings = audit(summary, &advice, reason);
+    Findings { advice, before, warnings }
+}
+
 /// Puts what a run showed of first touches, and of rigid contacts without impacts, in the place of what was expected of them before it; the
 /// reasons of [`allow`] are still to be given to them.
 pub fn settle(advice: &mut [Advice], settings: &Settings, summary: &RunSummary) {

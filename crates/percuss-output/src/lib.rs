@@ -40,8 +40,8 @@ pub use impacts::write_impacts;
 pub use modes::{ModesInfo, modes_value, write_modes};
 pub use path::{PathInfo, PathShapes, path_value, write_path};
 pub use summary::{
-    Picked, RunInfo, SummaryPath, allowances, pick, pick_derivatives, provenance, read_summary,
-    summary_paths, summary_value, write_summary,
+    Picked, RunInfo, RunSource, SummaryPath, pick, pick_derivatives, read_summary,
+    scenario_summary, summary_paths, summary_value, write_summary,
 };
 pub use time_estimate::TimeEstimate;
 pub use unfinished::{Unfinished, unfinished};

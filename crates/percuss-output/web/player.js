@@ -48,7 +48,7 @@ class Player {
     this.span = this.whole;
     // The instant of greatest interest, which the page names, or that of the largest contact force.
     const named = section.dataset.instant ? Number(section.dataset.instant) : motion.size.peak;
-    this.rest = Math.min(this.whole[1], Math.max(this.whole[0], named ?? motion.start));
+    this.rest = Math.min(this.whole[1], Math.max(this.whole[0], motion.instantShown(named ?? motion.start)));
     this.time = this.rest;
     this.opening = false; // whether it plays because the page was opened
     this.camera = { zoom: 1, shift: [0, 0] };
@@ -153,14 +153,8 @@ class Player {
   describe() {
     const { motion } = this;
     const { index } = motion.at(this.time);
-    const sums = new Map();
-    for (const { contact, force, impulsive } of motion.count ? motion.contacts(index) : []) {
-      const { name } = motion.scene.contacts[contact];
-      const sum = sums.get(name) ?? { force: [0, 0], unit: impulsive ? "N s" : "N" };
-      sum.force = sum.force.map((f, i) => f + force[i]);
-      sums.set(name, sum);
-    }
-    const closed = [...sums].map(([name, { force, unit }]) => `'${name}' ${engineering(Math.hypot(...force), unit)}`);
+    const sums = motion.count ? motion.resultants(index) : [];
+    const closed = sums.map(({ contact, impulsive, size }) => `'${motion.scene.contacts[contact].name}' ${engineering(size, impulsive ? "N s" : "N")}`);
     const contacts = closed.length ? `in contact: ${closed.slice(0, 4).join(", ")}${closed.length > 4 ? ` and ${closed.length - 4} more` : ""}` : "no contact";
     const moved = `largest displacement of beams ${engineering(motion.largestAt(index), "m")}`;
     const parts = [motion.label(this.time), ...(motion.rests ? [] : [contacts]), moved];

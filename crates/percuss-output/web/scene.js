@@ -68,6 +68,15 @@ class Motion {
     return low;
   }
 
+  // The instant at which the scene shows what happens at time t: impulses are in the frame after an impact, half its interval later, or a
+  // step later in time-stepping.
+  instantShown(t) {
+    if (!this.count) return t;
+    const last = this.before(t);
+    const strikes = (f) => f < this.count && this.contacts(f).some((c) => c.impulsive);
+    return strikes(last + 1) && !(this.frames.time[last] === t && strikes(last)) ? this.frames.time[last + 1] : t;
+  }
+
   // Largest displacement of a station in a frame [m].
   largestAt(index) {
     let most = 0;
@@ -102,6 +111,18 @@ class Motion {
       out.push({ contact, position: [x, y], force: [f, g], impulsive: impulsive > 0.5 });
     }
     return out;
+  }
+
+  // Resultants of every contact in a frame: a contact may have a force and an impulse, which are not added.
+  resultants(index) {
+    const sums = new Map();
+    for (const { contact, force, impulsive } of this.contacts(index)) {
+      const key = 2 * contact + (impulsive ? 1 : 0);
+      const sum = sums.get(key) ?? { contact, impulsive, force: [0, 0] };
+      sum.force = sum.force.map((f, i) => f + force[i]);
+      sums.set(key, sum);
+    }
+    return [...sums.values()].map(({ force, ...sum }) => ({ ...sum, size: Math.hypot(...force) }));
   }
 
   // The same as forces on the partner that is drawn to yield: the beam, where a body presses on one.
@@ -314,16 +335,13 @@ class Motion {
     const arrows = { force: 0, impulse: 0 }; // of one pair
     const resultants = { force: [0, null], impulse: [0, null] }; // of a contact: largest, and when
     for (let f = 0; f < this.count; f++) {
-      const sums = new Map();
       for (const c of this.contacts(f)) {
         const kind = c.impulsive ? "impulse" : "force";
         arrows[kind] = Math.max(arrows[kind], Math.hypot(...c.force));
-        const sum = sums.get(c.contact) ?? { kind, force: [0, 0] };
-        sum.force = [sum.force[0] + c.force[0], sum.force[1] + c.force[1]];
-        sums.set(c.contact, sum);
       }
-      for (const { kind, force } of sums.values()) {
-        if (Math.hypot(...force) > resultants[kind][0]) resultants[kind] = [Math.hypot(...force), this.frames.time[f]];
+      for (const { impulsive, size } of this.resultants(f)) {
+        const kind = impulsive ? "impulse" : "force";
+        if (size > resultants[kind][0]) resultants[kind] = [size, this.frames.time[f]];
       }
     }
     const peak = resultants.force[1] ?? resultants.impulse[1];

@@ -123,6 +123,35 @@ test("the label of the scene says time, contacts with their forces and the large
   assert.equal(labelOf(new page.RestingMotion(m.scene, m.frames), 1), "Scene, largest displacement of beams 1 m");
 });
 
+test("a contact at rest that transmits an impact has a force and an impulse, which are not added", () => {
+  const contacts = [{ name: "foot", between: ["b", "w"] }, { name: "hammer", between: ["b", "p"] }];
+  const rows = Float32Array.of(0, 0, 0, 0, 20, 0, 0, 0, 0, 0, 3, 1, 1, 0, 0, 0, 3, 1);
+  const m = motion({ contacts }, { contacts: rows, contact_count: Float32Array.of(0, 3) });
+  const plain = (list) => JSON.parse(JSON.stringify(list));
+  assert.deepEqual(plain(m.resultants(1)), [
+    { contact: 0, impulsive: false, size: 20 }, { contact: 0, impulsive: true, size: 3 }, { contact: 1, impulsive: true, size: 3 },
+  ]);
+  assert.deepEqual([m.size.force, m.size.impulse, m.size.peak], [20, 3, 1]);
+  let label = "";
+  page.Player.prototype.describe.call({ motion: m, time: 1, canvas: { setAttribute: (_, text) => (label = text) } });
+  assert.match(label, /in contact: 'foot' 20 N, 'foot' 3 N s, 'hammer' 3 N s;/);
+});
+
+test("the instant of an impact is shown where its impulse is", () => {
+  const contacts = [{ name: "hammer", between: ["b", "p"] }];
+  // The rows before and after an impact at 0.5 s, half its interval away.
+  const displacement = new Float32Array(4 * 8);
+  const frames = { time: Float64Array.of(0, 0.5 - 1e-9, 0.5 + 1e-9, 1), displacement, sections: new Float32Array(24) };
+  const rows = Float32Array.of(0, 0, 0, 0, 7, 1);
+  const m = motion({ contacts }, { ...frames, contacts: rows, contact_count: Float32Array.of(0, 0, 1, 0) });
+  assert.equal(m.instantShown(0.5), 0.5 + 1e-9);
+  // In time-stepping it is that of the row before the step; a frame that has impulses is shown as it is.
+  assert.deepEqual([0.5 - 1e-9, 0.5 + 1e-9].map((t) => m.instantShown(t)), [0.5 + 1e-9, 0.5 + 1e-9]);
+  assert.deepEqual([0, 0.2, 0.7, 1, 9].map((t) => m.instantShown(t)), [0, 0.2, 0.7, 1, 9]);
+  assert.equal(m.impulses(0.49, m.instantShown(0.5)).length, 1);
+  assert.equal(motion().instantShown(0.3), 0.3);
+});
+
 test("a guided projectile at the edge has room for its symbols", () => {
   const strikes = { beam: 0, s: 2 };
   const guided = (more) => ({ name: "p", kind: "guided", position: [2, 0], direction: [0, 1], standoff: 0, strikes, ...more });

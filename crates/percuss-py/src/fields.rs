@@ -1,6 +1,6 @@
 //! The scene of a run and how it moved, as arrays that NumPy owns, and back.
 
-use numpy::{Element, IntoPyArray, PyArrayMethods, PyReadonlyArrayDyn};
+use numpy::{Element, PyReadonlyArrayDyn};
 use percuss_output::fields::{Fields, StoredFrame};
 use percuss_output::paraview::{self, Format};
 use percuss_output::report;
@@ -10,6 +10,7 @@ use pyo3::types::PyDict;
 use std::path::PathBuf;
 
 use crate::error::output_error;
+use crate::structure::shaped;
 
 /// `scene` (JSON), `time`, and lists of the frames: `displacement`, `velocity`, `angular_velocity`, `section_forces`, `load_factors`, and
 /// `contact_forces` of all frames one behind the other with their `contact_counts`.
@@ -19,42 +20,32 @@ pub fn to_python<'py>(py: Python<'py>, fields: &Fields) -> PyResult<Bound<'py, P
     let out = PyDict::new(py);
     out.set_item("scene", fields.scene.to_string())?;
     let times: Vec<f64> = frames.iter().map(|f| f.time).collect();
-    out.set_item("time", array(py, times, &[n])?)?;
+    out.set_item("time", shaped(py, times, &[n])?)?;
     let all = |list: fn(&StoredFrame) -> &Vec<f32>| -> Vec<f32> {
         frames.iter().flat_map(|f| list(f).iter().copied()).collect()
     };
     let each = |values: &Vec<f32>, width: usize| values.len() / width / n.max(1);
     let displacement = all(|f| &f.displacement);
     let nodes = each(&displacement, 4);
-    out.set_item("displacement", array(py, displacement, &[n, nodes, 4])?)?;
+    out.set_item("displacement", shaped(py, displacement, &[n, nodes, 4])?)?;
     let velocity = all(|f| &f.velocity);
     let nodes = each(&velocity, 4);
-    out.set_item("velocity", array(py, velocity, &[n, nodes, 4])?)?;
+    out.set_item("velocity", shaped(py, velocity, &[n, nodes, 4])?)?;
     let spins = all(|f| &f.angular_velocity);
     let intervals = each(&spins, 3);
-    out.set_item("angular_velocity", array(py, spins, &[n, intervals, 3])?)?;
+    out.set_item("angular_velocity", shaped(py, spins, &[n, intervals, 3])?)?;
     let forces = all(|f| &f.section_forces);
     let intervals = each(&forces, 6);
-    out.set_item("section_forces", array(py, forces, &[n, intervals, 2, 3])?)?;
+    out.set_item("section_forces", shaped(py, forces, &[n, intervals, 2, 3])?)?;
     let factors = all(|f| &f.load_factors);
     let loads = each(&factors, 1);
-    out.set_item("load_factors", array(py, factors, &[n, loads])?)?;
+    out.set_item("load_factors", shaped(py, factors, &[n, loads])?)?;
     let contacts = all(|f| &f.contact_forces);
     let rows = contacts.len() / 6;
-    out.set_item("contact_forces", array(py, contacts, &[rows, 6])?)?;
+    out.set_item("contact_forces", shaped(py, contacts, &[rows, 6])?)?;
     let counts: Vec<i64> = frames.iter().map(|f| (f.contact_forces.len() / 6) as i64).collect();
-    out.set_item("contact_counts", array(py, counts, &[n])?)?;
+    out.set_item("contact_counts", shaped(py, counts, &[n])?)?;
     Ok(out)
-}
-
-fn array<'py, T: Element>(
-    py: Python<'py>,
-    values: Vec<T>,
-    shape: &[usize],
-) -> PyResult<Bound<'py, PyAny>> {
-    let array = values.into_pyarray(py);
-    array.readwrite().make_nonwriteable();
-    array.call_method1("reshape", (shape.to_vec(),))
 }
 
 /// The way back.
@@ -154,6 +145,31 @@ pub fn story(summary: &str) -> PyResult<String> {
     let summary =
         serde_json::from_str(summary).map_err(|e| PyValueError::new_err(e.to_string()))?;
     Ok(report::story(&summary))
+}
+
+/// The instant of greatest interest, at which a page opens.
+///
+/// Parameters
+/// ----------
+/// summary : str
+///     That of a run, JSON.
+///
+/// Returns
+/// -------
+/// float or None
+///     The end where something stays bent or has failed, else that of the largest contact force, else of the largest impulse [s]; None where
+///     nothing touches.
+///
+/// Examples
+/// --------
+/// >>> native = percuss._percuss.open(percuss.run("plank.toml", out="plank") and "plank")
+/// >>> round(percuss._percuss.instant(native["summary"]), 4)
+/// 0.0305
+#[pyfunction]
+pub fn instant(summary: &str) -> PyResult<Option<f64>> {
+    let summary =
+        serde_json::from_str(summary).map_err(|e| PyValueError::new_err(e.to_string()))?;
+    Ok(report::instant(&summary))
 }
 
 /// How a run ended and the number of its warnings, in a line.

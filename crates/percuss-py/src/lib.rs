@@ -29,7 +29,7 @@ mod _percuss {
     #[pymodule_export]
     use super::edit::{remove, set};
     #[pymodule_export]
-    use super::fields::{export, scene_page, state, story};
+    use super::fields::{export, instant, scene_page, state, story};
     #[pymodule_export]
     use super::function::{function_jacobian, function_layout, function_values};
     #[pymodule_export]
@@ -41,7 +41,7 @@ mod _percuss {
     #[pymodule_export]
     use super::sensitivity::{extrapolated, sensitivity};
     #[pymodule_export]
-    use super::shock::{acceleration, shock_spectrum};
+    use super::shock::{acceleration, samples, shock_spectrum};
     #[pymodule_export]
     use super::study::Study;
 

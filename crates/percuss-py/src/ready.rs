@@ -1,6 +1,9 @@
 //! A scenario ready to run: text, changes and functions in, model and settings out.
 
+use std::time::SystemTime;
+
 use percuss::{Fault, mechanisms};
+use percuss_output::RunSource;
 use percuss_scenario::{Compiled, Diagnostics, FileAccess, Scenario, apply_overrides, read_with};
 use pyo3::prelude::*;
 
@@ -31,6 +34,11 @@ impl Source {
     /// What a function of the user's raised, if one did.
     pub fn raised(&self) -> Option<PyErr> {
         self.3.raised()
+    }
+
+    /// Origin of a run that starts now.
+    pub fn run_source(&self) -> RunSource<'_> {
+        RunSource { scenario: &self.1, overrides: &self.2, started: SystemTime::now() }
     }
 
     /// Functions behind paths.

@@ -95,8 +95,8 @@ impl Recorder for RunRecorder<'_> {
         self.history.as_mut().map_or(Ok(()), |history| history.row(values))
     }
 
-    fn wants_frame(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
-        self.frames.wants(time, contact, impulsive)
+    fn wants_frame(&mut self, time: f64, force: f64, impulse: f64) -> bool {
+        self.frames.wants(time, force, impulse)
     }
 
     fn frame(&mut self, frame: &Frame<'_>) {

@@ -4,9 +4,9 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination};
-use percuss_advice::{advise, audit, compare, review, settle};
+use percuss_advice::{advise, compare, conclude};
 use percuss_output::fields::FrameStore;
-use percuss_output::{RunInfo, allowances, summary_value};
+use percuss_output::{RunInfo, RunSource, scenario_summary};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
@@ -75,7 +75,8 @@ pub fn run<'py>(
         None => frames,
     };
     let mut recorder = RunRecorder::new(frames, history, progress.as_ref(), source.given(), extent);
-    let ended = py.detach(|| simulate(&ready, simulation, &mut recorder));
+    let origin = source.run_source();
+    let ended = py.detach(|| simulate(&ready, origin, simulation, &mut recorder));
 
     let RunRecorder { columns, frames, history, raised, .. } = recorder;
     if let Termination::Failed(error) = &ended.summary.termination
@@ -116,28 +117,30 @@ struct Ended {
     seconds: f64,
 }
 
-fn simulate(ready: &Ready, simulation: Simulation<'_>, recorder: &mut RunRecorder<'_>) -> Ended {
+fn simulate(
+    ready: &Ready,
+    source: RunSource<'_>,
+    simulation: Simulation<'_>,
+    recorder: &mut RunRecorder<'_>,
+) -> Ended {
     let compiled = &ready.compiled;
+    let content = ready.scenario.content();
     let mut advice = advise(&compiled.model, &compiled.settings);
+    percuss_advice::allow(&mut advice, |code| content.reason_to_allow(code));
     let begun = Instant::now();
     let summary = simulation.run(recorder);
     let seconds = begun.elapsed().as_secs_f64();
-    settle(&mut advice, &compiled.settings, &summary);
-    let after = review(&compiled.model, &compiled.settings, &summary, &advice);
-    advice.extend(after);
-    let content = ready.scenario.content();
-    percuss_advice::allow(&mut advice, |code| content.reason_to_allow(code));
-    let warnings = audit(&summary, &advice, |code| content.reason_to_allow(code));
+    let reason = |code| content.reason_to_allow(code);
+    let found = conclude(&compiled.model, &compiled.settings, &summary, advice, reason);
     let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
         title: &compiled.title,
         settings: &compiled.settings,
         wall_seconds: seconds,
-        advice: &advice,
-        warnings: &warnings,
+        advice: &found.advice,
+        warnings: &found.warnings,
         comparisons: &comparisons,
     };
-    let mut value = summary_value(&summary, info);
-    value["allow"] = allowances(&content.allowances(), &advice, &warnings);
+    let value = scenario_summary(&summary, info, &content.allowances(), source);
     Ended { summary, value, seconds }
 }

@@ -1,12 +1,12 @@
 //! Filtered accelerations and shock response spectra.
 
-use numpy::IntoPyArray;
 use percuss_codes::RequestCode;
 use percuss_output::shock::{self, Band, Cfc, ShockError, Signal};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::error::request_error;
+use crate::structure::array;
 
 fn refused(error: &ShockError) -> PyErr {
     request_error(RequestCode::Acceleration, &error.to_string())
@@ -14,7 +14,11 @@ fn refused(error: &ShockError) -> PyErr {
 
 /// The acceleration that follows from a velocity, in a class if one is given.
 fn signal(time: &[f64], velocity: &[f64], cfc: Option<u32>) -> PyResult<Signal> {
-    let signal = Signal::from_velocity(time, velocity).map_err(|error| refused(&error))?;
+    in_class(Signal::from_velocity(time, velocity).map_err(|error| refused(&error))?, cfc)
+}
+
+/// A signal in a class, if one is given.
+fn in_class(signal: Signal, cfc: Option<u32>) -> PyResult<Signal> {
     let Some(number) = cfc else { return Ok(signal) };
     let class = Cfc::of(number).ok_or_else(|| {
         let text = format!("cfc={number}: expected a class of SAE J211: 60, 180, 600 or 1000");
@@ -55,12 +59,51 @@ pub fn acceleration<'py>(
     velocity: Vec<f64>,
     cfc: Option<u32>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let signal = signal(&time, &velocity, cfc)?;
+    sampled(py, signal(&time, &velocity, cfc)?)
+}
+
+fn sampled(py: Python<'_>, signal: Signal) -> PyResult<Bound<'_, PyDict>> {
     let result = PyDict::new(py);
-    result.set_item("time", signal.times().collect::<Vec<f64>>().into_pyarray(py))?;
+    result.set_item("time", array(py, signal.times().collect::<Vec<f64>>()))?;
     result.set_item("resampled", signal.resampled)?;
-    result.set_item("values", signal.values.into_pyarray(py))?;
+    result.set_item("values", array(py, signal.values))?;
     Ok(result)
+}
+
+/// A column of the history at even times.
+///
+/// Parameters
+/// ----------
+/// time : list of float
+///     Times of the rows [s].
+/// values : list of float
+///     Values there, in the unit of the column.
+/// cfc : {60, 180, 600, 1000} or None
+///     Channel frequency class to filter it in.
+///
+/// Returns
+/// -------
+/// dict
+///     `time` [s], `values` in the unit of the column, `resampled`: whether the rows were not evenly spaced.
+///
+/// Raises
+/// ------
+/// InputError
+///     If the class is unknown, or there are too few rows for it.
+///
+/// Examples
+/// --------
+/// >>> percuss._percuss.samples([0.0, 0.1, 0.2], [0.0, 1.0, 2.0], None)["values"]
+/// array([0., 1., 2.])
+#[pyfunction]
+pub fn samples(
+    py: Python<'_>,
+    time: Vec<f64>,
+    values: Vec<f64>,
+    cfc: Option<u32>,
+) -> PyResult<Bound<'_, PyDict>> {
+    let signal = Signal::from_samples(&time, &values).map_err(|error| refused(&error))?;
+    sampled(py, in_class(signal, cfc)?)
 }
 
 /// Shock response spectrum of the acceleration that follows from a velocity.
@@ -114,11 +157,11 @@ pub fn shock_spectrum<'py>(
     ];
     for (name, values) in answers {
         let column = |of: fn(&shock::Extremes) -> f64| values.iter().map(of).collect::<Vec<f64>>();
-        result.set_item(format!("{name}_primary"), column(|x| x.primary).into_pyarray(py))?;
-        result.set_item(format!("{name}_residual"), column(|x| x.residual).into_pyarray(py))?;
-        result.set_item(format!("{name}_maximax"), column(|x| x.maximax()).into_pyarray(py))?;
+        result.set_item(format!("{name}_primary"), array(py, column(|x| x.primary)))?;
+        result.set_item(format!("{name}_residual"), array(py, column(|x| x.residual)))?;
+        result.set_item(format!("{name}_maximax"), array(py, column(|x| x.maximax())))?;
     }
-    result.set_item("frequency", found.frequency.into_pyarray(py))?;
+    result.set_item("frequency", array(py, found.frequency))?;
     result.set_item("resampled", signal.resampled)?;
     Ok(result)
 }

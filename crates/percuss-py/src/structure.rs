@@ -1,21 +1,21 @@
 //! Arrays for Python: what a structure looks like, and columns that NumPy owns.
 
-use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
+use numpy::{Element, IntoPyArray, PyArray1, PyArrayMethods};
 use percuss::Model;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 /// A vector as an array that cannot be written to; NumPy takes the memory over.
-pub fn array<'py>(py: Python<'py>, values: Vec<f64>) -> Bound<'py, PyArray1<f64>> {
+pub fn array<T: Element>(py: Python<'_>, values: Vec<T>) -> Bound<'_, PyArray1<T>> {
     let array = values.into_pyarray(py);
     array.readwrite().make_nonwriteable();
     array
 }
 
 /// The same with a shape.
-pub fn shaped<'py>(
+pub fn shaped<'py, T: Element>(
     py: Python<'py>,
-    values: Vec<f64>,
+    values: Vec<T>,
     shape: &[usize],
 ) -> PyResult<Bound<'py, PyAny>> {
     array(py, values).call_method1("reshape", (shape.to_vec(),))
@@ -33,7 +33,7 @@ pub fn beams<'py>(py: Python<'py>, model: &Model) -> PyResult<Bound<'py, PyDict>
         }
         let count = nodes.len();
         let ends = shaped(py, ends, &[count, 2, 4])?;
-        out.set_item(name, (nodes.into_pyarray(py), array(py, lengths), ends))?;
+        out.set_item(name, (array(py, nodes), array(py, lengths), ends))?;
     }
     Ok(out)
 }

@@ -378,6 +378,34 @@ impl Study {
         .map_err(|error| study_error(&error))
     }
 
+    /// Columns of a table of the study that has been kept, whichever version of the program computed it.
+    ///
+    /// Parameters
+    /// ----------
+    /// bytes : bytes
+    ///     The content of `results.parquet`.
+    ///
+    /// Returns
+    /// -------
+    /// list of tuple
+    ///     As of `results`.
+    ///
+    /// Raises
+    /// ------
+    /// InputError
+    ///     If it is damaged, or the table of another study.
+    ///
+    /// Examples
+    /// --------
+    /// >>> table = percuss.sweep("speed.toml", out="kept")
+    /// >>> with open(table.path, "rb") as file:
+    /// ...     len(table.study.columns(file.read()))
+    /// 15
+    fn columns<'py>(&self, py: Python<'py>, bytes: &[u8]) -> PyResult<Bound<'py, PyList>> {
+        let table = percuss_study::read_table(bytes, &self.inner);
+        work::to_python(py, table.map_err(|error| study_error(&error))?)
+    }
+
     /// Columns of `results.parquet` in a directory.
     ///
     /// Parameters

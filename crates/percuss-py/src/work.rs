@@ -3,9 +3,8 @@
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
-use numpy::IntoPyArray;
 use percuss::AnalysisCode;
-use percuss_study::{Done, Folder, Progress, Shard, Study, Values, merge};
+use percuss_study::{Done, Folder, Progress, Shard, Study, Table, Values, merge};
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
@@ -102,10 +101,18 @@ pub fn columns<'py>(
     folder: &Folder,
 ) -> PyResult<Bound<'py, PyList>> {
     let table = py.detach(|| folder.results(study)).map_err(|error| study_error(&error))?;
+    to_python(py, table)
+}
+
+/// Columns of a table that has been read: (name, unit, role, what it is, values); arrays cannot be written to.
+///
+/// # Errors
+/// If Python has no memory for them.
+pub fn to_python(py: Python<'_>, table: Table) -> PyResult<Bound<'_, PyList>> {
     let out = PyList::empty(py);
     for (column, values) in table.columns.into_iter().zip(table.values) {
         let values = match values {
-            Values::Whole(values) => values.into_pyarray(py).into_any(),
+            Values::Whole(values) => array(py, values).into_any(),
             Values::Number(values) => array(py, values).into_any(),
             Values::Text(values) => PyList::new(py, values)?.into_any(),
         };

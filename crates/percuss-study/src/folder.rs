@@ -164,7 +164,7 @@ impl Folder {
     pub fn results(&self, study: &Study) -> Result<Table, Error> {
         let path = self.path.join(RESULTS);
         let bytes = fs::read(&path).map_err(|e| Error::io(&path, "read", e))?;
-        parquet::table_from(&bytes, study)
+        parquet::read_table(&bytes, study)
     }
 
     /// Numbers of the runs that were kept whole, in their order, and their pages by the path from that of the study.

@@ -93,6 +93,7 @@ pub use function::{Function, Jacobian};
 pub use indices::{INDICES, indices, indices_parquet};
 pub use merge::merge;
 pub use parameter::{Input, Parameter, Variation};
+pub use parquet::read_table;
 pub use prepare::Invalid;
 pub use report::report;
 pub use sensitivity::{

@@ -176,11 +176,18 @@ pub(crate) fn shard_from(bytes: &[u8], study: &Study) -> std::result::Result<(u6
     }
 }
 
-/// The rows of a file of this study.
-pub(crate) fn table_from(bytes: &[u8], study: &Study) -> std::result::Result<Table, Error> {
+/// The content of `results.parquet` of a study, whichever version of the program wrote it.
+///
+/// # Errors
+/// If it is damaged, or the table of another study.
+pub fn read_table(bytes: &[u8], study: &Study) -> std::result::Result<Table, Error> {
     let damaged = |e: ParquetError| unfit(format!("the table is damaged: {e}"));
     let reader = SerializedFileReader::new(Bytes::copy_from_slice(bytes)).map_err(damaged)?;
     let (columns, layout): (Vec<Column>, Vec<Values>) = study.layout().into_iter().unzip();
+    let found = reader.metadata().file_metadata().schema_descr().columns();
+    if !found.iter().map(|column| column.name()).eq(columns.iter().map(|column| &column.name)) {
+        return Err(unfit("the table has other columns than its study"));
+    }
     let values = read_all(&reader, layout).map_err(damaged)?;
     Ok(Table { columns, values })
 }

@@ -2,14 +2,15 @@
 
 use crate::math::hermite::GAUSS;
 
-/// A force, or in an impact an impulse, of one contact at one place.
+/// A force of one contact at one place, or an impulse of an impact there: a contact may have both.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameForce {
     /// Number of the contact in the model.
     pub contact: usize,
     /// Point of contact, shape (2) \[m\].
     pub position: [f64; 2],
-    /// On the second of its two partners, the mean over the last step, shape (2) \[N\], or \[N s\] in an impact.
+    /// On the second of its two partners, shape (2) \[N\] or \[N s\]: the mean force over the last step without an impact, that over the last
+    /// step of a compliant contact, or the impulse of impacts since the previous row.
     pub force: [f64; 2],
     /// Whether it is an impulse.
     pub impulsive: bool,
@@ -30,7 +31,7 @@ pub struct Frame<'a> {
     /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an impact,
     /// shape (elements, 2, 3) \[N, N, N m\].
     pub section_forces: &'a [[[f64; 3]; 2]],
-    /// Forces of everything that touches, shape (such forces).
+    /// Forces of everything that touches, and impulses, shape (such forces and impulses).
     pub contact_forces: &'a [FrameForce],
     /// Factors of the loads, means over the last step, shape (loads) \[-\].
     pub load_factors: &'a [f64],

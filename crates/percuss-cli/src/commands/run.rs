@@ -14,13 +14,13 @@ use std::path::Path;
 use std::time::{Instant, SystemTime};
 
 use percuss::{Checkpoint, ResumeError, RunSummary, Simulation, Termination};
-use percuss_advice::{Advice, AuditWarning, advise, audit, compare, review, settle};
+use percuss_advice::{Advice, Findings, advise, compare};
 use percuss_codes::{Caution, FileCode, RequestCode};
 use percuss_output::checkpoint::{CheckpointFolder, Rows, Saved};
 use percuss_output::fields::{self, FrameStore};
 use percuss_output::report::{self, ReportData};
 use percuss_output::{
-    Extent, HistoryWriter, Results, RunDirectory, RunInfo, allowances, provenance, summary_value,
+    Extent, HistoryWriter, Results, RunDirectory, RunInfo, RunSource, scenario_summary,
     write_comparison, write_envelopes, write_impacts, write_new, write_summary,
 };
 use serde_json::Value;
@@ -225,7 +225,7 @@ fn simulate(
     let done = checkpoint.as_ref().map_or(0, |c| c.step());
     let simulation = begin(ready, arguments, checkpoint)?;
     let content = ready.scenario.content();
-    let mut advice = advice_before(ready, arguments)?;
+    let advice = advice_before(ready, arguments)?;
     let end = compiled.settings.end;
     let mut progress =
         Progress::of_settings("run".into(), &compiled.settings, shows_progress(arguments));
@@ -250,20 +250,19 @@ fn simulate(
         return Err(Failure::System(error.code().into(), error.to_string()));
     }
     history.finish()?;
-    let (warnings, denied) = judge(ready, arguments, &summary, &mut advice);
+    let (found, denied) = judge(ready, arguments, &summary, advice);
     let comparisons = compare(&compiled.model, &compiled.settings, &summary);
     let info = RunInfo {
         title: &compiled.title,
         settings: &compiled.settings,
         wall_seconds,
-        advice: &advice,
-        warnings: &warnings,
+        advice: &found.advice,
+        warnings: &found.warnings,
         comparisons: &comparisons,
     };
-    let mut value = summary_value(&summary, info);
     let file = arguments.file.display().to_string();
-    value["provenance"] = provenance(&file, &arguments.set, started);
-    value["allow"] = allowances(&content.allowances(), &advice, &warnings);
+    let source = RunSource { scenario: &file, overrides: &arguments.set, started };
+    let value = scenario_summary(&summary, info, &content.allowances(), source);
     write_summary(dir, &value)?;
     write_envelopes(dir, &summary.section_forces)?;
     write_impacts(dir, &summary.contacts, &summary.supports)?;
@@ -278,7 +277,7 @@ fn simulate(
         comparisons,
         energy: energy.unwrap_or_default(),
         checkpoints,
-        warnings,
+        warnings: found.warnings,
         denied,
     })
 }
@@ -318,29 +317,28 @@ fn begin<'a>(
     })
 }
 
-/// What is found after a run: findings, which join those before it, what the audit warns of, and what of all that is denied.
+/// Findings of a finished run, printed unless it is to be quiet, and those that are denied.
 fn judge(
     ready: &Ready,
     arguments: &Run,
     run: &RunSummary,
-    advice: &mut Vec<Advice>,
-) -> (Vec<AuditWarning>, Vec<String>) {
+    before: Vec<Advice>,
+) -> (Findings, Vec<String>) {
     let content = ready.scenario.content();
-    let mut after = review(&ready.compiled.model, &ready.compiled.settings, run, advice);
-    advisor::judge(&mut after, content);
+    let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
+    let found = percuss_advice::conclude(model, settings, run, before, |code| {
+        content.reason_to_allow(code)
+    });
     if !arguments.quiet {
-        advisor::tell(&after);
+        advisor::tell(found.after());
     }
-    let mut denied = advisor::denied(&after, &arguments.deny);
-    settle(advice, &ready.compiled.settings, run);
-    advisor::judge(advice, content);
-    advice.extend(after);
-    let warnings = audit(run, advice, |code| content.reason_to_allow(code));
-    denied.extend(advisor::denied_of_audit(&warnings, &arguments.deny));
+    let mut denied = advisor::denied(found.after(), &arguments.deny);
+    denied.extend(advisor::denied_of_audit(&found.warnings, &arguments.deny));
     if !arguments.quiet && matches!(run.termination, Termination::Completed) {
-        advisor::tell_in_vain(content, &advisor::codes(advice, &warnings), |_| true);
+        let codes = advisor::codes(&found.advice, &found.warnings);
+        advisor::tell_in_vain(content, &codes, |_| true);
     }
-    (warnings, denied)
+    (found, denied)
 }
 
 /// Writes the report and, before it, the comparison that belongs into it.

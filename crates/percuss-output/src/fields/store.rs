@@ -72,8 +72,8 @@ pub struct FrameStore {
 struct Wanted {
     touching: bool,
     due: bool,
-    /// Which of the largest it beats, and its size.
-    peak: Option<(usize, f64)>,
+    /// Force \[N\] and impulse \[N s\], each if it is the largest so far.
+    peaks: [Option<f64>; 2],
 }
 
 impl FrameStore {
@@ -123,19 +123,18 @@ impl FrameStore {
     }
 
     /// Whether the frame of a row is to be kept, as [`percuss::Recorder::wants_frame`] asks.
-    pub fn wants(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
+    pub fn wants(&mut self, time: f64, force: f64, impulse: f64) -> bool {
         if !self.keeps {
             return false;
         }
-        let touching = contact > 0.0;
+        let touching = force > 0.0 || impulse > 0.0;
         let kind = if touching { &self.kept.touching } else { &self.kept.calm };
-        let which = usize::from(impulsive);
-        let beats =
-            touching && self.kept.peaks[which].as_ref().is_none_or(|(peak, _)| contact > *peak);
-        let peak = beats.then_some((which, contact));
+        let known = self.kept.peaks.each_ref().map(|p| p.as_ref().map_or(0.0, |(size, _)| *size));
+        let peaks = [(force, known[0]), (impulse, known[1])]
+            .map(|(size, known)| (size > known).then_some(size));
         let ends = time >= self.end * (1.0 - 1e-9);
-        self.wanted = Wanted { touching, due: kind.is_due(), peak };
-        let wanted = self.wanted.due || beats || ends;
+        self.wanted = Wanted { touching, due: kind.is_due(), peaks };
+        let wanted = self.wanted.due || peaks.iter().any(Option::is_some) || ends;
         if !wanted {
             self.count();
         }
@@ -149,8 +148,10 @@ impl FrameStore {
         if frame.time >= self.end * (1.0 - 1e-9) {
             self.last = Some(stored.clone());
         }
-        if let Some((which, size)) = wanted.peak {
-            self.kept.peaks[which] = Some((size, stored.clone()));
+        for (kept, size) in self.kept.peaks.iter_mut().zip(wanted.peaks) {
+            if let Some(size) = size {
+                *kept = Some((size, stored.clone()));
+            }
         }
         if wanted.due {
             let kept = &mut self.kept;
@@ -185,7 +186,7 @@ mod tests {
     fn run(store: &mut FrameStore, steps: usize, force: impl Fn(usize) -> f64) {
         for k in 0..=steps {
             let time = k as f64;
-            if store.wants(time, force(k), false) {
+            if store.wants(time, force(k), 0.0) {
                 store.take(&Frame {
                     time,
                     displacement: &[],

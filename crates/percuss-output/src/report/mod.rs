@@ -39,7 +39,7 @@ mod yields;
 
 pub use data::ReportData;
 pub use notebook::scene_page;
-pub use scene::{scene_choices, scene_colours, scene_scripts};
+pub use scene::{instant, scene_choices, scene_colours, scene_scripts};
 pub use state::RunState;
 pub use story::{story, taken_as_start};
 

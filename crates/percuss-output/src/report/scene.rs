@@ -68,8 +68,8 @@ pub(super) fn section(text: &str, instant: Option<f64>) -> String {
 const SEEN: f64 = 0.01;
 
 /// The instant of greatest interest \[s\]: the end where something stays bent or has failed, else that of the largest force of a single
-/// contact, else that of the largest impulse.
-pub(super) fn instant(summary: &Value) -> Option<f64> {
+/// contact, else that of the largest impulse; `None` where nothing touches.
+pub fn instant(summary: &Value) -> Option<f64> {
     if stays_bent(summary) {
         return summary["time"].as_f64();
     }

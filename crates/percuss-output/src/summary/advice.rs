@@ -31,7 +31,11 @@ pub(super) fn warning(warning: &AuditWarning) -> Value {
 }
 
 /// What a scenario allows, a code with its reason each, and whether the run had such a finding or warning: `allow` of a summary.
-pub fn allowances(allowed: &[(Code, &str)], advice: &[Advice], warnings: &[AuditWarning]) -> Value {
+pub(super) fn allowances(
+    allowed: &[(Code, &str)],
+    advice: &[Advice],
+    warnings: &[AuditWarning],
+) -> Value {
     let told = advice.iter().filter(|one| one.verdict > Verdict::Fine);
     let found: Vec<Code> = told
         .map(|one| one.topic.into())

@@ -18,16 +18,17 @@ use percuss::{
     SupportSummary, Termination,
 };
 use percuss_advice::{Advice, AuditWarning, Comparison};
+use percuss_codes::Code;
 use serde_json::{Map, Value, json};
 
 use crate::error::Error;
 use crate::files;
 use peak::peak;
 
-pub use advice::allowances;
+use advice::allowances;
 pub use derivative::pick_derivatives;
 pub use pick::{Picked, SummaryPath, pick, summary_paths};
-pub use provenance::provenance;
+pub use provenance::RunSource;
 
 const SUMMARY: &str = "summary.json";
 
@@ -48,7 +49,21 @@ pub struct RunInfo<'a> {
     pub comparisons: &'a [Comparison],
 }
 
-/// The content of `summary.json`; NaN and infinities become `null`.
+/// The content of `summary.json` of a scenario's run, with what the scenario allows, a code with its reason each, and the origin of the run: the same
+/// for the command and for Python.
+pub fn scenario_summary(
+    run: &RunSummary,
+    info: RunInfo<'_>,
+    allowed: &[(Code, &str)],
+    source: RunSource<'_>,
+) -> Value {
+    let mut value = summary_value(run, info);
+    value["provenance"] = source.value();
+    value["allow"] = allowances(allowed, info.advice, info.warnings);
+    value
+}
+
+/// The content of `summary.json` that follows from the run alone; NaN and infinities become `null`.
 pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
     let mut summary = json!({
         "percuss_version": env!("CARGO_PKG_VERSION"),

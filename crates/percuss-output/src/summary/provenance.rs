@@ -6,14 +6,28 @@ use std::time::SystemTime;
 use chrono::{DateTime, SecondsFormat, Utc};
 use serde_json::{Value, json};
 
-/// The scenario's name as it was given, what was changed of it, when the run started (UTC), and on what kind of machine.
-pub fn provenance(scenario: &str, overrides: &[String], started: SystemTime) -> Value {
-    json!({
-        "scenario": scenario,
-        "overrides": overrides,
-        "started": DateTime::<Utc>::from(started).to_rfc3339_opts(SecondsFormat::Secs, true),
-        "machine": machine(),
-    })
+/// Origin of a run.
+#[derive(Clone, Copy, Debug)]
+pub struct RunSource<'a> {
+    /// Name of the scenario as it was given.
+    pub scenario: &'a str,
+    /// Changes, each as `path=value`, shape (changes).
+    pub overrides: &'a [String],
+    /// Start of the run.
+    pub started: SystemTime,
+}
+
+impl RunSource<'_> {
+    /// `provenance` of a summary: also the kind of machine.
+    pub(super) fn value(&self) -> Value {
+        let started = DateTime::<Utc>::from(self.started);
+        json!({
+            "scenario": self.scenario,
+            "overrides": self.overrides,
+            "started": started.to_rfc3339_opts(SecondsFormat::Secs, true),
+            "machine": machine(),
+        })
+    }
 }
 
 /// System, architecture, and the processor where the system tells its name.

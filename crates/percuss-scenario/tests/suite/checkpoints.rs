@@ -51,7 +51,7 @@ impl Recorder for Bits {
         Ok(())
     }
 
-    fn wants_frame(&mut self, _: f64, _: f64, _: bool) -> bool {
+    fn wants_frame(&mut self, _: f64, _: f64, _: f64) -> bool {
         true
     }
 

@@ -5,4 +5,5 @@ mod error_bars;
 mod open_contacts;
 mod sensitivities;
 mod studies;
+mod tables;
 mod yielding;

@@ -8,8 +8,8 @@ use super::spectrum::Held;
 use super::static_contacts::StaticContact;
 use super::yields::StaticYielding;
 use crate::frame::{Frame, FrameForce};
-use crate::geometry::row::Row;
 use crate::state::State;
+use crate::step::contacts::PressingPair;
 use crate::summary::{PointForces, SectionForceSummary};
 
 /// A static equilibrium.
@@ -38,7 +38,7 @@ pub struct Equilibrium {
     /// Contacts in the equilibrium, in the model's order, shape (contacts).
     pub contacts: Vec<StaticContact>,
     /// Contacts that press, with their forces, shape (pairs that press) \[N\].
-    pub(crate) pressed: Vec<(Row, f64)>,
+    pub(crate) pressed: Vec<PressingPair>,
     /// Active contacts of beams, which remain closed in small motions, shape (pairs that press).
     pub(crate) held: Vec<Held>,
     /// Springs and hinges that can yield, in the model's order, shape (such springs and hinges).

@@ -16,6 +16,7 @@ use crate::linalg::block::inner;
 use crate::model::frozen::BeamData;
 use crate::model::{Fault, Model};
 use crate::state::State;
+use crate::step::contacts::PressingPair;
 
 /// Load steps, as a share of the load: small enough to stay on the branch that starts at rest where a beam has several
 /// equilibria (a roll of one turn more or less).
@@ -107,7 +108,11 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
         load_factors: search.forcing.factors.clone(),
         reactions: names.zip(reactions).collect(),
         contacts: search.contacts.results(model),
-        pressed: search.contacts.forces().map(|(_, force, row)| (*row, force)).collect(),
+        pressed: search
+            .contacts
+            .forces()
+            .map(|(pair, force, row)| PressingPair { pair, row: *row, force })
+            .collect(),
         held: search.contacts.held(model, &state),
         yielding: at_rest(model, &state),
         failures: Vec::new(),

@@ -18,7 +18,6 @@ use crate::analysis::damped_modes::{modal_damping, undampable};
 use crate::analysis::static_contacts::takes_part;
 use crate::contact::search::Search;
 use crate::error::Error;
-use crate::geometry::row::Row;
 use crate::geometry::touch::Reach;
 use crate::ledger::{Ledger, Measures, RoundOff};
 use crate::model::frozen::ContactData;
@@ -26,6 +25,7 @@ use crate::model::{Fault, Model};
 use crate::settings::{ImpactResolution, SAME_INSTANT, Settings, Start};
 use crate::state::State;
 use crate::step::commit;
+use crate::step::contacts::PressingPair;
 use crate::step::newton::Effort;
 use crate::summary::{RunSummary, Termination};
 
@@ -61,7 +61,7 @@ pub struct Simulation<'m> {
     pub(super) rows: Rows,
     pub(super) frames: Frames,
     /// Active contacts in the equilibrium at the start of the run, with their forces, shape (such contacts) \[N\]; empty otherwise.
-    pub(super) pressed: Vec<(Row, f64)>,
+    pub(super) pressed: Vec<PressingPair>,
 }
 
 impl<'m> Simulation<'m> {
@@ -126,6 +126,7 @@ impl<'m> Simulation<'m> {
         let round_off = RoundOff::new(model, settings.step);
         state.ledger = Ledger::open(&self.measures, &round_off);
         self.monitor.open(model, state, &self.pressed);
+        self.frames = Frames::at_start(&self.pressed);
         self.rows.time = f64::NEG_INFINITY;
         self.step_size = StepSizeControl::new(model, settings, state);
         state.pairs.iter_mut().for_each(|pair| pair.closed = false);
@@ -263,8 +264,8 @@ impl<'m> Simulation<'m> {
         monitor.settle(state);
         monitor.reactions.close();
         recorder.state(state);
-        let (contact, impulsive) = frames.contact();
-        if recorder.wants_frame(state.time, contact, impulsive) {
+        let [force, impulse] = frames.contact();
+        if recorder.wants_frame(state.time, force, impulse) {
             recorder.frame(&frames.frame(model, state, monitor.lines()));
         }
         if recorder.wants_rows() {
@@ -273,6 +274,7 @@ impl<'m> Simulation<'m> {
             recorder.row(values).map_err(Error::recorder)?;
         }
         rows.end();
+        frames.end_row();
         Ok(())
     }
 

@@ -7,12 +7,12 @@ use crate::analysis::static_contacts::hangs;
 use crate::analysis::static_search::{stored_strains, unbalanced_forces};
 use crate::analysis::{equilibrium, mechanisms};
 use crate::error::Error;
-use crate::geometry::row::Row;
 use crate::math::vec2::{dot, rot90, scale};
 use crate::model::frozen::{BeamData, Body};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
+use crate::step::contacts::PressingPair;
 use crate::step::effective_mass;
 use crate::step::forcing::Forcing;
 use crate::step::{commit, fibres, lead};
@@ -115,7 +115,7 @@ pub fn reverse(state: &mut State) {
 }
 
 /// Accelerations under the loads and stresses of the initial state, in which contacts press with the forces given.
-pub fn initial_acceleration(model: &Model, step: f64, state: &mut State, pressed: &[(Row, f64)]) {
+pub fn initial_acceleration(model: &Model, step: f64, state: &mut State, pressed: &[PressingPair]) {
     let mut forcing = Forcing::new(model);
     forcing.set(model, (0.0, step, 0.5), step, &state.followed);
     forcing.set_loads_at(model, 0.0, step);
@@ -140,7 +140,7 @@ pub fn initial_acceleration(model: &Model, step: f64, state: &mut State, pressed
         (0..4).for_each(|k| f[k] -= m[k]);
     }
     let mut contact_forces = vec![[0.0; 4]; model.node_count()];
-    pressed.iter().for_each(|(row, force)| row.spread(*force, &mut contact_forces));
+    pressed.iter().for_each(|one| one.row.spread(one.force, &mut contact_forces));
     for (f, contact) in force.iter_mut().zip(&contact_forces) {
         (0..4).for_each(|i| f[i] += contact[i]);
     }
@@ -184,7 +184,7 @@ pub struct Initial {
     /// Reactions of the supports, shape (supports, 3) \[N, N m\].
     pub reactions: Vec<[f64; 3]>,
     /// Contacts of an equilibrium that press, with their forces, shape (such contacts) \[N\]; empty for the reference configuration.
-    pub pressed: Vec<(Row, f64)>,
+    pub pressed: Vec<PressingPair>,
 }
 
 /// The reference configuration or static equilibrium, with projectiles at their standoff from it, and its reactions.

@@ -101,6 +101,17 @@ pub struct SmoothContact {
     pub end: Option<Memory>,
 }
 
+/// A pair that presses in a static equilibrium.
+#[derive(Clone, Copy, Debug)]
+pub struct PressingPair {
+    /// The pair.
+    pub pair: usize,
+    /// Form of the force.
+    pub row: Row,
+    /// Force along it \[N\].
+    pub force: f64,
+}
+
 /// A rigid contact in a step, as last evaluated.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct RigidContact {

@@ -128,7 +128,7 @@ fn frames_hold_the_rates_that_are_conserved() {
         fn row(&mut self, _values: &[f64]) -> Result<(), RecorderError> {
             Ok(())
         }
-        fn wants_frame(&mut self, _time: f64, _contact: f64, _impulsive: bool) -> bool {
+        fn wants_frame(&mut self, _time: f64, _force: f64, _impulse: f64) -> bool {
             true
         }
         fn frame(&mut self, frame: &Frame<'_>) {

@@ -38,9 +38,8 @@ impl Recorder for Frames {
         Ok(())
     }
 
-    fn wants_frame(&mut self, _time: f64, contact: f64, impulsive: bool) -> bool {
-        assert!(contact > 0.0 || !impulsive);
-        self.impulsive = impulsive;
+    fn wants_frame(&mut self, _time: f64, _force: f64, impulse: f64) -> bool {
+        self.impulsive = impulse > 0.0;
         true
     }
 

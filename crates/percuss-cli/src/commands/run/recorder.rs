@@ -127,8 +127,8 @@ impl Recorder for RunRecorder {
         }
     }
 
-    fn wants_frame(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
-        self.frames.wants(time, contact, impulsive)
+    fn wants_frame(&mut self, time: f64, force: f64, impulse: f64) -> bool {
+        self.frames.wants(time, force, impulse)
     }
 
     fn frame(&mut self, frame: &Frame<'_>) {

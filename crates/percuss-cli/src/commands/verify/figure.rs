@@ -81,8 +81,8 @@ impl Recorder for Frames {
         false
     }
 
-    fn wants_frame(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
-        self.0.wants(time, contact, impulsive)
+    fn wants_frame(&mut self, time: f64, force: f64, impulse: f64) -> bool {
+        self.0.wants(time, force, impulse)
     }
 
     fn frame(&mut self, frame: &Frame<'_>) {

@@ -12,6 +12,7 @@ use crate::scalar::in_lanes;
 use crate::state::State;
 use crate::step::assemble::forces_at_rest;
 use crate::step::columns::Columns;
+use crate::step::contacts::PressingPair;
 use crate::step::end_forces::EndForces;
 use crate::step::external::{tangent_at, turned};
 use crate::step::forcing::Forcing;
@@ -57,7 +58,7 @@ impl Lines {
 
     /// Of a state at rest, which what acts at time zero has brought about, the forces of contacts among it; nothing acts in the
     /// reference configuration.
-    pub fn at_rest(model: &Model, state: &State, pressed: &[(Row, f64)]) -> Self {
+    pub fn at_rest(model: &Model, state: &State, pressed: &[PressingPair]) -> Self {
         let nodes = &state.displacement[..model.beam_node_count()];
         let moved = nodes.as_flattened().iter().any(|u| *u != 0.0);
         let mut forcing = Forcing::new(model);
@@ -68,7 +69,7 @@ impl Lines {
         let increment = &vec![[0.0; 4]; model.node_count()];
         let mut lines = Self::default();
         let forcing = &forcing;
-        let pressed = pressed.iter().map(|(row, force)| ([row; 2], [*force, 0.0]));
+        let pressed = pressed.iter().map(|one| ([&one.row; 2], [one.force, 0.0]));
         let rule = &Integration { h: 1.0, rule: Rule::Static };
         lines.set(model, &Acting { state, increment, rule, beams, forcing }, pressed);
         lines

@@ -21,6 +21,7 @@ use crate::model::Model;
 use crate::model::frozen::SupportData;
 use crate::run::solving::trial::{Accepted, PartSolution, Solved};
 use crate::state::State;
+use crate::step::contacts::PressingPair;
 use crate::step::effective_mass::EffectiveMass;
 use crate::step::workspace::Workspace;
 use crate::summary::{Range, SectionForceSummary, SharedBlows, SupportSummary};
@@ -100,7 +101,7 @@ impl Monitor {
 
     /// Opens the record at the initial state, an equilibrium with the given contact forces. Its previous content is dropped first: for a long beam
     /// both would need too much memory.
-    pub fn open(&mut self, model: &Model, state: &State, pressed: &[(Row, f64)]) {
+    pub fn open(&mut self, model: &Model, state: &State, pressed: &[PressingPair]) {
         let reactions = self.reactions.mean().to_vec();
         (self.lines, self.section_forces) = Default::default();
         *self = Self::new(model, state, &reactions);

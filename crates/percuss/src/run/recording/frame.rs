@@ -1,4 +1,4 @@
-//! Frames of a run: its configuration at an instant, with the forces that belong to it, for drawings.
+//! Frames of a run: its configuration at an instant, with the forces and impulses that belong to it, for drawings.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,74 +7,105 @@ use crate::frame::{Frame, FrameForce};
 use crate::geometry::touch::{Reach, tangent_of};
 use crate::math::vec2::{add, norm, scale};
 use crate::model::Model;
-use crate::run::solving::trial::Accepted;
+use crate::run::solving::trial::{Accepted, PartKind};
 use crate::state::State;
+use crate::step::contacts::PressingPair;
 
-/// Contact forces in a part of a step.
+/// In an impact a contact at rest has an impulse of its own only above this multiple of that of its force.
+const OF_FORCE: f64 = 2.0;
+
+/// What a pair carries along normal and tangent.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-struct Pressed {
+struct Carried {
     pair: usize,
-    /// Along normal and tangent, shape (2) \[N\], or \[N s\] of an impulse.
-    force: [f64; 2],
-    impulsive: bool,
+    /// A force or an impulse, shape (2) \[N\] or \[N s\].
+    vector: [f64; 2],
 }
 
-/// Data of frames.
+/// Data of frames. Forces and impulses are apart: no force is an impulse over the length of a step.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Frames {
-    /// Contact forces in the last accepted part of a step, shape (such contacts).
-    pressed: Vec<Pressed>,
-    /// Sum of the magnitudes of its forces, or of its impulses if there were any \[N\] or \[N s\].
-    contact: f64,
-    /// Whether they are impulses.
-    impulsive: bool,
-    /// Factors of its loads, shape (loads) \[-\].
+    /// Forces of compliant contacts in the last accepted part of a step, shape (such pairs) \[N\].
+    compliant: Vec<Carried>,
+    /// Forces of persistent contacts in the last part without a jump of velocities, of those still closed, in the order of pairs,
+    /// shape (such pairs) \[N\]; at the start of a run those of the equilibrium.
+    persistent: Vec<Carried>,
+    /// Impulses of impacts since the last row, in the order of pairs, shape (such pairs) \[N s\].
+    impulses: Vec<Carried>,
+    /// Factors of the loads in the last part, shape (loads) \[-\].
     load_factors: Vec<f64>,
     /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
     #[serde(skip)]
     section_forces: Vec<[[f64; 3]; 2]>,
-    /// Forces of everything that touches, shape (such forces).
+    /// Forces and impulses of everything that touches, shape (such forces and impulses).
     #[serde(skip)]
     contact_forces: Vec<FrameForce>,
 }
 
 impl Frames {
+    /// At the start of a run, with the forces of the pairs of an equilibrium.
+    pub fn at_start(pressed: &[PressingPair]) -> Self {
+        let force = |one: &PressingPair| Carried { pair: one.pair, vector: [one.force, 0.0] };
+        let mut persistent: Vec<Carried> = pressed.iter().map(force).collect();
+        persistent.sort_unstable_by_key(|one| one.pair);
+        Self { persistent, ..Self::default() }
+    }
+
     /// Whether they belong to a model.
     pub fn fits(&self, model: &Model) -> bool {
         let loads = [0, model.loads.len()];
-        self.pressed.iter().all(|one| one.pair < model.pairs.len())
-            && loads.contains(&self.load_factors.len())
+        let mut carried = [&self.compliant, &self.persistent, &self.impulses].into_iter().flatten();
+        carried.all(|one| one.pair < model.pairs.len()) && loads.contains(&self.load_factors.len())
     }
 
     /// Enters an accepted part of a step.
     pub fn take(&mut self, part: &Accepted<'_>) {
-        let (solved, work) = (part.solved, part.work());
-        // Resting contacts may have an impulse in such a short part, too: no quotient by its length is a force.
-        let trial = &solved.trial;
-        let impulsive = solved.impulsive && (trial.carries_impulses() || !trial.active.is_empty());
-        let divisor = if impulsive { 1.0 } else { trial.h };
-        let smooth = work.smooth.iter().map(|c| Pressed {
-            pair: c.pair,
-            force: [c.force.force, 0.0],
-            impulsive: false,
-        });
-        let rigid = work.rigid_pairs.iter().zip(&work.rigid).map(|(pair, c)| Pressed {
-            pair: *pair,
-            force: c.impulse.map(|l| l / divisor),
-            impulsive,
-        });
-        self.pressed.clear();
-        self.pressed.extend(smooth.chain(rigid).filter(|one| one.force != [0.0; 2]));
-        let smooth: f64 = work.smooth.iter().map(|c| c.force.force.abs()).sum();
-        let rigid: f64 = work.rigid.iter().map(|c| norm(c.impulse)).sum();
-        self.contact = if rigid > 0.0 { rigid / divisor } else { smooth };
-        self.impulsive = impulsive && rigid > 0.0;
-        self.load_factors.clone_from(&solved.solution.forcing.factors);
+        let smooth = part.work().smooth.iter();
+        let compliant = smooth.map(|c| Carried { pair: c.pair, vector: [c.force.force, 0.0] });
+        self.compliant.clear();
+        self.compliant.extend(compliant.filter(Carried::is_any));
+        self.take_rigid(part);
+        self.load_factors.clone_from(&part.solved.solution.forcing.factors);
     }
 
-    /// Sum of the magnitudes of all contact forces \[N\], or impulses \[N s\], and whether they are impulses.
-    pub fn contact(&self) -> (f64, bool) {
-        (self.contact, self.impulsive)
+    /// Rigid contacts have a force in a part in which no velocity jumps, and in any other an impulse.
+    fn take_rigid(&mut self, part: &Accepted<'_>) {
+        let (solved, work) = (part.solved, part.work());
+        let h = solved.trial.h;
+        let rigid = work.rigid_pairs.iter().zip(&work.rigid);
+        let given = rigid.map(|(pair, c)| Carried { pair: *pair, vector: c.impulse });
+        if !solved.jumps {
+            self.persistent.clear();
+            let forces = given.map(|one| Carried { vector: one.vector.map(|l| l / h), ..one });
+            self.persistent.extend(forces.filter(Carried::is_any));
+            self.persistent.sort_unstable_by_key(|one| one.pair);
+            return;
+        }
+        // A part without impact may be as short as one: what contacts at rest have in it is no force, and nothing strikes.
+        if !matches!(solved.trial.kind, PartKind::Free { .. }) {
+            for one in given.filter(Carried::is_any) {
+                let known = place_of(&self.persistent, one.pair).ok();
+                let of_force = known.map_or(0.0, |k| norm(self.persistent[k].vector) * h);
+                if norm(one.vector) > OF_FORCE * of_force {
+                    self.add_impulse(one);
+                }
+            }
+        }
+        let closed = |one: &Carried| solved.impulsive && part.after.pairs[one.pair].closed;
+        self.persistent.retain(closed);
+    }
+
+    fn add_impulse(&mut self, one: Carried) {
+        match place_of(&self.impulses, one.pair) {
+            Ok(k) => (0..2).for_each(|i| self.impulses[k].vector[i] += one.vector[i]),
+            Err(k) => self.impulses.insert(k, one),
+        }
+    }
+
+    /// Sums of the magnitudes of all contact forces \[N\], and of the impulses since the last row \[N s\].
+    pub fn contact(&self) -> [f64; 2] {
+        let sum = |list: &[Carried]| list.iter().map(|one| norm(one.vector)).sum::<f64>();
+        [sum(&self.compliant) + sum(&self.persistent), sum(&self.impulses)]
     }
 
     /// The frame of a state.
@@ -82,8 +113,10 @@ impl Frames {
         self.section_forces.clear();
         self.section_forces.extend(lines.ends(model.element_count()));
         self.contact_forces.clear();
-        let force = |one: &Pressed| one.force_on(model, state);
-        self.contact_forces.extend(self.pressed.iter().filter_map(force));
+        let forces = self.compliant.iter().chain(&self.persistent).map(|one| (one, false));
+        let impulses = self.impulses.iter().map(|one| (one, true));
+        let placed = |(one, impulsive): (&Carried, bool)| one.on_target(model, state, impulsive);
+        self.contact_forces.extend(forces.chain(impulses).filter_map(placed));
         if state.time == 0.0 {
             // Before the first step no mean over one exists: the forces at that instant.
             let at_once = model.loads.iter().map(|load| load.factor_at_start());
@@ -99,14 +132,28 @@ impl Frames {
             load_factors: &self.load_factors,
         }
     }
+
+    /// Ends a row.
+    pub fn end_row(&mut self) {
+        self.impulses.clear();
+    }
 }
 
-impl Pressed {
-    /// Its force on the target, at its current position; `None` if the two no longer face each other.
-    fn force_on(&self, model: &Model, state: &State) -> Option<FrameForce> {
+/// Place of a pair in a list in the order of pairs, or that where it belongs.
+fn place_of(list: &[Carried], pair: usize) -> Result<usize, usize> {
+    list.binary_search_by_key(&pair, |one| one.pair)
+}
+
+impl Carried {
+    fn is_any(&self) -> bool {
+        self.vector != [0.0; 2]
+    }
+
+    /// On the target, at its current position; `None` if the two no longer face each other.
+    fn on_target(&self, model: &Model, state: &State, impulsive: bool) -> Option<FrameForce> {
         let (pair, seen) = (&model.pairs[self.pair], &state.pairs[self.pair]);
         let touch = pair.touch(model, &state.configuration(), &seen.memory, Reach::Near)?;
-        let [normal, tangential] = self.force;
+        let [normal, tangential] = self.vector;
         let along = scale(tangential, tangent_of(touch.normal));
         let on_source = add(scale(normal, touch.normal), along);
         let sign = if pair.source_partner == 1 { 1.0 } else { -1.0 };
@@ -114,7 +161,7 @@ impl Pressed {
             contact: pair.contact,
             position: add(touch.closest_place, scale(touch.radius, touch.normal)),
             force: scale(sign, on_source),
-            impulsive: self.impulsive,
+            impulsive,
         })
     }
 }

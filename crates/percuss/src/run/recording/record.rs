@@ -47,10 +47,10 @@ pub trait Recorder {
         let _ = state;
     }
 
-    /// Whether the frame of a row at `time` is requested; if not, [`Recorder::frame`] is not called. `contact` is the sum of the magnitudes of all
-    /// contact forces of the last step \[N\], or in an impact (`impulsive`) of impulses \[N s\].
-    fn wants_frame(&mut self, time: f64, contact: f64, impulsive: bool) -> bool {
-        let _ = (time, contact, impulsive);
+    /// Whether the frame of a row at `time` is requested; if not, [`Recorder::frame`] is not called. `force` and `impulse` are the sums of the
+    /// magnitudes of its contact forces \[N\] and of its impulses \[N s\].
+    fn wants_frame(&mut self, time: f64, force: f64, impulse: f64) -> bool {
+        let _ = (time, force, impulse);
         false
     }
 
