@@ -86,5 +86,5 @@ def check(scenario: Scenarios, **overrides: Any) -> Review:
 
 
 def changes_of(overrides: Mapping[str, Any]) -> dict[str, Any]:
-    """Paths of keywords: ``projectile__mass__velocity`` means ``projectile.mass.velocity``."""
-    return {path.replace("__", "."): value for path, value in overrides.items()}
+    """Keywords, which the scenario turns into paths: ``projectile__mass__velocity`` means ``projectile.mass.velocity``."""
+    return dict(overrides)

@@ -88,8 +88,8 @@ fn paths_that_lead_nowhere_name_what_is_near() {
         ("projectile.mas.mass", "`mass`"),
         ("projectile.mass.stifness", "did you mean `stiffness`?"),
         ("projectile.mass.restitution", "one of"),
-        ("projectile.mass.velocity[3]", "`0`, `1`"),
-        ("projectile.mass.mass.more", "none at all"),
+        ("projectile.mass.velocity[3]", "an entry from 0 to 1"),
+        ("projectile.mass.mass.more", "the path `projectile.mass.mass`"),
     ] {
         let fault = scenario.field(path).expect_err(path);
         assert!(fault.expected.contains(wanted), "{path}: {} / {}", fault.found, fault.expected);
