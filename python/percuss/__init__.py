@@ -75,7 +75,6 @@ __all__ = [
     "function",
     "load",
     "modes",
-    "open",
     "openturns",
     "run",
     "sensitivity",

@@ -75,7 +75,7 @@ class Function:
     (3, 3)
     """
 
-    def __init__(self, study: _percuss.Study, failed: Literal["raise", "nan"] = "raise") -> None:
+    def __init__(self, study: _percuss.Study, *, failed: Literal["raise", "nan"] = "raise") -> None:
         if failed not in ("raise", "nan"):
             raise ValueError(f'failed is {failed!r}; it may be "raise" or "nan"')
         inputs, bounds, middle, outputs = _percuss.function_layout(study)
@@ -192,7 +192,7 @@ class Function:
         Examples
         --------
         >>> f = percuss.function("speed-and-mass.toml")
-        >>> f.at([[0, 0, 0.5], [1, 1, 0.5]])[:, :2]
+        >>> f.at([[0, 0, 0.5], [1, 1, 0.5]])[:, :2].round(3)
         array([[ 10., 250.],
                [ 30., 900.]])
         """
@@ -283,7 +283,7 @@ class Function:
         return f"<percuss.Function ({', '.join(self.names)}) -> ({', '.join(self.results)})>"
 
 
-def function(study: StudySource, failed: Literal["raise", "nan"] = "raise", allow_outside: bool = False) -> Function:
+def function(study: StudySource, *, failed: Literal["raise", "nan"] = "raise", allow_outside: bool = False) -> Function:
     """A study as a function ``y = f(x)``; see :class:`Function`.
 
     Parameters
@@ -310,7 +310,7 @@ def function(study: StudySource, failed: Literal["raise", "nan"] = "raise", allo
     >>> percuss.function("speed.toml")
     <percuss.Function (speed) -> (peak_force, deflection, stress)>
     """
-    return Function(study_of(study, {}, allow_outside), failed)
+    return Function(study_of(study, {}, allow_outside), failed=failed)
 
 
 def openturns_function(study: StudySource | Function) -> openturns.Function:

@@ -82,9 +82,4 @@ def check(scenario: Scenarios, **overrides: Any) -> Review:
     []
     """
     given = scenario_of(scenario)
-    return Review(Advice(*one) for one in _percuss.check(given._source(changes_of(overrides))))
-
-
-def changes_of(overrides: Mapping[str, Any]) -> dict[str, Any]:
-    """Keywords, which the scenario turns into paths: ``projectile__mass__velocity`` means ``projectile.mass.velocity``."""
-    return dict(overrides)
+    return Review(Advice(*one) for one in _percuss.check(given._source(overrides)))

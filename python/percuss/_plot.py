@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._errors import InputError, MissingError, coded
+from ._options import colour_of, texts
 from ._words import unit_words, words
 
 if TYPE_CHECKING:
@@ -50,9 +51,11 @@ class Plots:
     def __call__(
         self,
         t: float | None = None,
+        *,
         ax: Axes | None = None,
         scale: float = 1.0,
         colour: str = "none",
+        color: str | None = None,
         hide: Collection[str] = (),
     ) -> Axes:
         """The scene at a time: beams to scale, supports, bodies, loads, contact forces.
@@ -67,6 +70,8 @@ class Plots:
             Displacements are drawn so many times as large.
         colour : {"none", "stress", "velocity", "moment", "axial", "shear"}
             What colours the beams.
+        color : str, optional
+            The same as ``colour``.
         hide : collection of str
             Some of ``forces``, ``loads`` and ``ghost``, the reference configuration.
 
@@ -96,7 +101,7 @@ class Plots:
             peak = fields.largest[1]
             t = float(fields.time[0]) if peak is None else peak
         ax = ax or pyplot().subplots(figsize=_figure_size(fields))[1]
-        Drawing(fields, ax, scale, colour).draw(t, hide)
+        Drawing(fields, ax, scale, colour_of(colour, color)).draw(t, texts("hide", hide))
         return ax
 
     def columns(self, *names: str, ax: Axes | None = None) -> Axes:
@@ -244,7 +249,7 @@ class Plots:
         names = [n for n in self._result.columns if n.startswith("point.") and ".displacement_" in n]
         return self.columns(*self._seen(names), ax=ax)
 
-    def beam(self, t: float | None = None, ax: Axes | None = None, scale: float = 1.0) -> Axes:
+    def beam(self, t: float | None = None, *, ax: Axes | None = None, scale: float = 1.0) -> Axes:
         """The scene at a time, the end by default.
 
         Parameters
@@ -270,11 +275,13 @@ class Plots:
     def animation(
         self,
         frames: int = 150,
+        *,
         scale: float = 1.0,
         interval: int = 40,
         path: str | os.PathLike[str] | None = None,
         span: tuple[float, float] | None = None,
         colour: str = "none",
+        color: str | None = None,
     ) -> FuncAnimation:
         """Animation of the scene, with equal time intervals.
 
@@ -294,6 +301,8 @@ class Plots:
             Part of the run [s]; by default all of it.
         colour : {"none", "stress", "velocity", "moment", "axial", "shear"}
             What colours the beams.
+        color : str, optional
+            The same as ``colour``.
 
         Returns
         -------
@@ -325,7 +334,7 @@ class Plots:
         start, end = span or (float(fields.time[0]), float(fields.time[-1]))
         times = np.linspace(start, end, max(int(frames), 1))
         figure, ax = plt.subplots(figsize=_figure_size(fields))
-        drawing = Drawing(fields, ax, scale, colour)
+        drawing = Drawing(fields, ax, scale, colour_of(colour, color))
 
         def show(k: int) -> list[Any]:
             return drawing.draw(float(times[k]))

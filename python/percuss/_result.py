@@ -286,7 +286,7 @@ class Result(Columns[np.float64]):
         """
         return self.plot.animation(path=path, **options)
 
-    def export(self, directory: str | os.PathLike[str], format: str = "vtkhdf") -> list[str]:
+    def export(self, directory: str | os.PathLike[str], *, format: str = "vtkhdf") -> list[str]:
         """Writes the motion of the scene for ParaView into a directory of its own.
 
         Parameters

@@ -58,6 +58,9 @@ pub fn function_layout(study: &Bound<'_, crate::study::Study>) -> PyResult<Layou
     Ok((inputs, bounds, function.middle(), outputs))
 }
 
+/// Rows of a correlation matrix, or None of independent parameters.
+type Correlation = Option<Vec<Vec<f64>>>;
+
 /// A kind of variation, and its numbers in SI units.
 type Varies = (&'static str, Vec<f64>);
 
@@ -83,7 +86,7 @@ type Varies = (&'static str, Vec<f64>);
 #[pyfunction]
 pub fn function_variations(
     study: &Bound<'_, crate::study::Study>,
-) -> PyResult<(Vec<Varies>, Option<Vec<Vec<f64>>>)> {
+) -> PyResult<(Vec<Varies>, Correlation)> {
     let study = study.get().inner();
     let function = study.function().map_err(|error| study_error(&error))?;
     let all = function.parameters().iter().map(|p| varies(&p.variation)).collect();

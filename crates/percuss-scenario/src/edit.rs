@@ -25,7 +25,7 @@ pub(crate) fn set(
 ) -> Result<(), Stray> {
     let is_table = value.is_inline_table();
     if !is_table && matches!(known.end, End::Table | End::Collection) {
-        let found = format!("{}, where a table stands", value.to_string().trim());
+        let found = format!("{} instead of a table", value.to_string().trim());
         return Err(Stray::new(found, "the path of a value in it, or a table in braces"));
     }
     let change = Change { known, adds };
