@@ -63,7 +63,7 @@ def test_an_unknown_keyword_names_the_nearest_option(elastic, study):
         with pytest.raises(TypeError, match=f"did you mean '{near}'"):
             call()
     # What is a key of scenarios is none of an option.
-    with pytest.raises(percuss.ScenarioError, match="where a table stands"):
+    with pytest.raises(percuss.ScenarioError, match="instead of a table"):
         percuss.run(elastic, time=1)
 
 
