@@ -77,10 +77,10 @@ def test_distributions_reach_salib():
     f = percuss.function(STUDIES / "speed-and-mass.toml")
     with pytest.raises(percuss.InputError, match="truncated-lognormal"):
         f.problem
-    u = sobol_sample.sample(f.unit_problem, 128, calc_second_order=False, seed=3)
+    u = sobol_sample.sample(f.unit_problem, 256, calc_second_order=False, seed=5)
     of_speed = lambda points: sobol.analyze(f.unit_problem, f(points)[:, 0], calc_second_order=False, seed=3)["S1"][0]  # noqa: E731
     low, high = np.array(f.bounds).T
-    # 128 points know an index to some two or three hundredths.
+    # 256 points know an index to some two hundredths.
     assert of_speed(f.at(u)) == pytest.approx(0.792, abs=0.05)
     assert of_speed(low + (high - low) * u) == pytest.approx(0.587, abs=0.05)
 
