@@ -98,9 +98,9 @@ impl<'d> Found<'d> {
     /// What is said if a step is not here.
     fn without(&self, step: &str, is_name: bool) -> Stray {
         match self {
-            Self::Table(table) if is_name => no_name(&**table, step),
+            Self::Table(table) if is_name => no_name(table.iter(), step),
             Self::Table(table) => {
-                let expected = suggest::one_of(step, names(&**table).into_iter());
+                let expected = suggest::one_of(step, names(table.iter()).into_iter());
                 Stray::new(format!("no `{step}` in the file"), expected)
             }
             Self::Tables(list) => Stray::entry(step, list.len()),
@@ -110,12 +110,12 @@ impl<'d> Found<'d> {
     }
 }
 
-fn names(table: &dyn TableLike) -> Vec<&str> {
-    table.iter().map(|(key, _)| key).collect()
+fn names<'t>(entries: impl Iterator<Item = (&'t str, &'t Item)>) -> Vec<&'t str> {
+    entries.map(|(key, _)| key).collect()
 }
 
-fn no_name(table: &dyn TableLike, name: &str) -> Stray {
-    Stray::name(name, names(table).into_iter())
+fn no_name<'t>(entries: impl Iterator<Item = (&'t str, &'t Item)>, name: &str) -> Stray {
+    Stray::name(name, names(entries).into_iter())
 }
 
 /// Something else in the file than the path leads through.
@@ -140,7 +140,7 @@ impl Change<'_> {
         let key = steps[depth].as_str();
         let is_name = depth == 1 && self.known.is_named;
         if is_name && self.adds == Adds::Fixed && !table.contains_key(key) {
-            return Err(no_name(table, key));
+            return Err(no_name(table.iter(), key));
         }
         let Some(next) = steps.get(depth + 1) else {
             put(table, key, value, depth, self.known.end);
