@@ -38,7 +38,8 @@ from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
 from ._review import Advice, Review
-from ._run import open, run
+from ._run import open as open  # not in `import *`, which would hide that of Python
+from ._run import run
 from ._scenario import Scenario
 from ._sensitivity import Sensitivity, sensitivity
 from ._study import Sweep
