@@ -11,6 +11,7 @@ from . import _percuss
 from ._distributions import joint_distribution, salib_problem, unit_problem
 from ._errors import AnalysisError, InputError, MissingError, PercussError, coded
 from ._named import columns_of
+from ._options import own_options
 from ._structure import Floats
 from ._study import StudySource, study_of
 
@@ -283,6 +284,7 @@ class Function:
         return f"<percuss.Function ({', '.join(self.names)}) -> ({', '.join(self.results)})>"
 
 
+@own_options
 def function(study: StudySource, *, failed: Literal["raise", "nan"] = "raise", allow_outside: bool = False) -> Function:
     """A study as a function ``y = f(x)``; see :class:`Function`.
 
@@ -313,6 +315,7 @@ def function(study: StudySource, *, failed: Literal["raise", "nan"] = "raise", a
     return Function(study_of(study, {}, allow_outside), failed=failed)
 
 
+@own_options
 def openturns_function(study: StudySource | Function) -> openturns.Function:
     """A study as an ``openturns.Function`` with its gradient; samples are computed in batches.
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any, Union
 
 from . import _percuss
+from ._options import own_options
 from ._review import Advice, Review
 from ._scenario import Scenario
 
@@ -14,6 +15,7 @@ Scenarios = Union[Scenario, str, "os.PathLike[str]", Mapping[str, Any]]
 """A scenario, the path of its file, or nested dictionaries."""
 
 
+@own_options
 def load(path: str | os.PathLike[str], *, allow_outside: bool = False) -> Scenario:
     """A scenario from a file.
 

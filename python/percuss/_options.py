@@ -2,9 +2,15 @@
 
 from __future__ import annotations
 
+import functools
+import inspect
 import os
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from difflib import get_close_matches
+from typing import ParamSpec, TypeVar
+
+Arguments = ParamSpec("Arguments")
+Returned = TypeVar("Returned")
 
 OPTIONS = (
     "about", "accuracy", "allow_outside", "client", "count", "executor", "failed", "jobs", "levels", "out", "parameters", "path",
@@ -16,6 +22,22 @@ OPTIONS = (
 def near_option(keyword: str) -> str | None:
     """The option that an unknown keyword is like."""
     return next(iter(get_close_matches(keyword, OPTIONS, n=1)), None)
+
+
+def own_options(function: Callable[Arguments, Returned]) -> Callable[Arguments, Returned]:
+    """A function that names the nearest of its options where a keyword is none of them."""
+    known = list(inspect.signature(function).parameters)
+
+    @functools.wraps(function)
+    def called(*arguments: Arguments.args, **options: Arguments.kwargs) -> Returned:
+        for keyword in options:
+            if keyword not in known:
+                near = get_close_matches(keyword, known, n=1)
+                expected = f"; did you mean {near[0]!r}?" if near else f"; it has {', '.join(known)}"
+                raise TypeError(f"{function.__qualname__} has no option {keyword!r}{expected}")
+        return function(*arguments, **options)
+
+    return called
 
 
 def texts(option: str, given: Iterable[str]) -> list[str]:

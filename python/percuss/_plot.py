@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._errors import InputError, MissingError, coded
-from ._options import colour_of, texts
+from ._options import colour_of, own_options, texts
 from ._words import unit_words, words
 
 if TYPE_CHECKING:
@@ -48,6 +48,7 @@ class Plots:
     def __init__(self, result: Result) -> None:
         self._result = result
 
+    @own_options
     def __call__(
         self,
         t: float | None = None,
@@ -272,6 +273,7 @@ class Plots:
         """
         return self(float(self._result.time[-1]) if t is None else t, ax=ax, scale=scale)
 
+    @own_options
     def animation(
         self,
         frames: int = 150,

@@ -59,6 +59,10 @@ def test_an_unknown_keyword_names_the_nearest_option(elastic, study):
         (lambda: percuss.converge(elastic, level=3), "levels"),
         (lambda: percuss.sweep(study, job=2), "jobs"),
         (lambda: percuss.sweep(study, desing={}), "design"),
+        (lambda: percuss.function(study, fail="nan"), "failed"),
+        (lambda: percuss.load("a.toml", allow_outsde=True), "allow_outside"),
+        (lambda: percuss.run(elastic, shapes=10).plot(scael=2), "scale"),
+        (lambda: percuss.run(elastic, shapes=10).animate(frame=2), "frames"),
     ):
         with pytest.raises(TypeError, match=f"did you mean '{near}'"):
             call()
