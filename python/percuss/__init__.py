@@ -24,6 +24,7 @@ from ._errors import (
     InputError,
     MissingError,
     MissingRunError,
+    PathError,
     PercussError,
     PercussWarning,
     ScenarioError,
@@ -33,7 +34,7 @@ from ._function import Function, function
 from ._function import openturns_function as openturns
 from ._given import Potential
 from ._load import check, load
-from ._open import open
+from ._open import open as open  # not in `import *`, which would hide that of Python
 from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
@@ -57,6 +58,7 @@ __all__ = [
     "MissingError",
     "MissingRunError",
     "Modes",
+    "PathError",
     "PercussError",
     "PercussWarning",
     "Potential",
@@ -74,7 +76,6 @@ __all__ = [
     "function",
     "load",
     "modes",
-    "open",
     "openturns",
     "run",
     "sensitivity",

@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _percuss
 from ._columns import read_only
-from ._load import Scenarios, changes_of, scenario_of
+from ._load import Scenarios, scenario_of
 from ._structure import Beams, Floats
 
 if TYPE_CHECKING:
@@ -90,7 +90,7 @@ class Modes:
     def __len__(self) -> int:
         return len(self.shapes)
 
-    def plot(self, number: int = 1, ax: Axes | None = None, amplitude: float = 0.1) -> Axes:
+    def plot(self, number: int = 1, *, ax: Axes | None = None, amplitude: float = 0.1) -> Axes:
         """Draws a mode over the configuration about which the structure vibrates.
 
         Parameters
@@ -218,7 +218,7 @@ class Equilibrium:
         displacement: Floats = self._native["displacement"]
         return displacement
 
-    def plot(self, ax: Axes | None = None, scale: float = 1.0) -> Axes:
+    def plot(self, ax: Axes | None = None, *, scale: float = 1.0) -> Axes:
         """Draws the structure in equilibrium over its reference.
 
         Parameters
@@ -260,7 +260,7 @@ class Equilibrium:
 
 
 def modes(
-    scenario: Scenarios, count: int = 10, about: Literal["reference", "static"] | None = None, **overrides: Any
+    scenario: Scenarios, count: int = 10, *, about: Literal["reference", "static"] | None = None, **overrides: Any
 ) -> Modes:
     """The lowest natural modes of a scenario; projectiles are ignored.
 
@@ -298,10 +298,10 @@ def modes(
         raise ValueError(f'about={about!r}: expected "reference" or "static"')
     if not 1 <= count <= 1000:
         raise ValueError(f"count={count}: expected from 1 to 1000 modes")
-    return Modes(_percuss.modes(scenario_of(scenario)._source(changes_of(overrides)), count, about))
+    return Modes(_percuss.modes(scenario_of(scenario)._source(overrides), count, about))
 
 
-def static(scenario: Scenarios, path: bool = False, **overrides: Any) -> Equilibrium:
+def static(scenario: Scenarios, *, path: bool = False, **overrides: Any) -> Equilibrium:
     """Static equilibrium under the loads that act at time zero; projectiles are ignored.
 
     Parameters
@@ -333,4 +333,4 @@ def static(scenario: Scenarios, path: bool = False, **overrides: Any) -> Equilib
     >>> round(1000 * place[1], 1)  # mm
     -22.0
     """
-    return Equilibrium(_percuss.static(scenario_of(scenario)._source(changes_of(overrides)), path))
+    return Equilibrium(_percuss.static(scenario_of(scenario)._source(overrides), path))

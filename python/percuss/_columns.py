@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping, ValuesView
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
@@ -21,15 +20,9 @@ class Columns(Generic[Kind]):
 
     _columns: Mapping[str, Any]
 
-    if not TYPE_CHECKING:
-
-        @property
-        def __class__(self) -> type:
-            # `pandas.DataFrame(result)` takes columns by their names from what says it is a dict, and from nothing else. To be
-            # one in truth, or to say so to everybody, would cost more: pyarrow takes dicts before tables, and would lose the
-            # units, and IPython would print every number.
-            asks = str(sys._getframe(1).f_globals.get("__name__", ""))
-            return dict if asks.partition(".")[0] == "pandas" else type(self)
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> NDArray[Any]:
+        # NumPy, and pandas with it, would make an array of the names.
+        raise TypeError(f"a {type(self).__name__} has columns by name: use to_pandas() for a table, or a column for an array")
 
     def __getitem__(self, name: str) -> NDArray[Kind]:
         """A column by its name.
@@ -145,6 +138,9 @@ class Columns(Generic[Kind]):
         table = pandas.DataFrame({name: np.array(values) for name, values in self.items()})
         table.attrs.update(units=units, descriptions=descriptions)
         return table
+
+
+Mapping.register(Columns)
 
 
 def read_only(value: Any) -> None:

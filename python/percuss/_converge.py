@@ -12,7 +12,8 @@ import numpy as np
 from . import _percuss
 from ._columns import nearest
 from ._errors import AnalysisError, InputError, coded
-from ._load import Scenarios, changes_of, scenario_of
+from ._load import Scenarios, scenario_of
+from ._options import texts
 from ._plot import pyplot
 from ._progress import Progress
 from ._result import Result
@@ -180,9 +181,10 @@ class Convergences(dict[str, Convergence]):
 def converge(
     scenario: Scenarios,
     quantity: Quantity | None = None,
+    *,
     refine: Sequence[str] = ("step", "mesh"),
     levels: int = 3,
-    progress: bool | None = None,
+    progress: bool | Callable[[float, float], object] | None = None,
     **overrides: Any,
 ) -> Convergences:
     """Repeats a run with halved steps and with doubled meshes: observed order, limit, error of the given settings.
@@ -199,8 +201,8 @@ def converge(
         ``"step"``, ``"mesh"`` or both.
     levels : int
         Runs of each, 3 or more: an order needs three values.
-    progress : bool, optional
-        Whether a bar is shown; by default on a terminal and in notebooks.
+    progress : bool or callable, optional
+        Whether a bar is shown; by default on a terminal and in notebooks. A function is called with the runs done and their number.
     **overrides
         Values to change, with ``__`` for the dots of a path.
 
@@ -230,12 +232,12 @@ def converge(
     """
     if levels < 3:
         raise coded(InputError, f"levels={levels}: expected 3 or more, an order needs three values", "E311")
-    unknown = [word for word in refine if word not in ("step", "mesh")]
+    unknown = [word for word in texts("refine", refine) if word not in ("step", "mesh")]
     if unknown:
         raise ValueError(f'refine: {unknown[0]!r}, expected "step" or "mesh"')
     given = scenario_of(scenario)
     base = Scenario(_written(given, overrides), given.name)
-    base._given = given._source(changes_of(overrides))[3]
+    base._given = given._source(overrides)[3]
     if "step" in refine and "time.accuracy" in base:
         text = "time.accuracy chooses steps as it goes, and what is halved here is one that is given: give a time.step"
         raise coded(InputError, text, "E311")
@@ -261,7 +263,7 @@ def converge(
 
 
 def _written(scenario: Scenario, overrides: dict[str, Any]) -> str:
-    return _percuss.written(scenario._source(changes_of(overrides)))
+    return _percuss.written(scenario._source(overrides))
 
 
 def _completed(scenario: Scenario) -> Result:

@@ -158,6 +158,18 @@ class ScenarioError(PercussError, ValueError):
         return self.faults[0].field
 
 
+class PathError(ScenarioError, KeyError):
+    """A path of a scenario leads nowhere; also a ``KeyError``.
+
+    Examples
+    --------
+    >>> scenario = percuss.load("plank.toml")
+    >>> scenario["projectile.bag.velocty"] = [0, "-7 m/s"]
+    Traceback (most recent call last):
+    percuss._errors.PathError: plank.toml: projectile.bag.velocty: found the unknown key `velocty`, expected one of ...
+    """
+
+
 class AnalysisError(PercussError, RuntimeError):
     """An analysis found no solution; also a ``RuntimeError``.
 

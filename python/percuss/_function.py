@@ -6,10 +6,12 @@ import re
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from . import _percuss
+from ._distributions import joint_distribution, salib_problem, unit_problem
 from ._errors import AnalysisError, InputError, MissingError, PercussError, coded
+from ._named import columns_of
+from ._options import own_options
 from ._structure import Floats
 from ._study import StudySource, study_of
 
@@ -47,6 +49,12 @@ class Function:
         Smallest and largest value of each parameter in the study [SI units]; None where it has none.
     middle : ndarray of shape (n_parameter,)
         Median of each parameter in the study [SI units].
+    variations : dict of (str, list of float)
+        Of each parameter how it varies in the study, and the numbers of that [SI units]: ``"uniform"`` and ``"log-uniform"`` (smallest,
+        largest), ``"normal"`` (mean, deviation), ``"lognormal"`` (mean and deviation of the logarithm), ``"truncated-normal"`` and
+        ``"truncated-lognormal"`` (smallest, largest, and these two), ``"values"`` (all of them).
+    correlation : ndarray of shape (n_parameter, n_parameter) or None
+        Correlation matrix of the Gaussian variables behind the parameters, a Gaussian copula [-]; None if they are independent.
 
     Raises
     ------
@@ -68,7 +76,7 @@ class Function:
     (3, 3)
     """
 
-    def __init__(self, study: _percuss.Study, failed: Literal["raise", "nan"] = "raise") -> None:
+    def __init__(self, study: _percuss.Study, *, failed: Literal["raise", "nan"] = "raise") -> None:
         if failed not in ("raise", "nan"):
             raise ValueError(f'failed is {failed!r}; it may be "raise" or "nan"')
         inputs, bounds, middle, outputs = _percuss.function_layout(study)
@@ -80,14 +88,18 @@ class Function:
         self.paths: dict[str, str] = {name: path for name, _, path in [*inputs, *outputs]}
         self.bounds: list[tuple[float, float] | None] = bounds
         self.middle: Floats = np.array(middle)
+        variations, correlation = _percuss.function_variations(study)
+        self.variations: dict[str, tuple[str, list[float]]] = dict(zip(self.names, variations))
+        self.correlation: Floats | None = None if correlation is None else np.array(correlation)
 
-    def __call__(self, x: ArrayLike) -> Floats:
+    def __call__(self, x: Any) -> Floats:
         """Results at points.
 
         Parameters
         ----------
-        x : array of shape (n_parameter,) or (n_point, n_parameter)
-            Points, in SI units.
+        x : array of shape (n_parameter,) or (n_point, n_parameter), or table
+            Points, in SI units. Columns with names are matched with the parameters by them, in any order: those of a table of pandas, polars
+            or Arrow, of a mapping or of a structured array, a sample of OpenTURNS.
 
         Returns
         -------
@@ -98,6 +110,8 @@ class Function:
         ------
         ValueError
             If the array has another shape.
+        InputError
+            If the names are not those of the parameters.
         AnalysisError, InputError
             If a point has no value and ``failed`` is ``"raise"``: which, and why.
 
@@ -106,6 +120,9 @@ class Function:
         >>> f = percuss.function("speed.toml")
         >>> round(float(f([-5.0])[0]))  # N
         2561
+        >>> f = percuss.function("speed-and-mass.toml")
+        >>> bool((f({"young": 2e9, "mass": 500, "speed": 20}) == f([20, 500, 2e9])).all())
+        True
         """
         points = self._points(x)
         flat, failures = _percuss.function_values(self.study, np.atleast_2d(points).tolist())
@@ -115,13 +132,13 @@ class Function:
             raise _told(f"point {point}{more}: {why}" if points.ndim > 1 else why)
         return flat.reshape(*points.shape[:-1], len(self.results))
 
-    def jacobian(self, x: ArrayLike) -> Floats:
+    def jacobian(self, x: Any) -> Floats:
         """Derivatives of all results at a point, exact ones of the run, impacts included.
 
         Parameters
         ----------
-        x : array of shape (n_parameter,)
-            Point, in SI units.
+        x : array of shape (n_parameter,), or mapping
+            Point, in SI units; names are matched as in a call.
 
         Returns
         -------
@@ -151,9 +168,66 @@ class Function:
             raise _told(why)
         return flat.reshape(len(self.results), len(self.names))
 
+    def at(self, shares: Any) -> Floats:
+        """Points at shares of the distributions of the study, correlated as in it.
+
+        Samplers of the unit cube become samples of the study by this, whatever its distributions.
+
+        Parameters
+        ----------
+        shares : array of shape (n_parameter,) or (n_point, n_parameter), or table
+            Shares from 0 to 1 [-]; 0.5 is the median. Names are matched as in a call.
+
+        Returns
+        -------
+        ndarray of the same shape
+            Points [SI units].
+
+        Raises
+        ------
+        ValueError
+            If the array has another shape.
+        InputError
+            If a share is not from 0 to 1.
+
+        Examples
+        --------
+        >>> f = percuss.function("speed-and-mass.toml")
+        >>> f.at([[0, 0, 0.5], [1, 1, 0.5]])[:, :2].round(3)
+        array([[ 10., 250.],
+               [ 30., 900.]])
+        """
+        points = self._points(shares)
+        flat, why = _percuss.function_points(self.study, np.atleast_2d(points).tolist())
+        if why is not None:
+            raise _told(why)
+        return flat.reshape(points.shape)
+
     @property
     def problem(self) -> dict[str, Any]:
-        """The problem definition of SALib.
+        """The problem definition of SALib, with the distributions of the study.
+
+        Returns
+        -------
+        dict
+            ``num_vars``, ``names``, ``dists``, ``bounds``, ``outputs``.
+
+        Raises
+        ------
+        InputError
+            If SALib has no such distributions, or no correlated parameters; :attr:`unit_problem` serves for all.
+
+        Examples
+        --------
+        >>> f = percuss.function("speed.toml")
+        >>> f.problem["dists"], f.problem["bounds"]
+        (['unif'], [[-9.0, -1.0]])
+        """
+        return salib_problem(self)
+
+    @property
+    def unit_problem(self) -> dict[str, Any]:
+        """A problem definition of SALib in shares of the distributions, from 0 to 1: ``f(f.at(samples))``.
 
         Returns
         -------
@@ -162,22 +236,45 @@ class Function:
 
         Raises
         ------
-        ValueError
-            If a parameter has no bounds.
+        InputError
+            If parameters are correlated: indices share out a variance among independent ones.
 
         Examples
         --------
-        >>> percuss.function("speed-and-mass.toml").problem["bounds"][0]
-        [10.0, 30.0]
+        >>> percuss.function("speed-and-mass.toml").unit_problem["bounds"]
+        [[0.0, 1.0], [0.0, 1.0], [0.0, 1.0]]
         """
-        open_ended = [name for name, bounds in zip(self.names, self.bounds) if bounds is None]
-        if open_ended:
-            raise ValueError(f"{', '.join(open_ended)}: no bounds in the study; a range, a uniform or a truncated distribution has them")
-        bounds = [list(pair) for pair in self.bounds if pair is not None]
-        return {"num_vars": len(self.names), "names": list(self.names), "bounds": bounds, "outputs": list(self.results)}
+        return unit_problem(self)
 
-    def _points(self, x: ArrayLike) -> Floats:
-        points = np.asarray(x, dtype=float)
+    def distribution(self) -> openturns.Distribution:
+        """The joint distribution of the parameters in the study, for OpenTURNS.
+
+        Returns
+        -------
+        openturns.Distribution
+            With the correlations of the study as a Gaussian copula, in SI units.
+
+        Raises
+        ------
+        MissingError
+            If OpenTURNS is not installed.
+
+        Examples
+        --------
+        >>> f = percuss.function("speed-and-mass.toml")
+        >>> f.distribution().getMarginal(0)
+        class=Uniform name=Uniform dimension=1 a=10 b=30
+        """
+        return joint_distribution(self)
+
+    def _points(self, x: Any) -> Floats:
+        named = columns_of(x)
+        if named is None:
+            points = np.asarray(x, dtype=float)
+        else:
+            places = _percuss.function_places(self.study, list(named))
+            values = list(named.values())
+            points = np.stack(np.broadcast_arrays(*(np.asarray(values[k], dtype=float) for k in places)), axis=-1)
         if points.ndim not in (1, 2) or points.shape[-1] != len(self.names):
             wanted = f"{len(self.names)} numbers a point ({', '.join(self.names)})"
             raise ValueError(f"found an array of shape {points.shape}, expected {wanted}")
@@ -187,7 +284,8 @@ class Function:
         return f"<percuss.Function ({', '.join(self.names)}) -> ({', '.join(self.results)})>"
 
 
-def function(study: StudySource, failed: Literal["raise", "nan"] = "raise", allow_outside: bool = False) -> Function:
+@own_options
+def function(study: StudySource, *, failed: Literal["raise", "nan"] = "raise", allow_outside: bool = False) -> Function:
     """A study as a function ``y = f(x)``; see :class:`Function`.
 
     Parameters
@@ -214,11 +312,14 @@ def function(study: StudySource, failed: Literal["raise", "nan"] = "raise", allo
     >>> percuss.function("speed.toml")
     <percuss.Function (speed) -> (peak_force, deflection, stress)>
     """
-    return Function(study_of(study, {}, allow_outside), failed)
+    return Function(study_of(study, {}, allow_outside), failed=failed)
 
 
+@own_options
 def openturns_function(study: StudySource | Function) -> openturns.Function:
     """A study as an ``openturns.Function`` with its gradient; samples are computed in batches.
+
+    The distribution of its parameters is ``percuss.function(study).distribution()``.
 
     Parameters
     ----------

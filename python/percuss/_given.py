@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from . import _percuss
+from ._errors import PathError
 
 _OF_OTHER_LAWS = ("stiffness", "hertz_stiffness", "hertz", "penetrations", "forces", "file")
 """Keys whose place a potential takes."""
@@ -45,39 +46,26 @@ class Potential:
         self.force = force
 
 
-def without_laws(text: str, path: str) -> str:
+def without_laws(text: str, name: str, path: str) -> str:
     """The text without what other laws than the one at ``path`` are made of."""
     table = path.removesuffix(".law")
     for key in _OF_OTHER_LAWS:
         try:
-            text = _percuss.remove(text, f"{table}.{key}")
-        except KeyError:
+            text = _percuss.remove(text, name, f"{table}.{key}")
+        except PathError:
             pass
     return text
 
 
-def word(value: Any) -> Any:
-    """The placeholder of a value in the text, or the value."""
-    return "given" if isinstance(value, Potential) or callable(value) else value
-
-
-def holds_tables(path: str, value: Mapping[str, Any]) -> bool:
-    """Whether it is a collection: ``{"left": {...}, "right": {...}}`` of supports."""
-    return "." not in path and bool(value) and all(isinstance(inner, Mapping) for inner in value.values())
-
-
-def split(table: Mapping[str, Any], path: str) -> tuple[dict[str, Any], dict[str, list[Callable[[float], float]]]]:
-    """A table with words in the place of functions, and the functions by path."""
-    plain: dict[str, Any] = {}
-    functions: dict[str, list[Callable[[float], float]]] = {}
-    for key, value in table.items():
-        if isinstance(value, Mapping):
-            plain[key], inner = split(value, f"{path}.{key}")
-            functions.update(inner)
-            continue
-        plain[key] = word(value)
-        if isinstance(value, Potential):
-            functions[f"{path}.{key}"] = [value.energy, value.force]
-        elif callable(value):
-            functions[f"{path}.{key}"] = [value]
-    return plain, functions
+def split(value: Any, path: str) -> tuple[Any, dict[str, list[Callable[[float], float]]]]:
+    """A value with words in the place of functions, and the functions by path."""
+    if isinstance(value, Potential):
+        return "given", {path: [value.energy, value.force]}
+    if isinstance(value, Mapping):
+        simple: dict[str, Any] = {}
+        functions: dict[str, list[Callable[[float], float]]] = {}
+        for key, inner in value.items():
+            simple[key], own = split(inner, f"{path}.{key}")
+            functions.update(own)
+        return simple, functions
+    return ("given", {path: [value]}) if callable(value) else (value, {})

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any, Union
 
 from . import _percuss
+from ._options import own_options
 from ._review import Advice, Review
 from ._scenario import Scenario
 
@@ -14,6 +15,7 @@ Scenarios = Union[Scenario, str, "os.PathLike[str]", Mapping[str, Any]]
 """A scenario, the path of its file, or nested dictionaries."""
 
 
+@own_options
 def load(path: str | os.PathLike[str], *, allow_outside: bool = False) -> Scenario:
     """A scenario from a file.
 
@@ -82,9 +84,4 @@ def check(scenario: Scenarios, **overrides: Any) -> Review:
     []
     """
     given = scenario_of(scenario)
-    return Review(Advice(*one) for one in _percuss.check(given._source(changes_of(overrides))))
-
-
-def changes_of(overrides: Mapping[str, Any]) -> dict[str, Any]:
-    """Paths of keywords: ``projectile__mass__velocity`` means ``projectile.mass.velocity``."""
-    return {path.replace("__", "."): value for path, value in overrides.items()}
+    return Review(Advice(*one) for one in _percuss.check(given._source(overrides)))

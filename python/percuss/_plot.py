@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._errors import InputError, MissingError, coded
+from ._options import colour_of, own_options, texts
 from ._structure import require_within
 from ._words import position_label, unit_words, words
 
@@ -54,12 +55,15 @@ class Plots:
     def __init__(self, result: Result) -> None:
         self._result = result
 
+    @own_options
     def __call__(
         self,
         t: float | None = None,
+        *,
         ax: Axes | None = None,
         scale: float = 1.0,
         colour: str = "none",
+        color: str | None = None,
         hide: Collection[str] = (),
     ) -> Axes:
         """The scene at a time: beams to scale, supports, bodies, loads, contact forces.
@@ -75,6 +79,8 @@ class Plots:
             Displacements are drawn so many times as large.
         colour : {"none", "stress", "velocity", "moment", "axial", "shear"}
             What colours the beams.
+        color : str, optional
+            The same as ``colour``.
         hide : collection of str
             Some of ``forces``, ``loads`` and ``ghost``, the reference configuration.
 
@@ -103,7 +109,7 @@ class Plots:
         if t is None:
             t = self._result._instant()
         ax = ax or pyplot().subplots(figsize=_figure_size(fields))[1]
-        Drawing(fields, ax, scale, colour).draw(t, hide)
+        Drawing(fields, ax, scale, colour_of(colour, color)).draw(t, texts("hide", hide))
         return ax
 
     def columns(self, *names: str, ax: Axes | None = None) -> Axes:
@@ -250,7 +256,7 @@ class Plots:
         names = [n for n in self._result.columns if n.startswith("point.") and ".displacement_" in n]
         return self.columns(*self._seen(names), ax=ax)
 
-    def beam(self, t: float | None = None, ax: Axes | None = None, scale: float = 1.0) -> Axes:
+    def beam(self, t: float | None = None, *, ax: Axes | None = None, scale: float = 1.0) -> Axes:
         """The scene at a time, the end by default.
 
         Parameters
@@ -275,14 +281,17 @@ class Plots:
         fields._require()
         return self(float(fields.time[-1]) if t is None else t, ax=ax, scale=scale)
 
+    @own_options
     def animation(
         self,
         frames: int = 150,
+        *,
         scale: float = 1.0,
         interval: int = 40,
         path: str | os.PathLike[str] | None = None,
         span: tuple[float, float] | None = None,
         colour: str = "none",
+        color: str | None = None,
     ) -> FuncAnimation:
         """Animation of the scene, with equal time intervals.
 
@@ -302,6 +311,8 @@ class Plots:
             Part of the run [s]; by default all of it.
         colour : {"none", "stress", "velocity", "moment", "axial", "shear"}
             What colours the beams.
+        color : str, optional
+            The same as ``colour``.
 
         Returns
         -------
@@ -334,7 +345,7 @@ class Plots:
         require_within(fields.time, start, end)
         times = np.linspace(start, end, max(int(frames), 1))
         figure, ax = plt.subplots(figsize=_figure_size(fields))
-        drawing = Drawing(fields, ax, scale, colour)
+        drawing = Drawing(fields, ax, scale, colour_of(colour, color))
 
         def show(k: int) -> list[Any]:
             return drawing.draw(float(times[k]))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 import time
+from collections.abc import Callable
 from types import TracebackType
 from typing import Any, Literal
 
@@ -14,9 +15,14 @@ _PATIENCE = 1.0
 class Progress:
     """A bar that appears once something takes a while, one line: tqdm's in a terminal if it is there, else plain text."""
 
-    def __init__(self, wanted: bool | None, total: float = 1.0, unit: str = "", name: str = "percuss") -> None:
+    def __init__(
+        self, wanted: bool | Callable[[float, float], object] | None, total: float = 1.0, unit: str = "", name: str = "percuss"
+    ) -> None:
+        if not (wanted is None or isinstance(wanted, bool) or callable(wanted)):
+            raise TypeError(f"progress={wanted!r}: expected True, False or a function of what is done and the total; a path is given as out=")
         self.total = total
-        self._wanted = _is_watched() if wanted is None else wanted
+        self._listener = wanted if callable(wanted) else None
+        self._wanted = _is_watched() if wanted is None else bool(wanted)
         self._begun = time.monotonic()
         self._bar: Any = None
         self._label = (name, unit)
@@ -38,6 +44,9 @@ class Progress:
         """So much is done."""
         if total is not None:
             self.total = total
+        if self._listener is not None:
+            self._listener(done, self.total)
+            return
         if not self._wanted or time.monotonic() - self._begun < _PATIENCE:
             return
         if self._bar is None:

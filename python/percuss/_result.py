@@ -30,7 +30,7 @@ class Result(Columns[np.float64]):
     """A run: ``result["contact.mass.force"]`` is a column of its history as an array.
 
     Arrays are those that the run filled, without a copy, and cannot be written to. pyarrow, pandas and polars take a result
-    as a table: ``pyarrow.table(result)``, ``pandas.DataFrame(result)``, ``polars.DataFrame(result)``.
+    as a table: ``pyarrow.table(result)``, ``polars.DataFrame(result)``, ``result.to_pandas()``.
 
     Examples
     --------
@@ -292,7 +292,7 @@ class Result(Columns[np.float64]):
         """
         return self.plot.animation(path=path, **options)
 
-    def export(self, directory: str | os.PathLike[str], format: str = "vtkhdf") -> list[str]:
+    def export(self, directory: str | os.PathLike[str], *, format: str = "vtkhdf") -> list[str]:
         """Writes the motion of the scene for ParaView into a directory of its own.
 
         Parameters

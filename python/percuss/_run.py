@@ -11,11 +11,12 @@ from . import _percuss
 from ._errors import MissingRunError, PercussWarning, coded
 from ._progress import Progress
 from ._result import Result
-from ._load import Scenarios, changes_of, scenario_of
+from ._load import Scenarios, scenario_of
 
 
 def run(
     scenario: Scenarios,
+    *,
     progress: bool | Callable[[float, float], object] | None = None,
     out: str | os.PathLike[str] | None = None,
     report: bool = False,
@@ -52,7 +53,7 @@ def run(
     Raises
     ------
     ValueError
-        If ``shapes`` is below zero.
+        If ``shapes`` is below zero, or a report is asked for without ``out``.
     ScenarioError
         If the scenario has faults: all of them.
     FileError
@@ -69,14 +70,13 @@ def run(
     >>> round(slow["contact.bag.force"].max())
     512
     """
+    if report and out is None:
+        raise ValueError("report=True writes report.html: give its directory, out=...")
     if shapes is not None and shapes < 0:
         raise ValueError(f"shapes={shapes}: expected 0 or a number of frames")
-    source = scenario_of(scenario)._source(changes_of(overrides))
-    if callable(progress):
-        result = Result._of(_percuss.run(source, progress, out, report, shapes))
-    else:
-        with Progress(progress, unit="s", name="run") as bar:
-            result = Result._of(_percuss.run(source, bar.to, out, report, shapes))
+    source = scenario_of(scenario)._source(overrides)
+    with Progress(progress, unit="s", name="run") as bar:
+        result = Result._of(_percuss.run(source, bar.to, out, report, shapes))
     _warn(result)
     return result
 

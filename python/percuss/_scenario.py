@@ -8,8 +8,11 @@ from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from . import _percuss, _toml
-from ._given import Potential, holds_tables, split, without_laws, word
+from ._errors import PathError
+from ._given import Potential, split, without_laws
+from ._options import near_option
 from ._review import Advice, Review
+from ._view import view
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -17,15 +20,23 @@ else:
     import tomli as tomllib
 
 
-Source = tuple[str, str, list[str], dict[str, list[Callable[[float], float]]], bool]
+Source = tuple[str, str, list[tuple[str, str]], dict[str, list[Callable[[float], float]]], bool]
 """Arguments of the native module: text, name, changes, functions."""
+
+
+Given = dict[str, list[Callable[[float], float]]]
+"""Functions by their paths; of a law energy and force."""
 
 
 class Scenario:
     """A scenario, with the names of the file: ``scenario["projectile.mass.velocity"] = [0, "30 m/s"]``.
 
-    It is the text of a file; what is set here is written into it, comments stay. Nothing is checked before :meth:`check` or a
-    run, which report all errors together, with the line in :attr:`text`.
+    It is the text of a file; what is set here is written into it, comments stay. Paths are those of ``--set``: names between dots,
+    indices of lists from zero, ``projectile.bag.velocity[1]``; a path that no scenario can have is refused when it is set. Values are
+    not checked before :meth:`check` or a run, which report all errors together, with the line in :attr:`text`.
+
+    A table or a list that is read writes what is set in it: ``scenario["projectile.bag"]["mass"] = "12 kg"``. A table that is set takes
+    the place of the whole table before; ``scenario["support"].update(...)`` adds to it.
 
     Parameters
     ----------
@@ -105,8 +116,7 @@ class Scenario:
         step = 0.0001
         """
         scenario = cls(name=name)
-        for key, value in tables.items():
-            scenario[key] = value
+        scenario._put(tables)
         return scenario
 
     @property
@@ -234,8 +244,8 @@ class Scenario:
 
         Raises
         ------
-        KeyError
-            If the way to the path leads through a value.
+        PathError
+            If no scenario can have a value there.
 
         Examples
         --------
@@ -276,57 +286,77 @@ class Scenario:
         Returns
         -------
         object
-            A value or a dictionary as the file has it, or a function that was given.
+            A value as the file has it, a table or a list of the scenario, or a function that was given.
 
         Raises
         ------
-        KeyError
-            If the file says nothing there.
+        PathError
+            If the file says nothing there; also a ``KeyError``.
 
         Examples
         --------
         >>> percuss.load("plank.toml")["projectile.bag.mass"]
         '10 kg'
         """
-        if path in self._given:
-            code = self._given[path]
-            return Potential(*code) if len(code) == 2 else code[0]
+        found = self._plain(path)
+        given = self._given.get(self._spelled(path))
+        if given is not None:
+            return Potential(*given) if len(given) == 2 else given[0]
+        return view(self, path, found)
+
+    def _plain(self, path: str) -> Any:
+        """What the text has at a path."""
         if self._tree is None:
             self._tree = self.to_dict()
         found: Any = self._tree
-        for part in path.split("."):
-            if not isinstance(found, dict) or part not in found:
+        for step in _percuss.steps(path, self._name):
+            if isinstance(found, dict) and step in found:
+                found = found[step]
+            elif isinstance(found, list) and step.isdecimal() and int(step) < len(found):
+                found = found[int(step)]
+            else:
+                _percuss.steps(path, self._name, self._text)  # says where the path leads nowhere
                 raise KeyError(path)
-            found = found[part]
         return found
 
+    def _spelled(self, path: str) -> str:
+        """The path as functions are kept by: names have no dots."""
+        return ".".join(_percuss.steps(path, self._name))
+
     def __setitem__(self, path: str, value: Any) -> None:
-        if isinstance(value, Mapping) and holds_tables(path, value):
-            for key, inner in value.items():
-                self[f"{path}.{key}"] = inner
-            return
-        text = self._text if isinstance(value, Mapping) else _percuss.set(self._text, path, _toml.value(word(value)))
-        given = {p: code for p, code in self._given.items() if p != path and not p.startswith(f"{path}.")}
-        if isinstance(value, Mapping):
-            plain, functions = split(value, path)
-            text = _percuss.set(self._text, path, _toml.value(plain))
+        self._put({path: value})
+
+    def _put(self, values: Mapping[str, Any]) -> None:
+        """Sets values, all of them or none."""
+        changes: list[tuple[str, str]] = []
+        given: dict[str, list[Callable[[float], float]]] = {}
+        for path, value in values.items():
+            simple, functions = split(value, path)
+            changes.append((path, _toml.value(simple)))
             given.update(functions)
-        elif isinstance(value, Potential):
-            given[path] = [value.energy, value.force]
-            text = without_laws(text, path)
-        elif callable(value):
-            given[path] = [value]
-        self._text, self._given, self._tree = text, given, None
+        text = _percuss.set(self._text, self._name, changes)
+        for path, code in given.items():
+            text = without_laws(text, self._name, path) if len(code) == 2 else text
+        kept = self._given
+        for path in values:
+            kept = self._without(kept, path)
+        self._given = {**kept, **{self._spelled(path): code for path, code in given.items()}}
+        self._text, self._tree = text, None
+
+    def _without(self, given: Given, path: str) -> Given:
+        """Functions without those at a path or below."""
+        own = self._spelled(path)
+        return {p: code for p, code in given.items() if p != own and not p.startswith(f"{own}.")}
 
     def __delitem__(self, path: str) -> None:
-        self._text = _percuss.remove(self._text, path)
-        self._given = {p: code for p, code in self._given.items() if p != path and not p.startswith(f"{path}.")}
+        self._text = _percuss.remove(self._text, self._name, path)
+        self._given = self._without(self._given, path)
         self._tree = None
 
     def __contains__(self, path: str) -> bool:
         try:
-            self[path]
-        except KeyError:
+            self._plain(path)
+        except PathError:
             return False
         return True
 
@@ -346,14 +376,41 @@ class Scenario:
 
         return f"<b>{escape(self._name)}</b><pre>{escape(self._text)}</pre>"
 
+    def _refuse_option(self, keyword: str) -> None:
+        """Refuses what is neither an option of a function nor a key of scenarios, if it is like an option."""
+        option = near_option(keyword)
+        try:
+            _percuss.steps(keyword, self._name)
+        except PathError:
+            if option is not None:
+                text = f"{keyword!r} is neither an option nor a key of scenarios; did you mean {option!r}?"
+                raise TypeError(text) from None
+
     def _source(self, changes: Mapping[str, Any] | None = None) -> Source:
-        """Arguments of the native module; ``changes`` apply to existing values only."""
-        text, given, lines = self._text, dict(self._given), []
-        for path, value in (changes or {}).items():
-            if isinstance(value, Potential):
-                given[path] = [value.energy, value.force]
-                text = without_laws(text, path)
-            elif callable(value):
-                given[path] = [value]
-            lines.append(f"{path}={_toml.value(word(value))}")
+        """Arguments of the native module; ``changes`` apply to existing values only, by paths or keywords."""
+        text, given = self._text, dict(self._given)
+        lines: list[tuple[str, str]] = []
+        for keyword, value in (changes or {}).items():
+            path = self._path(keyword)
+            simple, functions = split(value, path)
+            for at, code in functions.items():
+                given[self._spelled(at)] = code
+                text = without_laws(text, self._name, at) if len(code) == 2 else text
+            lines.append((path, _toml.value(simple)))
         return (text, self._name, lines, given, self._outside)
+
+    def _path(self, keyword: str) -> str:
+        """The path that a keyword means: ``__`` stands for a dot, but within a name that the scenario has."""
+        if "." in keyword or "[" in keyword:
+            return keyword
+        if "__" not in keyword:
+            self._refuse_option(keyword)
+            return keyword
+        kind, _, rest = keyword.partition("__")
+        try:
+            names = self.to_dict().get(kind, {})
+        except ValueError:  # no TOML, of which the run says more
+            names = {}
+        own = [name for name in names if rest == name or rest.startswith(f"{name}__")] if isinstance(names, dict) else []
+        name = max(own, key=len, default="")
+        return f"{kind}.{name}" + rest[len(name) :].replace("__", ".") if name else keyword.replace("__", ".")

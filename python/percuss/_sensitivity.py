@@ -7,7 +7,8 @@ from html import escape
 from typing import Any
 
 from . import _percuss
-from ._load import Scenarios, changes_of, scenario_of
+from ._load import Scenarios, scenario_of
+from ._options import texts
 from ._structure import Floats
 
 
@@ -245,5 +246,5 @@ def sensitivity(
     >>> found
     <Sensitivity: 1 results by 1 parameters>
     """
-    source = scenario_of(scenario)._source(changes_of(overrides))
-    return Sensitivity(_percuss.sensitivity(source, list(parameters), list(results)))
+    source = scenario_of(scenario)._source(overrides)
+    return Sensitivity(_percuss.sensitivity(source, texts("parameters", parameters), texts("results", results)))

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _arrow, _percuss, _toml
 from ._columns import Columns, nearest, read_only
+from ._options import OPTIONS
 from ._scenario import Scenario
 
 if TYPE_CHECKING:
@@ -23,8 +24,19 @@ StudySource = Union[_percuss.Study, str, "os.PathLike[str]", Mapping[str, Any]]
 """A study, the path of its file, or nested dictionaries with the file's names."""
 
 
+_TABLES = ("title", "base", "scenario", "seed", "parameter", "correlation", "design", "results")
+_PLURALS = {"parameters": "parameter", "correlations": "correlation"}
+
+
+def _refuse_unknown(tables: Mapping[str, Any]) -> None:
+    for key in tables:
+        if key not in _TABLES and key not in _PLURALS:
+            raise TypeError(f"{key!r} is no part of a study{nearest(key, (*_TABLES, *_PLURALS, *OPTIONS))}")
+
+
 def study_of(study: StudySource | None, parts: Mapping[str, Any], allow_outside: bool = False) -> _percuss.Study:
     """The study; ``parts`` are its tables, which override those of ``study``."""
+    _refuse_unknown(parts)
     if isinstance(study, _percuss.Study) and not parts:
         return study
     if study is None:
@@ -41,13 +53,10 @@ def study_of(study: StudySource | None, parts: Mapping[str, Any], allow_outside:
 
 def _text(tables: Mapping[str, Any]) -> str:
     """A study as a file."""
-    known = ("title", "base", "scenario", "seed", "parameter", "correlation", "design", "results")
-    names = {"parameters": "parameter", "correlations": "correlation"}
+    _refuse_unknown(tables)
     text = ""
     for key, value in sorted(tables.items(), key=lambda item: isinstance(item[1], Mapping)):
-        key = names.get(key, key)
-        if key not in known:
-            raise TypeError(f"{key!r} is no part of a study{nearest(key, known)}")
+        key = _PLURALS.get(key, key)
         if key == "scenario":
             value = value if isinstance(value, str) else _base(value)
         if key in ("base",):

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import os
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor, as_completed
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from . import _percuss
 from ._errors import MissingError, StudyError, coded
+from ._options import threads
 from ._progress import Progress
 from ._storage import Local, Remote, Store
 from ._study import StudySource, Sweep, run_shard, study_of
@@ -25,8 +26,8 @@ def sweep(
     out: str | os.PathLike[str] | None = None,
     client: Client | None = None,
     executor: Executor | None = None,
-    jobs: int = 0,
-    progress: bool | None = None,
+    jobs: int = -1,
+    progress: bool | Callable[[float, float], object] | None = None,
     allow_outside: bool = False,
     **tables: Any,
 ) -> Sweep:
@@ -46,9 +47,9 @@ def sweep(
     executor : concurrent.futures.Executor, optional
         Run it on an executor: a process pool, mpi4py's.
     jobs : int
-        Number of threads, 0 for one a core.
-    progress : bool, optional
-        Whether a bar is shown; by default on a terminal and in notebooks.
+        Number of threads; -1 (or 0) for one a core, -2 for one less, as in joblib.
+    progress : bool or callable, optional
+        Whether a bar is shown; by default on a terminal and in notebooks. A function is called with the runs done and their number.
     allow_outside : bool
         Let the study and its scenario name files that lie anywhere, and not only in their folders or below.
     **tables
@@ -62,7 +63,8 @@ def sweep(
     Raises
     ------
     TypeError
-        If a client and an executor are given, or tables beside a study file.
+        If a keyword is no table of a study, ``jobs`` or ``progress`` is something else, a client and an executor are given, or tables
+        beside a study file.
     ScenarioError
         If the study has faults.
     StudyError
@@ -90,7 +92,7 @@ def sweep(
         store = _store(place, read)
         with Progress(progress, read.run_count, "runs", "sweep") as bar:
             if client is None and executor is None and isinstance(store, Local):
-                read.sweep(store.path, jobs, bar.to)
+                read.sweep(store.path, threads(jobs), bar.to)
             else:
                 _collect(read, store, _source(client, executor), bar)
         if out is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, MutableSequence
 from typing import Any
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
@@ -25,7 +25,7 @@ def value(x: Any) -> str:
         return json.dumps(x, ensure_ascii=False).replace("\x7f", "\\u007F")
     if isinstance(x, Mapping):
         return "{ " + ", ".join(f"{_key(k)} = {value(v)}" for k, v in x.items()) + " }" if x else "{}"
-    if isinstance(x, (list, tuple)):
+    if isinstance(x, (list, tuple, MutableSequence)):
         return "[" + ", ".join(value(v) for v in x) + "]"
     if hasattr(x, "tolist"):  # numbers and arrays of NumPy
         return value(x.tolist())

@@ -14,10 +14,12 @@ import numpy as np
 import pytest
 
 import percuss
-from percuss import _fields, _percuss, _plot, _scene, _structure
+from percuss import _fields, _percuss, _plot, _scene, _structure, _view
 
-REACHED = (_plot.Plots, _fields.Fields, _scene.SceneBeam, _scene.Curve, _scene.Contact, _structure.Shapes, _structure.Beams)
-"""Classes that nobody imports, and everybody gets from a result."""
+REACHED = (
+    _plot.Plots, _fields.Fields, _scene.SceneBeam, _scene.Curve, _scene.Contact, _structure.Shapes, _structure.Beams, _view.TableView, _view.ListView,
+)  # fmt: skip
+"""Classes that nobody imports, and everybody gets from a result or a scenario."""
 MADE = (percuss.Scenario, percuss.Potential, percuss.Function, percuss.Study)
 """Classes whose objects users make themselves."""
 CALLED = ("__call__", "__getitem__")
@@ -69,7 +71,7 @@ def members(of: type) -> Iterator[tuple[str, Any]]:
 def public() -> dict[str, Any]:
     """Everything that users can call or ask."""
     out: dict[str, Any] = {}
-    for name in percuss.__all__:
+    for name in (*percuss.__all__, "open"):
         item = getattr(percuss, name)
         if name != "__version__":
             out[name] = item
@@ -160,7 +162,7 @@ def test_nothing_public_is_forgotten():
     kinds = [is_property(item) for item in ITEMS.values()]
     assert sum(kinds) >= 40 and len(kinds) - sum(kinds) >= 100
     assert {"run", "Result.plot", "Columns.get", "Study.run_shard", "Fields.stress", "_percuss.run"} <= set(ITEMS)
-    assert not [name for name, item in vars(percuss).items() if callable(item) and not name.startswith("_") and name not in percuss.__all__]
+    assert not [name for name, item in vars(percuss).items() if callable(item) and not name.startswith("_") and name not in {*percuss.__all__, "open"}]
 
 
 def test_missing_parts_of_docstrings_are_found():

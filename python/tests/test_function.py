@@ -12,6 +12,9 @@ import numpy as np
 import percuss
 import pytest
 
+from conftest import SCENARIOS
+
+STUDIES = SCENARIOS / "studies"
 COMMAND = Path(sys.executable).with_name("percuss")
 
 
@@ -41,6 +44,85 @@ def test_a_jacobian_is_what_differences_tend_to(two):
     for k in range(2):
         h = np.eye(2)[k] * 1e-4 * x[k]
         assert (f(x + h) - f(x - h)) / (2 * h[k]) == pytest.approx(jacobian[:, k], rel=1e-4)
+
+
+def test_columns_are_matched_by_their_names_or_refused():
+    """A table whose columns stand in another order was taken by position: 1.858 MN for 0.338 MN."""
+    pandas = pytest.importorskip("pandas")
+    f = percuss.function(STUDIES / "speed-and-mass.toml")
+    right, wrong = f([20, 500, 2e9]), f([500, 20, 2e9])
+    assert right[0] == pytest.approx(0.338e6, abs=500) and wrong[0] == pytest.approx(1.858e6, abs=500)
+    table = pandas.DataFrame({"mass": [500.0, 400.0], "young": 2e9, "speed": [20.0, 25.0]})
+    many = f([[20, 500, 2e9], [25, 400, 2e9]])
+    assert np.array_equal(f(table), many) and np.array_equal(f(table.iloc[0]), right)
+    assert np.array_equal(f(table.to_records(index=False)), many)
+    assert np.array_equal(f({"young": 2e9, "mass": [500, 400], "speed": [20, 25]}), many)
+    assert np.array_equal(f(pandas.DataFrame([[20, 500, 2e9]])), [right])  # columns without names
+    assert np.array_equal(f.jacobian({"young": 2e9, "mass": 500, "speed": 20}), f.jacobian([20, 500, 2e9]))
+    for names, told in (
+        ({"mass": "mas"}, "`mas` is no parameter of the study, expected one of .*did you mean `mass`"),
+        ({"mass": "peak_force"}, "`peak_force` is no parameter"),
+    ):
+        with pytest.raises(percuss.InputError, match=told):
+            f(table.rename(columns=names))
+    with pytest.raises(percuss.InputError, match="no value for `mass`"):
+        f(table.drop(columns="mass"))
+
+
+def test_distributions_reach_salib():
+    """Uniform samples between the bounds share out the variance otherwise: .587 for .792, of the speed."""
+    sobol_sample = pytest.importorskip("SALib.sample.sobol")
+    from SALib.analyze import sobol
+
+    f = percuss.function(STUDIES / "speed-and-mass.toml")
+    with pytest.raises(percuss.InputError, match="truncated-lognormal"):
+        f.problem
+    u = sobol_sample.sample(f.unit_problem, 256, calc_second_order=False, seed=5)
+    of_speed = lambda points: sobol.analyze(f.unit_problem, f(points)[:, 0], calc_second_order=False, seed=3)["S1"][0]  # noqa: E731
+    low, high = np.array(f.bounds).T
+    # 256 points know an index to some two hundredths.
+    assert of_speed(f.at(u)) == pytest.approx(0.792, abs=0.05)
+    assert of_speed(low + (high - low) * u) == pytest.approx(0.587, abs=0.05)
+
+
+def test_a_problem_of_salib_has_the_distributions_of_the_study(two):
+    salib = pytest.importorskip("SALib.sample.sobol")
+    two["parameters"]["mass"] = {"path": "projectile.mass.mass", "distribution": {"kind": "normal", "mean": 500, "deviation": 20}}
+    two["parameters"]["stiff"] = {"path": "projectile.mass.stiffness", "range": {"from": 1e5, "to": 1e6, "spacing": "log"}}
+    f = percuss.function(two)
+    assert f.problem["dists"] == ["unif", "norm", "logunif"]
+    shares = salib.sample(f.unit_problem, 64, seed=5)
+    # Quantiles are inverses of shares to some ten digits.
+    assert salib.sample(f.problem, 64, seed=5) == pytest.approx(f.at(shares), rel=1e-8)
+    assert f.at([0.5, 0.5, 0.5]) == pytest.approx(f.middle)
+    with pytest.raises(percuss.InputError, match="a share from 0 to 1"):
+        f.at([0.5, 0.5, 1.5])
+
+
+def test_distributions_and_correlations_reach_openturns(two):
+    openturns = pytest.importorskip("openturns")
+    two["parameters"]["mass"] = {
+        "path": "projectile.mass.mass",
+        "distribution": {"kind": "lognormal", "mean": 500, "deviation": 100, "truncated": [250, 900]},
+    }
+    two["correlations"] = [{"between": ["speed", "mass"], "coefficient": 0.6}]
+    f = percuss.function(two)
+    with pytest.raises(percuss.InputError, match="correlated"):
+        f.problem
+    joint = f.distribution()
+    assert list(joint.getDescription()) == ["speed", "mass"]
+    for share in (0.01, 0.5, 0.9):
+        point = [joint.getMarginal(k).computeQuantile(share)[0] for k in range(2)]
+        assert point[0] == pytest.approx(10 + 20 * share)
+    # The copula: the conditional median of the mass at a speed of given share, in both packages.
+    score = float(openturns.Normal().computeQuantile(0.9)[0])
+    expected = joint.getMarginal(1).computeQuantile(float(openturns.Normal().computeCDF(0.6 * score)))[0]
+    assert f.at([0.9, 0.5])[1] == pytest.approx(expected, rel=1e-6)
+    openturns.RandomGenerator.SetSeed(2)
+    sample = joint.getSample(4)
+    assert np.array_equal(f(sample), f(np.array(sample)))
+    sample.setDescription(["mass", "speed"])
+    assert np.array_equal(f._points(sample), np.array(sample)[:, ::-1])
 
 
 def test_points_without_a_value_are_told_or_nan(two):

@@ -117,7 +117,7 @@ def test_progress_is_told_and_an_exception_in_it_ends_the_run(elastic):
             raise RuntimeError("enough")
 
     with pytest.raises(RuntimeError, match="enough"):
-        percuss.run(elastic, listen, time__end="1e3 s")
+        percuss.run(elastic, progress=listen, time__end="1e3 s")
     assert 0 < seen[0][0] < seen[1][0] < seen[0][1] == 1e3
 
 

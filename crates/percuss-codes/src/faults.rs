@@ -42,10 +42,11 @@ catalogue! {
         Table = "E010", "invalid table of numbers",
             "A table needs at least two rows, numbers in each cell, and a first column that increases from row to row. Columns of a CSV \
              file are found by their headings, with units in brackets or by key.";
-        /// A change (`--set`, a parameter of a study) without effect.
+        /// A change (`--set`, a parameter of a study, Python) without effect.
         Change = "E011", "override without effect",
-            "`--set PATH=VALUE` and the parameters of a study name a value by its path in the file, such as `projectile.hammer.mass`. \
-             The table must exist in the file; a key with a default may be set without being in the file.";
+            "`--set PATH=VALUE`, the parameters of a study and Python name a value by its path in the file, such as \
+             `projectile.hammer.velocity[1]`: names between dots, indices of lists counted from zero. The table must exist in the file; a key \
+             with a default may be set without being in the file.";
         /// A setting of time, integration, recording or report.
         Setting = "E012", "setting out of range",
             "A setting of time, integration, recording or report is out of range, or incompatible with another one. The message names \

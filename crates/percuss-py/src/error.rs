@@ -10,6 +10,15 @@ const EXCERPT_WIDTH: usize = 100;
 
 /// `percuss.ScenarioError` with every fault in it.
 pub fn scenario_error(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
+    of_scenario(py, "ScenarioError", diagnostics)
+}
+
+/// `percuss.PathError` with every path that leads nowhere.
+pub fn path_error(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
+    of_scenario(py, "PathError", diagnostics)
+}
+
+fn of_scenario(py: Python<'_>, kind: &str, diagnostics: &Diagnostics) -> PyErr {
     let faults: Vec<_> = diagnostics
         .all()
         .iter()
@@ -20,7 +29,7 @@ pub fn scenario_error(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
         .collect();
     let made = py.import("percuss._errors").and_then(|module| {
         let excerpt = diagnostics.fancy(false, EXCERPT_WIDTH);
-        module.getattr("ScenarioError")?.call1((diagnostics.coded(), faults, excerpt))
+        module.getattr(kind)?.call1((diagnostics.coded(), faults, excerpt))
     });
     made.map_or_else(|error| error, PyErr::from_value)
 }

@@ -1,9 +1,10 @@
 //! A study as a function, for Python.
 
-use percuss_study::{Jacobian, Study};
+use percuss_codes::RequestCode;
+use percuss_study::{Distribution, Jacobian, Study, Variation};
 use pyo3::prelude::*;
 
-use crate::error::study_error;
+use crate::error::{request_error, study_error};
 use crate::structure::array;
 
 /// What goes in, or comes out: (name, unit, path).
@@ -55,6 +56,136 @@ pub fn function_layout(study: &Bound<'_, crate::study::Study>) -> PyResult<Layou
         .map(|r| (r.name.clone(), r.path.unit().to_string(), r.path.path().to_string()))
         .collect();
     Ok((inputs, bounds, function.middle(), outputs))
+}
+
+/// Rows of a correlation matrix, or None of independent parameters.
+type Correlation = Option<Vec<Vec<f64>>>;
+
+/// A kind of variation, and its numbers in SI units.
+type Varies = (&'static str, Vec<f64>);
+
+/// How the parameters of a study vary.
+///
+/// Parameters
+/// ----------
+/// study : Study
+///     The study.
+///
+/// Returns
+/// -------
+/// tuple
+///     Of each parameter its kind with its numbers: `uniform` and `log-uniform` (smallest, largest), `normal` (mean, deviation), `lognormal`
+///     (those of the logarithm), each of these `truncated-` with smallest and largest value before them, `values` (all of them); and the
+///     correlation matrix of the Gaussian variables behind them, or None.
+///
+/// Examples
+/// --------
+/// >>> study = percuss.function("speed.toml").study
+/// >>> percuss._percuss.function_variations(study)
+/// ([('uniform', [-1.0, -9.0])], None)
+#[pyfunction]
+pub fn function_variations(
+    study: &Bound<'_, crate::study::Study>,
+) -> PyResult<(Vec<Varies>, Correlation)> {
+    let study = study.get().inner();
+    let function = study.function().map_err(|error| study_error(&error))?;
+    let all = function.parameters().iter().map(|p| varies(&p.variation)).collect();
+    Ok((all, function.correlation()))
+}
+
+fn varies(variation: &Variation) -> Varies {
+    match variation {
+        Variation::Numbers(values) => ("values", values.clone()),
+        Variation::Words(_) => ("values", Vec::new()),
+        Variation::Range { from, to, logarithmic: true, .. } => ("log-uniform", vec![*from, *to]),
+        Variation::Range { from, to, .. } => ("uniform", vec![*from, *to]),
+        Variation::Random(Distribution::Uniform { from, to }) => ("uniform", vec![*from, *to]),
+        Variation::Random(Distribution::Normal { law, within }) => {
+            let kind = ["normal", "truncated-normal"];
+            truncated(kind, [law.mean, law.deviation], within.values)
+        }
+        Variation::Random(Distribution::Lognormal { law, within }) => {
+            let kind = ["lognormal", "truncated-lognormal"];
+            truncated(kind, [law.mean, law.deviation], within.values)
+        }
+    }
+}
+
+fn truncated([whole, cut]: [&'static str; 2], law: [f64; 2], within: [f64; 2]) -> Varies {
+    match within.iter().all(|limit| limit.is_infinite()) {
+        true => (whole, law.to_vec()),
+        false => (cut, [within, law].concat()),
+    }
+}
+
+/// The place of each parameter among names.
+///
+/// Parameters
+/// ----------
+/// study : Study
+///     The study.
+/// names : list of str
+///     Names, in any order.
+///
+/// Returns
+/// -------
+/// list of int
+///     Of each parameter its place among the names.
+///
+/// Raises
+/// ------
+/// InputError
+///     If a name is none of a parameter, or one is missing.
+///
+/// Examples
+/// --------
+/// >>> study = percuss.function("speed-and-mass.toml").study
+/// >>> percuss._percuss.function_places(study, ["mass", "speed", "young"])
+/// [1, 0, 2]
+#[pyfunction]
+pub fn function_places(
+    study: &Bound<'_, crate::study::Study>,
+    names: Vec<String>,
+) -> PyResult<Vec<usize>> {
+    let study = study.get().inner();
+    let function = study.function().map_err(|error| study_error(&error))?;
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    function.places(&names).map_err(|why| request_error(RequestCode::NoValue, &why))
+}
+
+/// Points at shares of the distributions.
+///
+/// Parameters
+/// ----------
+/// study : Study
+///     The study.
+/// shares : list of list of float
+///     Shares from 0 to 1.
+///
+/// Returns
+/// -------
+/// tuple
+///     n_point * n_parameter numbers in SI units, point after point, and None; or why there are none.
+///
+/// Examples
+/// --------
+/// >>> study = percuss.function("speed.toml").study
+/// >>> percuss._percuss.function_points(study, [[0.0], [0.5]])
+/// (array([-1., -5.]), None)
+#[pyfunction]
+pub fn function_points<'py>(
+    py: Python<'py>,
+    study: &Bound<'py, crate::study::Study>,
+    shares: Vec<Vec<f64>>,
+) -> PyResult<(Bound<'py, PyAny>, Option<String>)> {
+    let study = study.get().inner();
+    let function = study.function().map_err(|error| study_error(&error))?;
+    let points: Result<Vec<Vec<f64>>, String> = shares.iter().map(|row| function.at(row)).collect();
+    let (points, why) = match points {
+        Ok(points) => (points, None),
+        Err(why) => (Vec::new(), Some(why)),
+    };
+    Ok((array(py, points.into_iter().flatten().collect()).into_any(), why))
 }
 
 /// Results at points.

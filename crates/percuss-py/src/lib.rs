@@ -27,11 +27,14 @@ mod _percuss {
     #[pymodule_export]
     use super::command::command;
     #[pymodule_export]
-    use super::edit::{remove, set};
+    use super::edit::{remove, set, steps};
     #[pymodule_export]
     use super::fields::{export, instant, scene_page, state, story};
     #[pymodule_export]
-    use super::function::{function_jacobian, function_layout, function_values};
+    use super::function::{
+        function_jacobian, function_layout, function_places, function_points, function_values,
+        function_variations,
+    };
     #[pymodule_export]
     use super::open::open;
     #[pymodule_export]

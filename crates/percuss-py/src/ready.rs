@@ -4,16 +4,21 @@ use std::time::SystemTime;
 
 use percuss::{Fault, mechanisms};
 use percuss_output::RunSource;
-use percuss_scenario::{Compiled, Diagnostics, FileAccess, Scenario, apply_overrides, read_with};
+use percuss_scenario::{
+    Adds, Compiled, Diagnostics, FileAccess, Scenario, apply_changes, read_with,
+};
 use pyo3::prelude::*;
 
 use crate::error::scenario_error;
 use crate::given::Given;
 
-/// What a Python scenario hands over: its text, its name in messages (files that it names lie where it lies), changes of the form
-/// `path=value`, functions behind paths, whether it may name files outside its folder, shape (changes).
+/// What a Python scenario hands over: its text, its name in messages (files that it names lie where it lies), changes as paths with
+/// values in TOML, functions behind paths, whether it may name files outside its folder, shape (changes).
 #[derive(Debug, FromPyObject)]
-pub struct Source(String, String, Vec<String>, Given, bool);
+pub struct Source(String, String, Vec<(String, String)>, Given, bool);
+
+/// What keywords that change a scenario are called in messages.
+const CHANGES: &str = "changes of the scenario";
 
 /// A scenario and what it compiles to.
 #[derive(Debug)]
@@ -55,7 +60,7 @@ impl Source {
     fn read(&self) -> Result<Scenario, Diagnostics> {
         let Self(text, name, changes, _, outside) = self;
         let access = if *outside { FileAccess::Anywhere } else { FileAccess::OwnFolder };
-        match apply_overrides(text, name, changes) {
+        match apply_changes(text, [name, CHANGES], changes, Adds::Fixed) {
             Ok(text) => read_with(&text, name, access),
             // Syntax errors keep changes from being made; `read` reports more than these.
             Err(faults) if faults.name() == name => {

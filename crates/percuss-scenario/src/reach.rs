@@ -3,6 +3,7 @@
 //! The declarations that read a file also lead to its values, so a value set here passes the reader the file's own value would.
 
 use crate::node::{Node, Reader};
+use crate::stray::Stray;
 use crate::suggest;
 
 /// What stands at the end of a path.
@@ -32,6 +33,8 @@ pub(crate) enum Lost {
         /// Steps that would be right, shape (steps).
         known: Vec<String>,
     },
+    /// The file lacks the name or the entry.
+    Missing(Stray),
     /// The path ends at a table.
     Table,
     /// The value decides what else stands in its table, or its table is not in the file: the file has to be read anew.
@@ -70,20 +73,13 @@ impl Lost {
     }
 }
 
-/// The steps of a path: names and indices, `points[1][0]` as `points`, `1`, `0`.
-pub(crate) fn steps(path: &str) -> Vec<String> {
-    let parts = path.split(['.', '[']);
-    parts.map(|part| part.trim_end_matches(']').trim().to_string()).collect()
-}
-
 /// The entry of a list that the path leads to, and the rest of the path.
 pub(crate) fn entry<'c, 'p, T>(
     list: &'c mut [T],
     path: &'p [String],
 ) -> Result<(&'c mut T, &'p [String]), Lost> {
     let Some((step, rest)) = path.split_first() else { return Err(Lost::Table) };
-    let known = (0..list.len()).map(|i| i.to_string()).collect();
-    let found = format!("the entry `{step}` of a list of {}", list.len());
+    let count = list.len();
     let at = step.parse().ok().and_then(|i: usize| list.get_mut(i));
-    at.map(|value| (value, rest)).ok_or(Lost::Unknown { depth: 0, found, known })
+    at.map(|value| (value, rest)).ok_or_else(|| Lost::Missing(Stray::entry(step, count)))
 }

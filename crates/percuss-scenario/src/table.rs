@@ -11,6 +11,7 @@ use crate::node::{Body, Node, Reader};
 use crate::reach::{Lost, Reached};
 use crate::schema;
 use crate::source::join;
+use crate::stray::Stray;
 use crate::write::Writer;
 
 /// A table of the format, or a part of one: keys that stand together in several tables, or a choice of kinds.
@@ -301,9 +302,7 @@ impl<T: Declared> Format for Collection<T> {
         let known: Vec<String> = value.iter().map(|one| one.name.clone()).collect();
         match value.iter_mut().find(|one| one.name == *name) {
             Some(one) => one.table.reach(rest).map_err(Lost::deeper),
-            None => {
-                Err(Lost::Unknown { depth: 0, found: format!("the unknown name `{name}`"), known })
-            }
+            None => Err(Lost::Missing(Stray::name(name, known.iter().map(String::as_str)))),
         }
     }
 }

@@ -5,11 +5,14 @@ use toml::de::DeValue;
 
 use crate::content::Content;
 use crate::diagnostic::Diagnostics;
+use crate::edit::Adds;
+use crate::known_path::KnownPath;
 use crate::node::{Node, Reader};
-use crate::overrides::apply_overrides;
-use crate::reach::{Lost, Reached, steps};
+use crate::overrides::apply_changes;
+use crate::reach::{Lost, Reached};
 use crate::reading::read;
 use crate::scenario::Scenario;
+use crate::stray::Stray;
 use crate::table::Part;
 
 /// A value of a scenario, by its path: `projectile.mass.velocity[1]`, `beam.girder.points[1][0]`.
@@ -27,6 +30,11 @@ impl Field {
         &self.path
     }
 
+    /// Its steps: names, keys and indices, shape (steps).
+    pub fn steps(&self) -> &[String] {
+        &self.steps
+    }
+
     /// Whether the file has to be read anew to change it: it decides what else stands in its table (`kind`), is a word, or
     /// stands in a table that the file does not have.
     pub fn is_read_anew(&self) -> bool {
@@ -40,7 +48,10 @@ impl Scenario {
     /// # Errors
     /// The first step of the path that leads nowhere, with the names that would lead on.
     pub fn field(&self, path: &str) -> Result<Field, Fault> {
-        let steps = steps(path);
+        let stray = |Stray { found, expected }| {
+            Fault::new(path, format!("{found} in the path `{path}`"), expected)
+        };
+        let KnownPath { steps, .. } = KnownPath::find(path).map_err(stray)?;
         let mut content = self.content.clone();
         let anew = match content.reach(&steps) {
             Ok(_) => false,
@@ -49,10 +60,10 @@ impl Scenario {
                 let found = format!("`{path}`, which is a table");
                 return Err(Fault::new(path, found, "the path of a value in it"));
             }
+            Err(Lost::Missing(lost)) => return Err(stray(lost)),
             Err(Lost::Unknown { depth, found, known }) => {
                 let word = steps.get(depth).map_or("", String::as_str);
-                let found = format!("{found} in the path `{path}`");
-                return Err(Fault::new(path, found, Lost::expected(&known, word)));
+                return Err(stray(Stray::new(found, Lost::expected(&known, word))));
             }
         };
         Ok(Field { path: path.into(), steps, anew })
@@ -101,8 +112,9 @@ impl Scenario {
     /// Every fault of the changed file.
     pub fn anew(&self, changes: &[(&str, &str)]) -> Result<Self, Diagnostics> {
         let name = self.source.name.as_str();
-        let changes: Vec<String> = changes.iter().map(|(p, v)| format!("{p}={v}")).collect();
-        let text = apply_overrides(&self.source.text, name, &changes)?;
+        let changes: Vec<(String, String)> =
+            changes.iter().map(|(p, v)| ((*p).into(), (*v).into())).collect();
+        let text = apply_changes(&self.source.text, [name, name], &changes, Adds::Fixed)?;
         read(&text, name)
     }
 

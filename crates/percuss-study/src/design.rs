@@ -174,10 +174,12 @@ impl Design {
     /// The same point for parameters that are correlated: a Gaussian copula. A Latin hypercube is paired instead, which keeps one
     /// point in each part of each range.
     fn correlated(&self, point: Vec<f64>) -> Vec<f64> {
+        if self.kind == Kind::LatinHypercube { point } else { self.copula(point) }
+    }
+
+    /// Shares of independent parameters as those of correlated ones: a Gaussian copula.
+    pub fn copula(&self, point: Vec<f64>) -> Vec<f64> {
         let Some(lower) = &self.correlation else { return point };
-        if self.kind == Kind::LatinHypercube {
-            return point;
-        }
         let z: Vec<f64> = point.iter().map(|u| standard_quantile(*u)).collect();
         let row = |i: usize| (0..=i).map(|j| lower[(i, j)] * z[j]).sum::<f64>();
         (0..z.len()).map(|i| standard_share(row(i))).collect()

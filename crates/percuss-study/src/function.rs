@@ -5,6 +5,8 @@
 use percuss_codes::{Code, RequestCode};
 use percuss_output::{SummaryPath, pick};
 
+use percuss_scenario::one_of;
+
 use crate::detail::detail_for;
 use crate::error::Error;
 use crate::parameter::{Input, Parameter, Variation};
@@ -71,6 +73,61 @@ impl<'s> Function<'s> {
             Input::Word(_) => f64::NAN,
         };
         self.parameters().iter().map(median).collect()
+    }
+
+    /// The place of each parameter among these names, each of which has to be one of them.
+    ///
+    /// # Errors
+    /// A name that no parameter has, with the nearest one, a parameter without a name among them, or one that occurs twice.
+    pub fn places(&self, names: &[&str]) -> Result<Vec<usize>, String> {
+        let own: Vec<&str> = self.parameters().iter().map(|p| p.name.as_str()).collect();
+        if let Some(name) = names.iter().find(|name| !own.contains(name)) {
+            return Err(self.no_parameter(name));
+        }
+        let place = |name: &&str| {
+            let mut places = (0..names.len()).filter(|k| names[*k] == *name);
+            match (places.next(), places.next()) {
+                (Some(place), None) => Ok(place),
+                (None, _) => {
+                    let listed = own.join(", ");
+                    Err(format!("no value for `{name}`; the study's parameters are {listed}"))
+                }
+                _ => Err(format!("two values for `{name}`")),
+            }
+        };
+        own.iter().map(place).collect()
+    }
+
+    /// What is said of a name that no parameter has.
+    pub fn no_parameter(&self, name: &str) -> String {
+        let known = one_of(name, self.parameters().iter().map(|p| p.name.as_str()));
+        format!("`{name}` is no parameter of the study, expected {known}")
+    }
+
+    /// The point at shares of the distributions, from 0 to 1, shape (n_parameter), in SI units: correlated parameters by a Gaussian copula,
+    /// as in designs.
+    ///
+    /// # Errors
+    /// If the shares are not as many as parameters, or not from 0 to 1.
+    pub fn at(&self, shares: &[f64]) -> Result<Vec<f64>, String> {
+        self.inputs(shares)?;
+        if let Some(k) = shares.iter().position(|u| !(0.0..=1.0).contains(u)) {
+            let name = &self.parameters()[k].name;
+            return Err(unfit(format!("`{name}` at {}: a share from 0 to 1 is needed", shares[k])));
+        }
+        let shares = self.study.design.copula(shares.to_vec());
+        let number = |(p, u): (&Parameter, &f64)| match p.variation.at(*u) {
+            Input::Number(number) => number,
+            Input::Word(_) => f64::NAN,
+        };
+        Ok(self.parameters().iter().zip(&shares).map(number).collect())
+    }
+
+    /// Correlation matrix of the Gaussian variables behind the parameters, shape (n_parameter, n_parameter) \[-\]; none if they are independent.
+    pub fn correlation(&self) -> Option<Vec<Vec<f64>>> {
+        let lower = self.study.design.correlation.as_ref()?;
+        let matrix = lower * lower.transpose();
+        Some(matrix.row_iter().map(|row| row.iter().copied().collect()).collect())
     }
 
     /// Results at some points, each of shape (n_parameter) in SI units; runs go side by side where they fit.
@@ -249,6 +306,45 @@ step = 2e-4
                 assert!((row[k] / difference - 1.0).abs() < 1e-4, "{} {difference}", row[k]);
             }
         }
+    }
+
+    #[test]
+    fn names_of_parameters_are_matched_or_refused() {
+        let study = study();
+        let function = study.function().expect("numbers");
+        assert_eq!(function.places(&["mass", "speed"]), Ok(vec![1, 0]));
+        for (names, told) in [
+            (["sped", "mass"], "expected one of `speed`, `mass` (did you mean `speed`?)"),
+            (["mass", "mass"], "no value for `speed`; the study's parameters are speed, mass"),
+        ] {
+            let found = function.places(&names).expect_err(told);
+            assert!(found.ends_with(told), "{found}");
+        }
+        let twice = function.places(&["mass", "speed", "mass"]);
+        assert_eq!(twice, Err("two values for `mass`".to_owned()));
+    }
+
+    #[test]
+    fn shares_become_values_of_the_distributions_and_their_copula() {
+        let study = study();
+        let function = study.function().expect("numbers");
+        assert_eq!(function.at(&[0.0, 1.0]), Ok(vec![5.0, 200.0]));
+        assert!(function.at(&[0.5, 1.5]).is_err_and(|why| why.contains("a share from 0 to 1")));
+        assert_eq!(function.correlation(), None);
+        let text = STUDY.replace(
+            "[design]",
+            "[[correlation]]\nbetween = [\"speed\", \"mass\"]\ncoefficient = 0.6\n[design]",
+        );
+        let study = Study::from_toml(&text, "study.toml").unwrap_or_else(|e| panic!("{e}"));
+        let function = study.function().expect("numbers");
+        let matrix = function.correlation().expect("a matrix");
+        assert!((matrix[0][1] - 0.6).abs() < 1e-12 && (matrix[1][1] - 1.0).abs() < 1e-12);
+        // The median of the speed, and a standard score of z1 = 1: the mass at a score of 0.6 * 0 + 0.8 * 1.
+        let share = |z| crate::distribution::standard_share(z);
+        let point = function.at(&[0.5, share(1.0)]).expect("a point");
+        // Quantiles are inverses to some ten digits.
+        assert!((point[0] - 12.5).abs() < 1e-6, "{point:?}");
+        assert!((point[1] - (50.0 + 150.0 * share(0.8))).abs() < 1e-6, "{point:?}");
     }
 
     #[test]

@@ -108,15 +108,11 @@ fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
 
 /// Parameters that set the same value, or one a part of what the other sets: the last would win.
 fn twice_set(parameters: &[Parameter]) -> Vec<Fault> {
-    let steps = |p: &Parameter| -> Vec<String> {
-        let path = p.field.path().replace('[', ".").replace(']', "");
-        path.split('.').map(str::to_string).collect()
-    };
     let mut faults = Vec::new();
     for (i, later) in parameters.iter().enumerate() {
-        let own = steps(later);
+        let own = later.field.steps();
         for earlier in &parameters[..i] {
-            let other = steps(earlier);
+            let other = earlier.field.steps();
             let shared = own.len().min(other.len());
             if own[..shared] == other[..shared] {
                 let (path, name) = (later.field.path(), &earlier.name);
@@ -194,6 +190,9 @@ pub(crate) fn result(path: &str, sample: &RunSummary) -> Result<SummaryPath, (St
         Ok(path) => return Ok(path),
         Err(all) => all,
     };
+    if let Some(fault) = SummaryPath::misspelt(path, sample) {
+        return Err((format!("{} in `{path}`", fault.found), fault.expected));
+    }
     let known: Vec<Vec<String>> =
         all.iter().map(|one| SummaryPath::steps(&one.path, sample)).collect();
     let wanted = SummaryPath::steps(path, sample);

@@ -81,20 +81,8 @@ fn read(path: &Path) -> Result<String, Failure> {
 
 /// The point that variables name.
 fn point(function: &Function<'_>, variables: &[(String, f64)]) -> Result<Vec<f64>, String> {
-    let names: Vec<&str> = function.parameters().iter().map(|p| p.name.as_str()).collect();
-    let listed = names.join(", ");
-    if let Some((name, _)) = variables.iter().find(|(name, _)| !names.contains(&name.as_str())) {
-        return Err(format!("`{name}` is no parameter of the study; its parameters are {listed}"));
-    }
-    let value = |name: &&str| {
-        let mut own = variables.iter().filter(|(own, _)| own == name);
-        match (own.next(), own.next()) {
-            (Some((_, value)), None) => Ok(*value),
-            (None, _) => Err(format!("no value for `{name}`; the study's parameters are {listed}")),
-            _ => Err(format!("two values for `{name}`")),
-        }
-    };
-    names.iter().map(value).collect()
+    let names: Vec<&str> = variables.iter().map(|(name, _)| name.as_str()).collect();
+    Ok(function.places(&names)?.into_iter().map(|place| variables[place].1).collect())
 }
 
 /// The functions that are wanted, each with the number of its result in the study.
@@ -147,10 +135,9 @@ fn by(function: &Function<'_>, asked: Option<&[String]>) -> Result<Vec<(usize, S
     }
     let place = |name: &String| {
         let found = parameters.iter().position(|own| own == name);
-        found.map(|k| (k, name.clone())).ok_or_else(|| {
-            let listed = parameters.join(", ");
-            format!("derivatives by `{name}`, which is no parameter of the study; its parameters are {listed}")
-        })
+        found
+            .map(|k| (k, name.clone()))
+            .ok_or_else(|| format!("derivatives by a parameter: {}", function.no_parameter(name)))
     };
     asked.iter().map(place).collect()
 }

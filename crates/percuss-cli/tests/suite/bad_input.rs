@@ -172,7 +172,7 @@ fn a_change_that_does_not_fit_is_a_fault() {
     let unknown = desk.percuss(&["run", "elastic.toml", "--set", "projectile.mass.mas=3"]);
     unknown.ends_with(2).tells("--set").tells("did you mean `mass`?");
     let nobody = desk.percuss(&["run", "elastic.toml", "--set", "projectile.ball.mass=3"]);
-    nobody.ends_with(2).tells("no [projectile.ball]");
+    nobody.ends_with(2).tells("the unknown name `ball`");
     let negative = desk.percuss(&["run", "elastic.toml", "--set", "projectile.mass.mass=-3"]);
     negative.ends_with(2).tells("elastic.toml:29:8: ").tells("found -3").tells("--set changes");
     assert_eq!(desk.names(), before);

@@ -114,7 +114,7 @@ fn failed_evaluations_are_told_and_nothing_is_lost() {
     for (text, told) in [
         (
             DAKOTA.replace("20 speed", "20 sped"),
-            "`sped` is no parameter of the study; its parameters are speed, mass",
+            "`sped` is no parameter of the study, expected one of `speed`, `mass` (did you mean `speed`?)",
         ),
         (
             DAKOTA.replace("3 ASV_1:exit", "3 ASV_1:obj_fn"),
@@ -124,7 +124,10 @@ fn failed_evaluations_are_told_and_nothing_is_lost() {
         (r#"{"speed": "fast", "mass": 1}"#.to_owned(), "`speed` is \"fast\""),
         (r#"{"speed": 20}"#.to_owned(), "no value for `mass`"),
         ("nothing".to_owned(), "a count of `variables`"),
-        (DAKOTA.replace("DVV_1:mass", "DVV_1:mas"), "derivatives by `mas`, which is no parameter"),
+        (
+            DAKOTA.replace("DVV_1:mass", "DVV_1:mas"),
+            "derivatives by a parameter: `mas` is no parameter of the study",
+        ),
         (r#"{"speed": 20, "mass": 1, "speed": 21}"#.to_owned(), "duplicate key `speed`"),
         (r#"{"speed": 20, "mass""#.to_owned(), "EOF"),
         (DAKOTA.replace("500 mass", "500 speed"), "two values for `speed`"),

@@ -1,6 +1,6 @@
 //! Single numbers of a summary by their path, as in `summary.json`, without writing all of it.
 
-use percuss::RunSummary;
+use percuss::{Fault, RunSummary, path_steps};
 use serde_json::Value;
 
 use super::every_event::{
@@ -75,22 +75,32 @@ impl SummaryPath {
                 [known.part].into_iter().chain(known.keys).collect()
             }
             Some(known) => [known.part, known.name].into_iter().chain(known.keys).collect(),
-            None => keys(path),
+            None => path.split('.').map(str::to_owned).collect(),
         }
     }
 
+    /// What is no path, behind the name that the run has, if the grammar of paths has something against it.
+    pub fn misspelt(path: &str, sample: &RunSummary) -> Option<Fault> {
+        let (_, _, rest) = Self::parts(path, sample)?;
+        if rest.is_empty() { None } else { path_steps(rest).err() }
+    }
+
     fn split(path: &str, sample: &RunSummary) -> Option<Self> {
+        let (part, name, rest) = Self::parts(path, sample)?;
+        let keys = if rest.is_empty() { Vec::new() } else { path_steps(rest).ok()? };
+        Some(Self { path: path.into(), part: part.into(), name, keys })
+    }
+
+    /// The part of a path, the name that the run has, dots and all, and the rest.
+    fn parts<'p>(path: &'p str, sample: &RunSummary) -> Option<(&'p str, String, &'p str)> {
         let (part, rest) = path.split_once('.').unwrap_or((path, ""));
-        let (name, rest) = if NAMED.contains(&part) {
-            let names = names(part, sample);
-            let under = |name: &&String| rest.strip_prefix(name.as_str())?.strip_prefix('.');
-            let name = names.iter().filter(|n| under(n).is_some()).max_by_key(|n| n.len())?;
-            (name.clone(), under(&name)?)
-        } else {
-            (String::new(), rest)
-        };
-        let (path, part) = (path.into(), part.into());
-        Some(Self { path, part, name, keys: keys(rest) })
+        if !NAMED.contains(&part) {
+            return Some((part, String::new(), rest));
+        }
+        let names = names(part, sample);
+        let under = |name: &&String| rest.strip_prefix(name.as_str())?.strip_prefix('.');
+        let name = names.iter().filter(|n| under(n).is_some()).max_by_key(|n| n.len())?;
+        Some((part, name.clone(), under(&name)?))
     }
 
     /// The path as given.
@@ -272,12 +282,6 @@ fn leaves(path: &str, keys: &[&str], value: &Value, all: &mut Vec<Picked>) {
     }
 }
 
-/// Keys and indices of a path within a part.
-fn keys(path: &str) -> Vec<String> {
-    let parts = path.split(['.', '[']).filter(|part| !part.is_empty());
-    parts.map(|part| part.trim_end_matches(']').to_string()).collect()
-}
-
 /// The path with `.1` written `[1]`.
 fn spelled(path: &str) -> String {
     let mut out = String::new();
@@ -361,9 +365,5 @@ mod tests {
             "projectile.mass.velocity_final[1]"
         );
         assert_eq!(unnumbered("contact.m.intervals[12].impulse"), "contact.m.intervals[0].impulse");
-        assert_eq!(
-            keys("intervals[12].place.position[0]"),
-            ["intervals", "12", "place", "position", "0"]
-        );
     }
 }

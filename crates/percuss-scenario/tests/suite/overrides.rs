@@ -47,17 +47,17 @@ fn tables_that_stand_once_are_added() {
 #[test]
 fn paths_that_do_not_exist_come_with_the_nearest_names() {
     for (path, expected) in [
-        ("projectile.mas.velocity=1", "found no [projectile.mas] in the file, expected `mass`"),
+        ("projectile.mas.velocity=1", "found the unknown name `mas`, expected `mass`"),
         ("projectle.mass.velocity=1", "(did you mean `projectile`?)"),
         ("projectile.mass.velocty=1", "(did you mean `velocity`?)"),
-        ("load.weight.at=1", "found no [load.weight] in the file, expected none at all"),
-        ("time=1", "found a path of 1 parts, expected time.KEY=value"),
-        ("projectile.mass=1", "found a path of 2 parts, expected projectile.NAME.KEY=value"),
-        ("title.x=1", "found a path of 2 parts, expected title=value"),
+        ("load.weight.at=1", "found the unknown name `weight`, expected none at all"),
+        ("time=1", "found 1 instead of a table, expected the path of a value in it"),
+        ("projectile.mass=1", "found 1 instead of a table"),
+        ("title.x=1", "found `x` behind `title`, expected the path `title`"),
         ("time.step", "found `time.step`, expected path=value"),
         ("", "found ``, expected path=value"),
-        ("=", "found the unknown key ``"),
-        ("..=..", "found the unknown key ``"),
+        ("=", "found an empty name, expected a path of names and indices"),
+        ("..=..", "found an empty name"),
     ] {
         let fault = set(&[path]).expect_err(path);
         assert!(fault.starts_with("--set: ") && fault.contains(expected), "{path}: {fault}");
@@ -90,7 +90,10 @@ fn tables_in_braces_are_reached_through_the_keys_they_stand_behind() {
     assert!(text.contains("[path]\nuntil = { value = -0.1 }"), "{text}");
     for (path, part) in [
         ("load.l.function.durtion=1", "(did you mean `duration`?)"),
-        ("load.l.from.duration=1", "found `duration` behind `from`, expected from=value"),
+        (
+            "load.l.from.duration=1",
+            "found `duration` behind `from`, expected the path `load.l.from`",
+        ),
         ("path.until.value.x=1", "found `x` behind `value`"),
     ] {
         let fault = set(path).unwrap_err();

@@ -1,6 +1,6 @@
 //! Values set by their paths are those that the file would have had.
 
-use percuss_scenario::{Scenario, apply_overrides, load, read, templates};
+use percuss_scenario::{Scenario, apply_overrides, known_steps, load, read, templates};
 
 /// Paths of all numbers of a scenario that stand behind a key alone.
 fn numbers(scenario: &mut Scenario) -> Vec<(String, f64)> {
@@ -88,8 +88,8 @@ fn paths_that_lead_nowhere_name_what_is_near() {
         ("projectile.mas.mass", "`mass`"),
         ("projectile.mass.stifness", "did you mean `stiffness`?"),
         ("projectile.mass.restitution", "one of"),
-        ("projectile.mass.velocity[3]", "`0`, `1`"),
-        ("projectile.mass.mass.more", "none at all"),
+        ("projectile.mass.velocity[3]", "an entry from 0 to 1"),
+        ("projectile.mass.mass.more", "the path `projectile.mass.mass`"),
     ] {
         let fault = scenario.field(path).expect_err(path);
         assert!(fault.expected.contains(wanted), "{path}: {} / {}", fault.found, fault.expected);
@@ -97,4 +97,50 @@ fn paths_that_lead_nowhere_name_what_is_near() {
     for path in ["", "projectile", "projectile.mass"] {
         assert!(scenario.field(path).is_err(), "{path}");
     }
+}
+
+/// The values of studies, changes by `--set` and what Python reads have their paths from one place.
+#[test]
+fn all_that_takes_a_path_refuses_it_in_the_same_words() {
+    let text = templates()[0].text;
+    let scenario = read(text, "elastic").expect("sound");
+    for path in [
+        "",
+        "time..end",
+        "time.end.more",
+        "time.end[0]",
+        "projectile.mass.velocity[-1]",
+        "projectile.mass.velocity.-1",
+        "projectile.mass.velocity[1",
+        "projectile.mass.velocity[2]",
+        "projectile.mass.velocty[1]",
+        "projectile.my mass.mass",
+        "projectile.mas.mass",
+        "projectle.mass.mass",
+    ] {
+        let fault = scenario.field(path).expect_err(path);
+        let found = fault.found.split(" in the path ").next().unwrap_or_default();
+        let set = apply_overrides(text, "f.toml", &[format!("{path}=1")]).expect_err(path);
+        let read = known_steps(path, "f.toml", Some(text)).expect_err(path);
+        for told in [set, read] {
+            let one = &told.all()[0];
+            assert_eq!((one.message.as_str(), &one.help), (found, &fault.expected), "{path}");
+        }
+    }
+}
+
+#[test]
+fn tables_take_the_place_of_whole_tables() {
+    let text = "[support.a]\nat = \"b.start\" # left\nkind = \"pin\"\n\n[time]\nend = 1\n";
+    let set = |change: &str| apply_overrides(text, "f.toml", &[change.to_owned()]);
+    let one = set("support.a={ at = \"b.end\" }").expect("a table");
+    assert_eq!(one, text.replace("\"b.start\" # left\nkind = \"pin\"", "\"b.end\""));
+    let all = set("support={ c = { at = \"b.end\" } }").expect("tables");
+    assert!(all.contains("[support.c]\nat = \"b.end\"\n") && !all.contains("support.a"), "{all}");
+    let unknown = set("support.a={ att = 1 }").expect_err("an unknown key");
+    assert!(
+        unknown.to_string().contains("support.a.att: found the unknown key `att`"),
+        "{unknown}"
+    );
+    assert!(set("support.c={ at = \"b.end\" }").is_err(), "tables with names have to exist");
 }

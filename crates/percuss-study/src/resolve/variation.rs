@@ -86,7 +86,7 @@ fn list_of(values: &mut Values<'_>, list: &[Given]) -> Result<Variation, Fault> 
         values.unit = first;
         return Ok(Variation::Numbers(numbers.into_iter().flatten().map(|n| n.0).collect()));
     }
-    if values.field.path().contains('[') {
+    if values.field.steps().last().is_some_and(|step| percuss::is_index(step)) {
         let found = format!("words for `{}`, an entry of a list", values.field.path());
         return Err(Fault::new("values", found, "the path of the list, and lists as values"));
     }

@@ -23,6 +23,7 @@ mod mesh;
 mod outline;
 mod overlaps;
 mod pairs;
+mod path_steps;
 mod places;
 #[allow(missing_docs)]
 pub(crate) mod point;
@@ -42,6 +43,7 @@ pub use definition::*;
 pub use extent::ModelExtent;
 pub use fault::Fault;
 pub use frozen::Model;
+pub use path_steps::{is_index, path_steps};
 pub use time_function::{Function, TimeFunction};
 #[doc(hidden)]
 pub use time_function::{PreparedFunction, SAME_INSTANT};
