@@ -104,7 +104,8 @@ def _directory(out: str | os.PathLike[str] | None) -> Iterator[str]:
     if out is not None:
         yield os.fspath(out)
         return
-    with tempfile.TemporaryDirectory(prefix="percuss-") as place:
+    # Threads of a sweep that was interrupted may write for a moment yet.
+    with tempfile.TemporaryDirectory(prefix="percuss-", ignore_cleanup_errors=True) as place:
         yield os.path.join(place, "study")
 
 

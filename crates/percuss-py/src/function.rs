@@ -1,10 +1,11 @@
 //! A study as a function, for Python.
 
-use percuss_study::{Jacobian, Study};
+use percuss_study::Jacobian;
 use pyo3::prelude::*;
 
 use crate::error::study_error;
 use crate::structure::array;
+use crate::watch::{Stop, Watch};
 
 /// What goes in, or comes out: (name, unit, path).
 type Named = (String, String, String);
@@ -83,12 +84,14 @@ pub fn function_values<'py>(
     study: &Bound<'py, crate::study::Study>,
     points: Vec<Vec<f64>>,
 ) -> PyResult<Rows<'py>> {
-    let study: &Study = study.get().inner();
-    let (numbers, failures) = py.detach(|| -> PyResult<_> {
-        let mut function = study.function().map_err(|error| study_error(&error))?;
+    let study = study.get().shared();
+    let work = move |stop: &Stop| -> Result<_, percuss_study::Error> {
+        let mut function = study.function()?;
         let (mut numbers, mut failures) = (Vec::new(), Vec::new());
         for (first, group) in points.chunks(GROUP).enumerate() {
-            Python::attach(|py| py.check_signals())?;
+            if stop.is_wanted() {
+                break;
+            }
             for (k, row) in function.values(group).into_iter().enumerate() {
                 match row {
                     Ok(row) => numbers.extend(row),
@@ -100,11 +103,13 @@ pub fn function_values<'py>(
             }
         }
         Ok((numbers, failures))
-    })?;
+    };
+    let done = Watch::default().run(py, work)?;
+    let (numbers, failures) = done.map_err(|error| study_error(&error))?;
     Ok((array(py, numbers).into_any(), failures))
 }
 
-/// Python is asked for signals after so many points.
+/// The wish to end is looked for after so many points.
 const GROUP: usize = 64;
 
 /// Results at a point and their derivatives, or why there are none.
@@ -133,11 +138,10 @@ pub fn function_jacobian<'py>(
     study: &Bound<'py, crate::study::Study>,
     point: Vec<f64>,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>, Option<String>)> {
-    let study: &Study = study.get().inner();
-    let found = py.detach(|| {
-        let mut function = study.function().map_err(|error| study_error(&error))?;
-        Ok::<_, PyErr>(function.jacobian(&point))
-    })?;
+    let study = study.get().shared();
+    let work = move |_: &Stop| Ok(study.function()?.jacobian(&point));
+    let found = Watch::default().run(py, work)?;
+    let found = found.map_err(|error: percuss_study::Error| study_error(&error))?;
     let (found, why) = match found {
         Ok(found) => (found, None),
         Err(why) => (Jacobian { values: Vec::new(), derivatives: Vec::new() }, Some(why)),

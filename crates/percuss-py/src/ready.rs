@@ -4,8 +4,9 @@ use percuss::{Fault, mechanisms};
 use percuss_scenario::{Compiled, Diagnostics, FileAccess, Scenario, apply_overrides, read_with};
 use pyo3::prelude::*;
 
-use crate::error::scenario_error;
+use crate::error::Refusal;
 use crate::given::Given;
+use crate::watch::{Stop, Watch};
 
 /// What a Python scenario hands over: its text, its name in messages (files that it names lie where it lies), changes of the form
 /// `path=value`, functions behind paths, whether it may name files outside its folder, shape (changes).
@@ -20,17 +21,39 @@ pub struct Ready {
 }
 
 impl Source {
-    /// Reads and compiles.
+    /// Reads and compiles, and does work with it while signals are looked for. What a function of the user's raised comes out as it is.
     ///
     /// # Errors
-    /// `ScenarioError` with every fault.
-    pub fn ready(&self, py: Python<'_>) -> PyResult<Ready> {
-        py.detach(|| self.compile()).map_err(|faults| scenario_error(py, &faults))
+    /// What a function or the handler of a signal raised, `ScenarioError` with every fault, and what the work refuses.
+    pub fn attend<T: Send + 'static>(
+        self,
+        py: Python<'_>,
+        work: impl FnOnce(&Ready, &Stop) -> Result<T, Refusal> + Send + 'static,
+    ) -> PyResult<T> {
+        self.attend_telling(py, work, |_| Ok(()))
     }
 
-    /// What a function of the user's raised, if one did.
-    pub fn raised(&self) -> Option<PyErr> {
-        self.3.raised()
+    /// The same; `tell` is called some times a second, and what it raises ends the work.
+    ///
+    /// # Errors
+    /// As [`Source::attend`], and what `tell` raised.
+    pub fn attend_telling<T: Send + 'static>(
+        self,
+        py: Python<'_>,
+        work: impl FnOnce(&Ready, &Stop) -> Result<T, Refusal> + Send + 'static,
+        tell: impl FnMut(Python<'_>) -> PyResult<()> + Send,
+    ) -> PyResult<T> {
+        let raised = self.3.raised().clone();
+        let watch = Watch { stop: raised.stop.clone(), calls_python: !self.3.is_empty() };
+        let work = move |stop: &Stop| {
+            let ready = self.compile()?;
+            if stop.is_wanted() { Err(Refusal::Stopped) } else { work(&ready, stop) }
+        };
+        let done = watch.run_telling(py, work, tell);
+        match raised.take() {
+            Some(error) => Err(error),
+            None => done?.map_err(|refusal| refusal.exception(py)),
+        }
     }
 
     /// Functions behind paths.
@@ -60,15 +83,18 @@ impl Source {
 
 impl Ready {
     /// Faults that an analysis found, each with its place in the text.
-    pub fn refuse(&self, py: Python<'_>, faults: Vec<Fault>) -> PyErr {
-        scenario_error(py, &self.scenario.diagnostics(faults))
+    pub fn refuse(&self, faults: Vec<Fault>) -> Refusal {
+        self.scenario.diagnostics(faults).into()
     }
 
     /// Refuses a structure that can move without being strained: it has no static equilibrium.
-    pub fn refuse_mechanism(&self, py: Python<'_>) -> PyResult<()> {
+    ///
+    /// # Errors
+    /// The parts that can.
+    pub fn refuse_mechanism(&self) -> Result<(), Refusal> {
         match mechanisms(&self.compiled.model) {
             loose if loose.is_empty() => Ok(()),
-            loose => Err(self.refuse(py, loose)),
+            loose => Err(self.refuse(loose)),
         }
     }
 }
@@ -99,16 +125,16 @@ type Said = (&'static str, String, String, &'static str, Option<String>);
 /// ('fine', '...')
 #[pyfunction]
 pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<Said>> {
-    let ready = source.ready(py)?;
-    let Compiled { model, settings, .. } = &ready.compiled;
-    percuss::Simulation::new(model, settings).map_err(|faults| ready.refuse(py, faults))?;
-    let mut advice = py.detach(|| percuss_advice::advise(model, settings));
-    percuss_advice::allow(&mut advice, |code| ready.scenario.content().reason_to_allow(code));
-    source.raised().map_or(Ok(()), Err)?;
-    Ok(advice
-        .into_iter()
-        .map(|a| (a.verdict.name(), a.contact, a.text, a.topic.code(), a.reason))
-        .collect())
+    source.attend(py, |ready, _| {
+        let Compiled { model, settings, .. } = &ready.compiled;
+        percuss::Simulation::new(model, settings).map_err(|faults| ready.refuse(faults))?;
+        let mut advice = percuss_advice::advise(model, settings);
+        let content = ready.scenario.content();
+        percuss_advice::allow(&mut advice, |code| content.reason_to_allow(code));
+        let said = advice.into_iter();
+        let said = said.map(|a| (a.verdict.name(), a.contact, a.text, a.topic.code(), a.reason));
+        Ok(said.collect())
+    })
 }
 
 /// The scenario as a file with every default written out.
@@ -134,5 +160,5 @@ pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<Said>> {
 /// False
 #[pyfunction]
 pub fn written(py: Python<'_>, source: Source) -> PyResult<String> {
-    Ok(source.ready(py)?.scenario.to_toml())
+    source.attend(py, |ready, _| Ok(ready.scenario.to_toml()))
 }

@@ -4,18 +4,20 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination};
-use percuss_advice::{advise, audit, compare, review, settle};
-use percuss_output::fields::FrameStore;
+use percuss_advice::{Advice, advise, audit, compare, review, settle};
+use percuss_output::fields::{Fields, FrameStore};
 use percuss_output::{RunInfo, allowances, summary_value};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::directory::{Directory, Left};
-use crate::error::{output_error, recorder_error};
+use crate::error::Refusal;
 use crate::fields::to_python;
+use crate::given::Raised;
 use crate::ready::{Ready, Source};
-use crate::recorder::RunRecorder;
+use crate::recorder::{Columns, Reached, RunRecorder};
 use crate::structure::array;
+use crate::watch::Stop;
 
 /// Runs a scenario.
 ///
@@ -35,7 +37,8 @@ use crate::structure::array;
 /// Returns
 /// -------
 /// dict
-///     `names`, `units`, `descriptions`, `columns`, `summary` (JSON), `scenario` (TOML), `fields` (the scene and how it moved), `seconds` [s].
+///     `names`, `units`, `descriptions`, `columns`, `summary` (JSON), `scenario` (TOML), `fields` (the scene and how it moved), `seconds` [s],
+///     `path` of its files or None.
 ///
 /// Raises
 /// ------
@@ -59,40 +62,20 @@ pub fn run<'py>(
     report: bool,
     shapes: Option<usize>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let ready = source.ready(py)?;
-    let model = &ready.compiled.model;
-    let simulation = Simulation::new(model, &ready.compiled.settings)
-        .map_err(|faults| source.raised().unwrap_or_else(|| ready.refuse(py, faults)))?;
-    let text = ready.scenario.to_toml();
-    let directory = out.map(|out| Directory::create(&out, &text, report)).transpose()?;
-    let history = directory.as_ref().map(|directory| directory.history(text.clone()));
-    let settings = &ready.compiled.settings;
-    let extent = (simulation.step_count() / settings.record_every + 2, settings.end);
-    let megabytes = ready.scenario.content().record.shapes;
-    let frames = FrameStore::new(ready.scenario.scene(model), settings.end, megabytes);
-    let frames = match shapes {
-        Some(shapes) => frames.at_most(shapes),
-        None => frames,
+    let wanted = Wanted {
+        out,
+        report,
+        shapes,
+        reached: Reached::default(),
+        raised: source.given().raised().clone(),
     };
-    let mut recorder = RunRecorder::new(frames, history, progress.as_ref(), source.given(), extent);
-    let ended = py.detach(|| simulate(&ready, simulation, &mut recorder));
-
-    let RunRecorder { columns, frames, history, raised, .. } = recorder;
-    if let Termination::Failed(error) = &ended.summary.termination
-        && error.is_recorder()
-    {
-        return Err(recorder_error(error));
-    }
-    let mut fields = frames.finish();
-    fields.part(&ended.summary);
-    if let Some((directory, history)) = directory.zip(history) {
-        let left = Left { run: &ended.summary, summary: &ended.value, fields: &fields };
-        let finished = py.detach(|| directory.finish(history, left));
-        finished.map_err(|error| output_error(&error))?;
-    }
-    if let Some(error) = raised.or_else(|| source.raised()) {
-        return Err(error);
-    }
+    let reached = wanted.reached.clone();
+    let tell = |py: Python<'_>| match (&progress, reached.get()) {
+        (Some(progress), Some([time, end])) => progress.call1(py, (time, end)).map(drop),
+        _ => Ok(()),
+    };
+    let work = move |ready: &Ready, stop: &Stop| wanted.run(ready, stop);
+    let Done { columns, fields, text, place, ended } = source.attend_telling(py, work, tell)?;
     let result = PyDict::new(py);
     let names: Vec<&str> = columns.channels.iter().map(|c| c.name.as_str()).collect();
     let units: Vec<&str> = columns.channels.iter().map(|c| c.unit).collect();
@@ -106,7 +89,69 @@ pub fn run<'py>(
     result.set_item("scenario", text)?;
     result.set_item("fields", to_python(py, &fields)?)?;
     result.set_item("seconds", ended.seconds)?;
+    result.set_item("path", place)?;
     Ok(result)
+}
+
+/// What is wanted of a run.
+struct Wanted {
+    out: Option<PathBuf>,
+    report: bool,
+    shapes: Option<usize>,
+    reached: Reached,
+    raised: Raised,
+}
+
+/// A run with all that is kept of it.
+struct Done {
+    columns: Columns,
+    fields: Fields,
+    /// The scenario with every default written out.
+    text: String,
+    /// Where its files lie.
+    place: Option<PathBuf>,
+    ended: Ended,
+}
+
+impl Wanted {
+    fn run(self, ready: &Ready, stop: &Stop) -> Result<Done, Refusal> {
+        let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
+        let simulation = Simulation::new(model, settings).map_err(|faults| ready.refuse(faults))?;
+        let advice = advise(model, settings);
+        if stop.is_wanted() {
+            return Err(Refusal::Stopped);
+        }
+        let text = ready.scenario.to_toml();
+        let create = |out: PathBuf| Directory::create(&out, &text, self.report);
+        let directory = self.out.map(create).transpose()?;
+        if directory.is_some() {
+            stop.writes();
+        }
+        let history = directory.as_ref().map(|directory| directory.history(text.clone()));
+        let extent = (simulation.step_count() / settings.record_every + 2, settings.end);
+        let megabytes = ready.scenario.content().record.shapes;
+        let frames = FrameStore::new(ready.scenario.scene(model), settings.end, megabytes);
+        let frames = match self.shapes {
+            Some(shapes) => frames.at_most(shapes),
+            None => frames,
+        };
+        let mut recorder = RunRecorder::new(frames, history, self.reached, self.raised, extent);
+        let ended = simulate(ready, simulation, advice, &mut recorder);
+        let RunRecorder { columns, frames, history, .. } = recorder;
+        let mut fields = frames.finish();
+        fields.part(&ended.summary);
+        let mut place = None;
+        if let Termination::Failed(error) = &ended.summary.termination
+            && error.is_recorder()
+        {
+            return Err(Refusal::Recorder(error.code(), error.to_string()));
+        }
+        if let Some((directory, history)) = directory.zip(history) {
+            let left = Left { run: &ended.summary, summary: &ended.value, fields: &fields };
+            place = Some(directory.finish(history, left)?);
+        }
+        Ok(Done { columns, fields, text, place, ended })
+    }
 }
 
 /// A run that has ended, one way or the other.
@@ -116,9 +161,13 @@ struct Ended {
     seconds: f64,
 }
 
-fn simulate(ready: &Ready, simulation: Simulation<'_>, recorder: &mut RunRecorder<'_>) -> Ended {
+fn simulate(
+    ready: &Ready,
+    simulation: Simulation<'_>,
+    mut advice: Vec<Advice>,
+    recorder: &mut RunRecorder,
+) -> Ended {
     let compiled = &ready.compiled;
-    let mut advice = advise(&compiled.model, &compiled.settings);
     let begun = Instant::now();
     let summary = simulation.run(recorder);
     let seconds = begun.elapsed().as_secs_f64();

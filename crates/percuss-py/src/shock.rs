@@ -6,19 +6,20 @@ use percuss_output::shock::{self, Band, Cfc, ShockError, Signal};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::request_error;
+use crate::error::Refusal;
+use crate::watch::Watch;
 
-fn refused(error: &ShockError) -> PyErr {
-    request_error(RequestCode::Acceleration, &error.to_string())
+fn refused(error: &ShockError) -> Refusal {
+    Refusal::Request(RequestCode::Acceleration, error.to_string())
 }
 
 /// The acceleration that follows from a velocity, in a class if one is given.
-fn signal(time: &[f64], velocity: &[f64], cfc: Option<u32>) -> PyResult<Signal> {
+fn signal(time: &[f64], velocity: &[f64], cfc: Option<u32>) -> Result<Signal, Refusal> {
     let signal = Signal::from_velocity(time, velocity).map_err(|error| refused(&error))?;
     let Some(number) = cfc else { return Ok(signal) };
     let class = Cfc::of(number).ok_or_else(|| {
         let text = format!("cfc={number}: expected a class of SAE J211: 60, 180, 600 or 1000");
-        request_error(RequestCode::Acceleration, &text)
+        Refusal::Request(RequestCode::Acceleration, text)
     })?;
     shock::filtered(&signal, class).map_err(|error| refused(&error))
 }
@@ -55,7 +56,8 @@ pub fn acceleration<'py>(
     velocity: Vec<f64>,
     cfc: Option<u32>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let signal = signal(&time, &velocity, cfc)?;
+    let signal = Watch::default().run(py, move |_| signal(&time, &velocity, cfc))?;
+    let signal = signal.map_err(|refusal| refusal.exception(py))?;
     let result = PyDict::new(py);
     result.set_item("time", signal.times().collect::<Vec<f64>>().into_pyarray(py))?;
     result.set_item("resampled", signal.resampled)?;
@@ -101,10 +103,15 @@ pub fn shock_spectrum<'py>(
     band: (f64, Option<f64>, f64),
     cfc: Option<u32>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let signal = signal(&history.0, &history.1, cfc)?;
-    let (from, to, per_octave) = band;
-    let band = Band { from, to, per_octave };
-    let found = shock::shock_spectrum(&signal, damping, &band).map_err(|error| refused(&error))?;
+    let work = move || {
+        let signal = signal(&history.0, &history.1, cfc)?;
+        let (from, to, per_octave) = band;
+        let band = Band { from, to, per_octave };
+        let found = shock::shock_spectrum(&signal, damping, &band);
+        Ok((found.map_err(|error| refused(&error))?, signal.resampled))
+    };
+    let found = Watch::default().run(py, move |_| work())?;
+    let (found, resampled) = found.map_err(|refusal: Refusal| refusal.exception(py))?;
     let result = PyDict::new(py);
     let velocity = found.pseudo_velocity();
     let answers = [
@@ -119,6 +126,6 @@ pub fn shock_spectrum<'py>(
         result.set_item(format!("{name}_maximax"), column(|x| x.maximax()).into_pyarray(py))?;
     }
     result.set_item("frequency", found.frequency.into_pyarray(py))?;
-    result.set_item("resampled", signal.resampled)?;
+    result.set_item("resampled", resampled)?;
     Ok(result)
 }
