@@ -33,6 +33,7 @@ from ._function import Function, function
 from ._function import openturns_function as openturns
 from ._given import Potential
 from ._load import check, load
+from ._outcome import AdviceWarning, FailedRunError, FailedRunWarning
 from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
@@ -45,10 +46,13 @@ from ._sweep import sweep
 
 __all__ = [
     "Advice",
+    "AdviceWarning",
     "AnalysisError",
     "Convergence",
     "Convergences",
     "Equilibrium",
+    "FailedRunError",
+    "FailedRunWarning",
     "Fault",
     "FileError",
     "Function",
