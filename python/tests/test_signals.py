@@ -84,3 +84,10 @@ def test_ctrl_c_raises_keyboard_interrupt_at_once(call, tmp_path):
 def test_a_handler_of_the_user_s_own_is_heard(tmp_path):
     code = 'signal.signal(signal.SIGINT, lambda *_: (_ for _ in ()).throw(KeyboardInterrupt("mine"))); percuss.modes(fine, 1000, beam__girder__elements=2000)'
     assert float(interrupted(code, tmp_path).stdout) < 1.0
+
+
+def test_no_entry_of_the_native_module_works_without_looking_for_signals():
+    """Only the helper that looks for signals lets go of the interpreter, and the command, whose signals are its own."""
+    sources = Path(__file__).parents[2] / "crates" / "percuss-py" / "src"
+    loose = {path.name for path in sources.glob("*.rs") if ".detach(" in path.read_text()}
+    assert loose == {"watch.rs", "command.rs"}
