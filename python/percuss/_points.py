@@ -34,7 +34,7 @@ def name_of(path: str) -> str:
     return "_".join(part for part in re.split(r"[^\w-]+", path) if part)
 
 
-def _named(points: Points) -> dict[str, Any] | None:
+def _named(points: Any) -> dict[str, Any] | None:
     """Columns by name, if they have names."""
     if isinstance(points, Mapping):
         return {str(name): values for name, values in points.items()}
@@ -72,4 +72,5 @@ def _matched(named: Mapping[str, Any], parameters: Mapping[str, str]) -> dict[st
     missing = [name for name in parameters if name not in columns]
     if missing:
         raise ValueError(f"points: no column for {', '.join(missing)}")
-    return columns
+    order = [*parameters, *(name for name in columns if name not in parameters)]
+    return {name: columns[name] for name in order}

@@ -36,7 +36,8 @@ def test_columns_of_a_table_go_by_name_or_path_whatever_their_order(two):
     wanted = percuss.sweep(two, points=POINTS)["peak_force"]
     swapped = {"mass": POINTS[:, 1], "projectile.mass.velocity[1]": POINTS[:, 0]}
     for points in (swapped, pandas.DataFrame(swapped)):
-        assert np.array_equal(percuss.sweep(two, points=points)["peak_force"], wanted)
+        table = percuss.sweep(two, points=points)
+        assert table.names("input") == ("speed", "mass") and np.array_equal(table["peak_force"], wanted)
     structured = np.array([tuple(row) for row in POINTS[:, ::-1]], dtype=[("mass", float), ("speed", float)])
     assert np.array_equal(percuss.sweep(two, points=structured)["peak_force"], wanted)
 
@@ -96,7 +97,7 @@ def test_a_function_gives_the_same_on_threads_executors_and_kept(two, tmp_path):
     assert len(list((tmp_path / "kept").iterdir())) == 2, "each call has a directory of its own"
 
 
-def test_a_call_with_the_same_points_goes_on_from_what_is_kept(two, tmp_path, monkeypatch):
+def test_a_call_with_the_same_points_goes_on_from_what_is_kept(two, tmp_path):
     first = percuss.function(two, out=tmp_path)(POINTS)
     (own,) = tmp_path.iterdir()
     shards = {path: path.stat().st_mtime_ns for path in (own / "shards").iterdir()}
