@@ -55,7 +55,6 @@ table! {
         /// Distribution of random values.
         distribution: Option<Distribution> as Maybe<Braces<Distribution>> = None,
     }
-    either values | range | distribution
     then settle_parameter
 }
 
@@ -64,6 +63,10 @@ fn settle_parameter(_: &mut Parameter, body: &Body<'_>, reader: &mut Reader<'_>)
     let keys = ["values", "range", "distribution"];
     for pair in [[keys[0], keys[1]], [keys[0], keys[2]], [keys[1], keys[2]]] {
         crate::table::exclude(body, pair, reader);
+    }
+    if keys.iter().any(|key| reader.excuses(body, key)) {
+        // A misspelt key has its message, and is not missing besides.
+        reader.tainted.insert(format!("{}.values", body.path));
     }
 }
 
@@ -167,16 +170,16 @@ kinds! {
             /// Number of points.
             sampling: Sampling
         },
+        /// Monte Carlo: independent random values.
+        MonteCarlo = "monte-carlo" {} with {
+            /// Number of points.
+            sampling: Sampling
+        },
         /// Points chosen elsewhere: run k takes entry k of the `values` of each parameter, or row k of a file.
         Points = "points" {
             /// CSV file with a row for each run and, in its header, the names or paths of the parameters; a path without a parameter makes one.
             /// Its cells are numbers in SI units or in that of the header (`mass [kg]`), or values as in the scenario.
             file: Option<String> as Maybe<Text> = None,
-        },
-        /// Monte Carlo: independent random values.
-        MonteCarlo = "monte-carlo" {} with {
-            /// Number of points.
-            sampling: Sampling
         },
     }
 }

@@ -141,6 +141,8 @@ fn what_is_wrong_with_points_is_told_with_what_would_be_right() {
         let told = read(&rest).err().map(|faults| faults.to_string()).unwrap_or_default();
         assert!(told.contains(wanted), "{wanted}: {told}");
     }
+    let misspelt = LISTED.replace("values = [1.0", "valeus = [1.0");
+    assert_eq!(read(&misspelt).err().map(|faults| faults.all().len()), Some(1));
     let outside = format!(
         "scenario = '''{BASE}'''\n[design]\nkind = \"points\"\nfile = \"../points.csv\"\n{RESULTS}"
     );
