@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import sys
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from ._errors import AnalysisError, PercussWarning
@@ -76,8 +76,8 @@ def raise_for_status(result: Result) -> None:
 
 def tell(result: Result, check: bool) -> None:
     """Issues the warnings of a run, and raises or warns of one that did not complete."""
-    for text, code in _advice(result):
-        warn(AdviceWarning, text, code)
+    found = (one for one in result.summary["advice"] if one["verdict"] == "warning")
+    warn_of_advice((one["contact"], one["topic"], one["text"], one["code"]) for one in found)
     for one in result.summary["warnings"]:
         if one["verdict"] == "warning":
             warn(PercussWarning, one["text"], one["code"])
@@ -85,6 +85,16 @@ def tell(result: Result, check: bool) -> None:
         raise_for_status(result)
     else:
         warn_of_status(result)
+
+
+def warn_of_advice(found: Iterable[tuple[str, str, str, str]]) -> None:
+    """Issues warnings of the model checks (contact, topic, text, code), those of several contacts once."""
+    contacts: dict[tuple[str, str, str], list[str]] = {}
+    for contact, topic, text, code in found:
+        contacts.setdefault((topic, text, code), []).append(contact)
+    for (topic, text, code), of in contacts.items():
+        more = f" and {len(of) - 1} more" if len(of) > 1 else ""
+        warn(AdviceWarning, f"{of[0]}{more}, {topic}: {text}", code)
 
 
 def warn_of_status(result: Result) -> None:
@@ -114,14 +124,3 @@ def _failure(result: Result) -> tuple[str, str | None]:
     why = run.get("error") or f"{run['status']} at t = {run['time']:.6g} s"
     place = f" ({result.path})" if result.path else ""
     return f"the run did not complete{place}: {why}", run.get("error_code")
-
-
-def _advice(result: Result) -> Iterator[tuple[str, str]]:
-    """Warnings of the model checks, those said of several contacts once."""
-    found: dict[tuple[str, str, str], list[str]] = {}
-    for one in result.summary["advice"]:
-        if one["verdict"] == "warning":
-            found.setdefault((one["code"], one["topic"], one["text"]), []).append(one["contact"])
-    for (code, topic, text), contacts in found.items():
-        more = f" and {len(contacts) - 1} more" if len(contacts) > 1 else ""
-        yield f"{contacts[0]}{more}, {topic}: {text}", code

@@ -83,3 +83,39 @@ def test_warnings_of_the_model_checks_are_heard_once_and_can_be_allowed(elastic)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         percuss.run(elastic)
+
+
+ARM = """
+[material.steel]
+preset = "S235"
+[section.s]
+shape = "rectangle"
+width = "10 cm"
+depth = "10 cm"
+[beam.arm]
+points = [[0, 0], [1, 0]]
+elements = 4
+material = "steel"
+section = "s"
+[support.left]
+at = "arm.start"
+kind = "clamp"
+[load.push]
+kind = "point"
+at = "arm.end"
+force = [0, "-100 kN"]
+[time]
+end = 1e-3
+step = 1e-4
+"""
+
+
+def test_a_static_equilibrium_warns_of_what_the_command_warns_of():
+    arm = percuss.Scenario(ARM)
+    with pytest.warns(percuss.AdviceWarning, match=r"beam arm, usual strength exceeded: .* \[W018\]$") as caught:
+        percuss.static(arm)
+    assert [one.message.code for one in caught] == ["W018"]
+    arm["allow.W018"] = "the strength is known to be higher"
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        percuss.static(arm)

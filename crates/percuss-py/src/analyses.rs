@@ -97,7 +97,7 @@ fn nodes<'py>(py: Python<'py>, of: &[[f64; 4]]) -> PyResult<Bound<'py, PyAny>> {
 /// Returns
 /// -------
 /// dict
-///     `summary` (JSON), `displacement` (n_node, 4) [m, 1], `beams`.
+///     `summary` (JSON), `displacement` (n_node, 4) [m, 1], `beams`, `warnings` (contact, topic, text, code).
 ///
 /// Examples
 /// --------
@@ -106,25 +106,27 @@ fn nodes<'py>(py: Python<'py>, of: &[[f64; 4]]) -> PyResult<Bound<'py, PyAny>> {
 #[pyfunction]
 #[pyo3(name = "static", signature = (source, path))]
 pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bound<'py, PyDict>> {
-    let (summary, displacement, beams) = source.attend(py, move |ready, _| {
+    let (summary, displacement, beams, warnings) = source.attend(py, move |ready, _| {
         ready.refuse_mechanism()?;
         let model = &ready.compiled.model;
-        let (value, state) = if path {
+        let (value, end) = if path {
             let followed = equilibrium_path(model, &ready.compiled.path)?;
             let buckling = buckling_in_contact(model, &followed.end, 1);
             let mut value = equilibrium_value(model, &followed.end, &buckling);
             value["path"] = path_value(&followed);
-            (value, followed.end.state)
+            (value, followed.end)
         } else {
             let found = equilibrium(model)?;
             let buckling = buckling_in_contact(model, &found, 1);
-            (equilibrium_value(model, &found, &buckling), found.state)
+            (equilibrium_value(model, &found, &buckling), found)
         };
-        Ok((value.to_string(), state.displacement, Beams::of(model)))
+        let warnings = ready.warnings(percuss_advice::beyond_strength(&end.section_forces));
+        Ok((value.to_string(), end.state.displacement, Beams::of(model), warnings))
     })?;
     let result = PyDict::new(py);
     result.set_item("summary", summary)?;
     result.set_item("displacement", nodes(py, &displacement)?)?;
+    result.set_item("warnings", warnings)?;
     result.set_item("beams", beams.to_python(py)?)?;
     Ok(result)
 }

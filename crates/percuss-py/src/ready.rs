@@ -1,6 +1,7 @@
 //! A scenario ready to run: text, changes and functions in, model and settings out.
 
 use percuss::{Fault, mechanisms};
+use percuss_advice::{Advice, Verdict};
 use percuss_scenario::{Compiled, Diagnostics, FileAccess, Scenario, apply_overrides, read_with};
 use pyo3::prelude::*;
 
@@ -81,7 +82,17 @@ impl Source {
     }
 }
 
+/// A warning of the model checks: contact, topic, text, code.
+pub type Warned = (String, &'static str, String, &'static str);
+
 impl Ready {
+    /// The warnings among findings, without those that the scenario allows.
+    pub fn warnings(&self, mut found: Vec<Advice>) -> Vec<Warned> {
+        percuss_advice::allow(&mut found, |code| self.scenario.content().reason_to_allow(code));
+        let warnings = found.into_iter().filter(|one| one.verdict == Verdict::Warning);
+        warnings.map(|one| (one.contact, one.topic.name(), one.text, one.topic.code())).collect()
+    }
+
     /// Faults that an analysis found, each with its place in the text.
     pub fn refuse(&self, faults: Vec<Fault>) -> Refusal {
         self.scenario.diagnostics(faults).into()
