@@ -31,10 +31,11 @@ from ._errors import (
     StudyError,
 )
 from ._function import Function, function
-from ._function import openturns_function as openturns
 from ._given import Potential
 from ._load import check, load
 from ._open import open as open  # not in `import *`, which would hide that of Python
+from ._openturns import openturns_function as openturns
+from ._outcome import AdviceWarning, FailedRunError, FailedRunWarning
 from ._percuss import VERSION as __version__
 from ._percuss import Study
 from ._result import Result
@@ -47,10 +48,13 @@ from ._sweep import sweep
 
 __all__ = [
     "Advice",
+    "AdviceWarning",
     "AnalysisError",
     "Convergence",
     "Convergences",
     "Equilibrium",
+    "FailedRunError",
+    "FailedRunWarning",
     "Fault",
     "FileError",
     "Function",

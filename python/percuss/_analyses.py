@@ -12,6 +12,7 @@ import numpy as np
 from . import _percuss
 from ._columns import read_only
 from ._load import Scenarios, scenario_of
+from ._outcome import warn_of_advice
 from ._structure import Beams, Floats
 
 if TYPE_CHECKING:
@@ -304,6 +305,8 @@ def modes(
 def static(scenario: Scenarios, *, path: bool = False, **overrides: Any) -> Equilibrium:
     """Static equilibrium under the loads that act at time zero; projectiles are ignored.
 
+    Stresses beyond the strength of a material are issued as an :class:`AdviceWarning`.
+
     Parameters
     ----------
     scenario : str, path, mapping or Scenario
@@ -333,4 +336,6 @@ def static(scenario: Scenarios, *, path: bool = False, **overrides: Any) -> Equi
     >>> round(1000 * place[1], 1)  # mm
     -22.0
     """
-    return Equilibrium(_percuss.static(scenario_of(scenario)._source(overrides), path))
+    native = _percuss.static(scenario_of(scenario)._source(overrides), path)
+    warn_of_advice(native.pop("warnings"))
+    return Equilibrium(native)

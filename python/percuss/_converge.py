@@ -14,10 +14,10 @@ from ._columns import nearest
 from ._errors import AnalysisError, InputError, coded
 from ._load import Scenarios, scenario_of
 from ._options import texts
+from ._outcome import warn_of_audit
 from ._plot import pyplot
 from ._progress import Progress
 from ._result import Result
-from ._run import run
 from ._scenario import Scenario
 
 if TYPE_CHECKING:
@@ -244,13 +244,13 @@ def converge(
     factors = tuple(2**k for k in range(levels))
     runs = 1 + len(refine) * (levels - 1)
     with Progress(progress, runs, "runs", "converge") as bar:
-        first = _completed(base)
+        first = _completed(base, bar)
         what = quantity or _most_moved(first)
         out = Convergences()
         for n, word in enumerate(refine):
             values = [_value(first, what)]
             for k, factor in enumerate(factors[1:]):
-                values.append(_value(_completed(_finer(base, word, factor)), what))
+                values.append(_value(_completed(_finer(base, word, factor), bar), what))
                 bar.to(2 + n * (levels - 1) + k)
             name = what if isinstance(what, str) else getattr(what, "__name__", "quantity")
             # One home for orders and limits: `percuss converge` prints the same.
@@ -266,12 +266,20 @@ def _written(scenario: Scenario, overrides: dict[str, Any]) -> str:
     return _percuss.written(scenario._source(overrides))
 
 
-def _completed(scenario: Scenario) -> Result:
-    result = run(scenario, progress=False, shapes=0)
+def _completed(scenario: Scenario, bar: Progress) -> Result:
+    """A run, without the advice on step and mesh: what is looked at is their effect."""
+    # Told of, it logs no estimate of its time, which would break the line of the bar.
+    told = None if bar.listener is None else _ignored
+    result = Result._of(_percuss.run(scenario._source(), told, None, False, 0))
+    warn_of_audit(result)
     if result.status != "completed":
         text = f"a refined run did not complete: {result.summary.get('error', result.status)}"
         raise coded(AnalysisError, text, result.summary.get("error_code"))
     return result
+
+
+def _ignored(time: float, end: float) -> None:
+    """The time that a run has reached, of which nothing is shown."""
 
 
 def _finer(base: Scenario, word: str, factor: int) -> Scenario:

@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+import os
 import re
+from collections.abc import Callable
+from concurrent.futures import Executor
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
 from . import _percuss
 from ._distributions import joint_distribution, salib_problem, unit_problem
-from ._errors import AnalysisError, InputError, MissingError, PercussError, coded
-from ._named import columns_of
+from ._errors import AnalysisError, InputError, PercussError, coded
+from ._named import named_columns
 from ._options import own_options
 from ._structure import Floats
-from ._study import StudySource, study_of
+from ._study import StudySource, Sweep, study_at, study_of
+from ._sweep import sweep
 
 if TYPE_CHECKING:
     import openturns
+    from distributed import Client
 
 
 class Function:
@@ -30,6 +35,18 @@ class Function:
         The study; only numbers may vary in it.
     failed : {"raise", "nan"}
         Treatment of points whose run does not complete or has no such result.
+    jobs : int
+        Number of threads for several points; -1 (or 0) for one a core, -2 for one less, as in joblib.
+    client : distributed.Client, optional
+        Run them on a Dask cluster.
+    executor : concurrent.futures.Executor, optional
+        Run them on an executor.
+    out : str or path, optional
+        Keeps the runs of each call in a directory of its own below this one, or below a location that fsspec knows: a call with the same
+        points goes on from there.
+    progress : bool or callable, optional
+        Whether a bar is shown for points on several threads or kept ones; by default on a terminal and in notebooks. A function is called
+        with the runs done and their number.
 
     Attributes
     ----------
@@ -76,7 +93,17 @@ class Function:
     (3, 3)
     """
 
-    def __init__(self, study: _percuss.Study, *, failed: Literal["raise", "nan"] = "raise") -> None:
+    def __init__(
+        self,
+        study: _percuss.Study,
+        *,
+        failed: Literal["raise", "nan"] = "raise",
+        jobs: int = 1,
+        client: Client | None = None,
+        executor: Executor | None = None,
+        out: str | os.PathLike[str] | None = None,
+        progress: bool | Callable[[float, float], object] | None = None,
+    ) -> None:
         if failed not in ("raise", "nan"):
             raise ValueError(f'failed is {failed!r}; it may be "raise" or "nan"')
         inputs, bounds, middle, outputs = _percuss.function_layout(study)
@@ -91,6 +118,8 @@ class Function:
         variations, correlation = _percuss.function_variations(study)
         self.variations: dict[str, tuple[str, list[float]]] = dict(zip(self.names, variations))
         self.correlation: Floats | None = None if correlation is None else np.array(correlation)
+        self._out = None if out is None else os.fspath(out).rstrip("/")
+        self._spread: dict[str, Any] = {"jobs": jobs, "client": client, "executor": executor, "progress": progress}
 
     def __call__(self, x: Any) -> Floats:
         """Results at points.
@@ -125,12 +154,47 @@ class Function:
         True
         """
         points = self._points(x)
-        flat, failures = _percuss.function_values(self.study, np.atleast_2d(points).tolist())
+        if self._is_spread(points):
+            flat, failures = self._swept(np.atleast_2d(points))
+        else:
+            flat, failures = _percuss.function_values(self.study, np.atleast_2d(points).tolist())
         if failures and self.failed == "raise":
             point, why = failures[0]
             more = f" (and {len(failures) - 1} more)" if len(failures) > 1 else ""
             raise _told(f"point {point}{more}: {why}" if points.ndim > 1 else why)
         return flat.reshape(*points.shape[:-1], len(self.results))
+
+    def _is_spread(self, points: Floats) -> bool:
+        """Whether points go to several threads or processes, or are kept."""
+        several = points.ndim > 1 and len(points) > 1
+        elsewhere = self._spread["client"] is not None or self._spread["executor"] is not None
+        return points.size > 0 and (self._out is not None or several and (elsewhere or self._spread["jobs"] != 1))
+
+    def _swept(self, points: Floats) -> tuple[Floats, list[tuple[int, str]]]:
+        """Results at points as those of a study that lists them, and why some have none."""
+        study = self._at(points)
+        out = None if self._out is None else f"{self._out}/points-{study.fingerprint[:16]}"
+        table = sweep(study, out=out, **self._spread)
+        values = np.column_stack([table[name] for name in self.results])
+        return values, [(k, why) for k in range(len(table)) if (why := self._missing(table, k, values[k]))]
+
+    def _at(self, points: Floats) -> _percuss.Study:
+        study = study_at(points, self.study, {})
+        units = [unit for _, unit, _ in _percuss.function_layout(study)[0]]
+        if units == [self.units[name] for name in self.names]:
+            return study
+        # A bare number for a place along a beam is a fraction, and this study varies lengths.
+        texts = [[x if self.units[name] == "1" else f"{x!r} {self.units[name]}" for x in points[:, k].tolist()] for k, name in enumerate(self.names)]
+        return study_at(dict(zip(self.names, texts)), self.study, {})
+
+    def _missing(self, table: Sweep, k: int, values: Floats) -> str:
+        """Why a run has no value, empty if it has."""
+        if table["status"][k] != "completed":
+            return str(table["reason"][k])
+        for name, value in zip(self.results, values):
+            if np.isnan(value):
+                return f"the run at this point has no `{self.paths[name]}` (`{name}`) [E319]"
+        return ""
 
     def jacobian(self, x: Any) -> Floats:
         """Derivatives of all results at a point, exact ones of the run, impacts included.
@@ -268,7 +332,7 @@ class Function:
         return joint_distribution(self)
 
     def _points(self, x: Any) -> Floats:
-        named = columns_of(x)
+        named = named_columns(x)
         if named is None:
             points = np.asarray(x, dtype=float)
         else:
@@ -285,7 +349,17 @@ class Function:
 
 
 @own_options
-def function(study: StudySource, *, failed: Literal["raise", "nan"] = "raise", allow_outside: bool = False) -> Function:
+def function(
+    study: StudySource,
+    *,
+    failed: Literal["raise", "nan"] = "raise",
+    allow_outside: bool = False,
+    jobs: int = 1,
+    client: Client | None = None,
+    executor: Executor | None = None,
+    out: str | os.PathLike[str] | None = None,
+    progress: bool | Callable[[float, float], object] | None = None,
+) -> Function:
     """A study as a function ``y = f(x)``; see :class:`Function`.
 
     Parameters
@@ -296,6 +370,18 @@ def function(study: StudySource, *, failed: Literal["raise", "nan"] = "raise", a
         Treatment of points whose run does not complete or has no such result.
     allow_outside : bool
         Let the study name files outside its own folder.
+    jobs : int
+        Number of threads for several points; -1 (or 0) for one a core, -2 for one less, as in joblib.
+    client : distributed.Client, optional
+        Run them on a Dask cluster.
+    executor : concurrent.futures.Executor, optional
+        Run them on an executor: a process pool, mpi4py's.
+    out : str or path, optional
+        Keeps the runs of each call in a directory of its own below this one, or below a location that fsspec knows: a call with the same
+        points goes on from there.
+    progress : bool or callable, optional
+        Whether a bar is shown for points on several threads or kept ones; by default on a terminal and in notebooks. A function is called
+        with the runs done and their number.
 
     Returns
     -------
@@ -311,61 +397,11 @@ def function(study: StudySource, *, failed: Literal["raise", "nan"] = "raise", a
     --------
     >>> percuss.function("speed.toml")
     <percuss.Function (speed) -> (peak_force, deflection, stress)>
+    >>> percuss.function("speed.toml", jobs=0, out="kept")([[-2.5], [-7.5]])[:, 0].round()
+    array([1280., 3842.])
     """
-    return Function(study_of(study, {}, allow_outside), failed=failed)
-
-
-@own_options
-def openturns_function(study: StudySource | Function) -> openturns.Function:
-    """A study as an ``openturns.Function`` with its gradient; samples are computed in batches.
-
-    The distribution of its parameters is ``percuss.function(study).distribution()``.
-
-    Parameters
-    ----------
-    study : str, path, mapping, Study or Function
-        A study, or the function it is.
-
-    Returns
-    -------
-    openturns.Function
-        From values of the parameters to results.
-
-    Raises
-    ------
-    MissingError
-        If OpenTURNS is not installed.
-    ScenarioError
-        If the study has faults.
-
-    Examples
-    --------
-    >>> g = percuss.openturns("speed-and-mass.toml")
-    >>> g.getInputDescription()
-    [speed,mass,young]
-    >>> round(g([20, 500, 2e9])[0] / 1000)  # kN
-    338
-    """
-    try:
-        import openturns
-    except ImportError as error:
-        raise MissingError.of("openturns", "a function of OpenTURNS", "openturns") from error
-    f = study if isinstance(study, Function) else function(study)
-
-    def gradient(x: Any) -> Any:
-        # OpenTURNS wants a row for each parameter.
-        return openturns.Matrix(f.jacobian(np.array(x)).T.tolist())
-
-    made = openturns.PythonFunction(
-        len(f.names),
-        len(f.results),
-        func=lambda x: f(np.array(x)).tolist(),
-        func_sample=lambda x: f(np.array(x)).tolist(),
-        gradient=gradient,
-    )
-    made.setInputDescription(f.names)
-    made.setOutputDescription(f.results)
-    return made
+    read = study_of(study, {}, allow_outside)
+    return Function(read, failed=failed, jobs=jobs, client=client, executor=executor, out=out, progress=progress)
 
 
 def _told(why: str) -> PercussError:

@@ -10,7 +10,7 @@ _BY_DEFAULT = re.compile(r"[A-Za-z]\d+")
 """What OpenTURNS calls columns without names: v0, v1; X0, X1."""
 
 
-def columns_of(x: Any) -> dict[str, Any] | None:
+def named_columns(x: Any) -> dict[str, Any] | None:
     """Columns by name; None of what has no names, such as an array, or a table whose columns are numbered."""
     names = _names(x)
     if names is None or names == list(range(len(names))):

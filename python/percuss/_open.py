@@ -16,6 +16,9 @@ from ._study import Sweep
 def open(directory: str | os.PathLike[str]) -> Result | Any:
     """A finished run or sweep, read back; nothing is written.
 
+    A :class:`FailedRunWarning` tells of a run that did not complete, and of a later one to the same directory that did not: it lies beside
+    it (``plank.incomplete``), as it does not replace a complete run.
+
     Parameters
     ----------
     directory : str or path

@@ -13,8 +13,8 @@ Arguments = ParamSpec("Arguments")
 Returned = TypeVar("Returned")
 
 OPTIONS = (
-    "about", "accuracy", "allow_outside", "client", "count", "executor", "failed", "jobs", "levels", "out", "parameters", "path",
-    "progress", "quantity", "refine", "report", "results", "shapes",
+    "about", "accuracy", "allow_outside", "check", "client", "count", "executor", "failed", "jobs", "levels", "out", "parameters", "path",
+    "points", "progress", "quantity", "refine", "report", "results", "shapes",
 )  # fmt: skip
 """Names of the options of functions that take changes of a scenario, or tables of a study, as further keywords."""
 

@@ -40,6 +40,11 @@ class Progress:
             self._bar.close()
         return False
 
+    @property
+    def listener(self) -> Callable[[float, float], None] | None:
+        """What is told of a run, if somebody wants to know."""
+        return self.to if self._wanted or self._listener is not None else None
+
     def to(self, done: float, total: float | None = None) -> None:
         """So much is done."""
         if total is not None:

@@ -14,6 +14,7 @@ from . import _arrow, _percuss
 from ._columns import Columns, read_only
 from ._errors import InputError, coded
 from ._fields import Fields
+from ._outcome import raise_for_status
 from ._structure import Shapes
 
 if TYPE_CHECKING:
@@ -157,6 +158,46 @@ class Result(Columns[np.float64]):
         'completed'
         """
         return str(self.summary["status"])
+
+    @property
+    def path(self) -> str:
+        """Directory of the files of the run.
+
+        A run that did not complete does not replace a complete one: its files lie beside it, in ``plank.incomplete``.
+
+        Returns
+        -------
+        str
+            Where they lie; empty if nowhere.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml", out="runs/plank").path
+        'runs/plank'
+        """
+        path = self._native.get("path")
+        return "" if path is None else os.fspath(path)
+
+    def raise_for_status(self) -> Result:
+        """Raises an exception unless the run completed.
+
+        Returns
+        -------
+        Result
+            This one.
+
+        Raises
+        ------
+        FailedRunError
+            If it did not complete.
+
+        Examples
+        --------
+        >>> percuss.run("plank.toml", check=False).raise_for_status().status
+        'completed'
+        """
+        raise_for_status(self)
+        return self
 
     @property
     def scenario(self) -> str:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import glob
 import os
-import warnings
 from collections.abc import Callable
 from typing import Any
 
 from . import _percuss
-from ._errors import MissingRunError, PercussWarning, coded
+from ._errors import MissingRunError, coded
+from ._outcome import FailedRunWarning, tell, warn, warn_of_status
 from ._progress import Progress
 from ._result import Result
 from ._load import Scenarios, scenario_of
@@ -21,12 +22,14 @@ def run(
     out: str | os.PathLike[str] | None = None,
     report: bool = False,
     shapes: int | None = None,
+    check: bool = True,
     **overrides: Any,
 ) -> Result:
     """Simulates a scenario.
 
-    What the audit of the run warns of, such as a balance error, is raised as a :class:`PercussWarning` with its code,
-    unless the scenario allows it; ``result.summary["warnings"]`` has all of it.
+    What the model checks and the audit of the run warn of, such as a coarse step or a balance error, is issued as an
+    :class:`AdviceWarning` or a :class:`PercussWarning` with its code, unless the scenario allows it; ``result.summary["advice"]`` and
+    ``result.summary["warnings"]`` have all of it.
 
     Parameters
     ----------
@@ -42,13 +45,16 @@ def run(
     shapes : int, optional
         Largest number of frames of the scene kept of either kind, those in which something touches and the others; by default
         ``record.shapes`` of the scenario says how much memory they get. 0 keeps none.
+    check : bool
+        Raise an exception if the run does not complete. Without it the result, whose ``status`` is then ``"failed"``, is returned up
+        to the last step with a :class:`FailedRunWarning`.
     **overrides
         Values to change for this run, as ``**{"projectile.mass.velocity": [0, 30]}`` or ``projectile__mass__velocity=[0, 30]``.
 
     Returns
     -------
     Result
-        The run. Without convergence its ``status`` is ``"failed"``, with everything up to the last step.
+        The run.
 
     Raises
     ------
@@ -56,6 +62,9 @@ def run(
         If ``shapes`` is below zero, or a report is asked for without ``out``.
     ScenarioError
         If the scenario has faults: all of them.
+    FailedRunError
+        If the run does not complete and ``check`` is true; its ``result`` is the run up to the last step. With ``out`` the files are written,
+        beside those of an earlier complete run (``error.result.path``).
     FileError
         If files cannot be written.
     KeyboardInterrupt
@@ -76,48 +85,28 @@ def run(
         raise ValueError(f"shapes={shapes}: expected 0 or a number of frames")
     source = scenario_of(scenario)._source(overrides)
     with Progress(progress, unit="s", name="run") as bar:
-        result = Result._of(_percuss.run(source, bar.to, out, report, shapes))
-    _warn(result)
+        result = Result._of(_percuss.run(source, bar.listener, out, report, shapes))
+    tell(result, check)
     return result
 
 
-def _warn(result: Result) -> None:
-    """Raises the warnings of the audit of a run, unless the scenario allows them."""
-    for one in result.summary["warnings"]:
-        if one["verdict"] == "warning":
-            warning = PercussWarning(f"{one['text']} [{one['code']}]")
-            warning.code = one["code"]
-            warnings.warn(warning, stacklevel=3)
-
-
 def open(directory: str | os.PathLike[str]) -> Result:
-    """A finished run, read back.
-
-    Parameters
-    ----------
-    directory : str or path
-        What ``percuss run`` or ``run(..., out=directory)`` left.
-
-    Returns
-    -------
-    Result
-        The same as ``run`` gave.
-
-    Raises
-    ------
-    MissingRunError
-        If there is none.
-    InputError
-        If its files are not what they should be.
-
-    Examples
-    --------
-    >>> result = percuss.run("plank.toml", out="runs/plank")
-    >>> percuss.open("runs/plank").status
-    'completed'
-    """
+    """A finished run, read back, with warnings as of :func:`percuss.open`."""
     path = os.fspath(directory)
     if not os.path.isfile(os.path.join(path, "summary.json")):
         what = "is not the directory of a run (it has no summary.json)" if os.path.isdir(path) else "no such directory"
         raise coded(MissingRunError, f"{path}: {what}; give the directory that `percuss run` has written", "E209")
-    return Result._of(_percuss.open(path))
+    result = Result._of({**_percuss.open(path), "path": path})
+    warn_of_status(result)
+    later = _later_incomplete(path)
+    if later:
+        warn(FailedRunWarning, f"{path} has the last run that completed; a later one did not, and its results are in {later}", None)
+    return result
+
+
+def _later_incomplete(path: str) -> str | None:
+    """Where the latest run to a directory lies if it did not complete and the one there did."""
+    place = os.path.normpath(path)
+    found = [os.path.join(one, "summary.json") for one in glob.glob(f"{glob.escape(place)}.incomplete*")]
+    later = [one for one in found if os.path.isfile(one) and os.path.getmtime(one) > os.path.getmtime(os.path.join(place, "summary.json"))]
+    return os.path.dirname(max(later, key=os.path.getmtime)) if later else None

@@ -14,6 +14,7 @@ import numpy as np
 from . import _arrow, _percuss, _toml
 from ._columns import Columns, nearest, read_only
 from ._options import OPTIONS
+from ._points import Points, columns_of, name_of
 from ._scenario import Scenario
 
 if TYPE_CHECKING:
@@ -49,6 +50,40 @@ def study_of(study: StudySource | None, parts: Mapping[str, Any], allow_outside:
         raise TypeError(f"{', '.join(parts)}: the study's file says this; give one or the other")
     path = Path(study)
     return _percuss.Study(path.read_text(encoding="utf-8-sig"), os.fspath(path), allow_outside)
+
+
+def study_at(points: Points, study: StudySource | None, parts: Mapping[str, Any], allow_outside: bool = False) -> _percuss.Study:
+    """The study at points chosen elsewhere; a column with a path that no parameter has makes one."""
+    if "design" in parts:
+        raise TypeError("design and points: the points are the design; give one of the two")
+    tables, name = _tables(study, parts)
+    given = tables.pop("parameters", None) or tables.pop("parameter", None) or {}
+    declared = {key: str(table["path"]) for key, table in given.items()}
+    listed = columns_of(points, declared)
+    tables["parameter"] = {
+        key if key in declared else name_of(key): {"path": declared.get(key, key), "values": values} for key, values in listed.items()
+    }
+    tables["design"] = {"kind": "points"}
+    for key in ("correlation", "correlations"):
+        tables.pop(key, None)
+    return _percuss.Study(_text(tables), name, allow_outside)
+
+
+def _tables(study: StudySource | None, parts: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
+    """The tables of a study, and its name in messages."""
+    if study is None or isinstance(study, Mapping):
+        return {**(study or {}), **parts}, "study"
+    if parts:
+        raise TypeError(f"{', '.join(parts)}: the study says this; give one or the other")
+    if isinstance(study, _percuss.Study):
+        return _toml.read(study.text), "study"
+    path = Path(study)
+    text = path.read_text(encoding="utf-8-sig")
+    try:
+        return _toml.read(text), os.fspath(path)
+    except ValueError:
+        _percuss.Study(text, os.fspath(path))  # raises every fault with its place
+        raise
 
 
 def _text(tables: Mapping[str, Any]) -> str:

@@ -14,7 +14,8 @@ from ._errors import MissingError, StudyError, coded
 from ._options import threads
 from ._progress import Progress
 from ._storage import Local, Remote, Store
-from ._study import StudySource, Sweep, run_shard, study_of
+from ._points import Points
+from ._study import StudySource, Sweep, run_shard, study_at, study_of
 
 if TYPE_CHECKING:
     from distributed import Client
@@ -23,6 +24,7 @@ if TYPE_CHECKING:
 def sweep(
     study: StudySource | None = None,
     *,
+    points: Points | None = None,
     out: str | os.PathLike[str] | None = None,
     client: Client | None = None,
     executor: Executor | None = None,
@@ -39,6 +41,10 @@ def sweep(
     ----------
     study : str, path, mapping or Study, optional
         A study, the path of its file, or nested dictionaries with its names; or give its tables as keywords.
+    points : array of shape (n_run, n_parameter), or table, optional
+        Points chosen elsewhere in place of the sampling design, in SI units: an array, its columns in the order of the parameters, or a
+        table of pandas, polars or Arrow, a mapping, a structured array or a sample of OpenTURNS, its columns by the names or paths of the
+        parameters; another path makes a parameter.
     out : str or path, optional
         Keeps the study: shards as they are done, ``results.parquet`` and ``report.html`` at the end. What was interrupted or killed
         goes on from there. A directory, or with a cluster any location that fsspec knows, such as ``s3://bucket/study``.
@@ -63,8 +69,10 @@ def sweep(
     Raises
     ------
     TypeError
-        If a keyword is no table of a study, ``jobs`` or ``progress`` is something else, a client and an executor are given, or tables
-        beside a study file.
+        If a keyword is no table of a study, ``jobs`` or ``progress`` is something else, a client and an executor are given, points and a
+        design, or tables beside a study file.
+    ValueError
+        If points have columns that no parameter has, or lack one.
     ScenarioError
         If the study has faults.
     StudyError
@@ -84,10 +92,12 @@ def sweep(
     ... )
     >>> table["speed"]
     array([-1., -3., -5., -7., -9.])
+    >>> percuss.sweep("speed.toml", points=[[-2.5], [-7.5]])["peak_force"].round()
+    array([1280., 3842.])
     """
     if client is not None and executor is not None:
         raise TypeError("client and executor: give one of the two")
-    read = study_of(study, tables, allow_outside)
+    read = study_of(study, tables, allow_outside) if points is None else study_at(points, study, tables, allow_outside)
     with _directory(out) as place:
         store = _store(place, read)
         with Progress(progress, read.run_count, "runs", "sweep") as bar:
@@ -106,7 +116,8 @@ def _directory(out: str | os.PathLike[str] | None) -> Iterator[str]:
     if out is not None:
         yield os.fspath(out)
         return
-    with tempfile.TemporaryDirectory(prefix="percuss-") as place:
+    # Threads of a sweep that was interrupted may write for a moment yet.
+    with tempfile.TemporaryDirectory(prefix="percuss-", ignore_cleanup_errors=True) as place:
         yield os.path.join(place, "study")
 
 

@@ -5,8 +5,14 @@ from __future__ import annotations
 import json
 import os
 import re
+import sys
 from collections.abc import Mapping, MutableSequence
 from typing import Any
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -35,3 +41,8 @@ def value(x: Any) -> str:
 def _key(key: object) -> str:
     text = str(key)
     return text if _BARE.fullmatch(text) else json.dumps(text, ensure_ascii=False)
+
+
+def read(text: str) -> dict[str, Any]:
+    """The tables of a text."""
+    return tomllib.loads(text)

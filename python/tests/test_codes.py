@@ -43,7 +43,7 @@ def test_a_run_that_fails_has_its_code_in_the_summary():
     flying = midpoint(percuss.load(SCENARIOS / "flying-beam.toml"))
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", percuss.PercussWarning)
-        result = percuss.run(flying, time__step="0.4 s")
+        result = percuss.run(flying, time__step="0.4 s", check=False)
     assert (result.status, result.summary["error_code"]) == ("failed", "E108")
 
 
@@ -94,7 +94,7 @@ def test_codes_travel_between_processes(elastic):
 def test_warnings_of_the_audit_are_raised_with_their_codes(elastic):
     with pytest.warns(percuss.PercussWarning, match=r"energy balance error.*\[W105\]$") as caught:
         result = percuss.run(midpoint(elastic))
-    assert [one.message.code for one in caught] == ["W105"] * len(caught)
+    assert [one.message.code for one in caught if one.category is percuss.PercussWarning] == ["W105"]
     assert result.summary["warnings"][0]["code"] == "W105"
     elastic["allow.W105"] = "the midpoint rule is what I look at"
     with warnings.catch_warnings():

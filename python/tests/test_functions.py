@@ -68,6 +68,59 @@ def test_an_exception_in_a_function_comes_out_of_the_run(elastic):
         percuss.run(elastic)
 
 
+def divides(p: float) -> float:
+    return 1.0 / (0.0 * p)
+
+
+CALLS = {
+    "check": percuss.check,
+    "run": percuss.run,
+    "modes": percuss.modes,
+    "static": percuss.static,
+    "sensitivity": lambda scenario: percuss.sensitivity(scenario, ["projectile.mass.mass"]),
+    "converge": percuss.converge,
+    "to_toml": lambda scenario: scenario.to_toml(),
+}
+
+
+@pytest.mark.parametrize("call", list(CALLS))
+@pytest.mark.parametrize("law", [percuss.Potential(divides, abs), percuss.Potential(lambda p: p * p, divides)])
+def test_an_exception_of_a_law_comes_out_of_every_call(elastic, call, law):
+    elastic["projectile.mass.law"] = law
+    with pytest.raises(ZeroDivisionError) as caught:
+        CALLS[call](elastic)
+    assert caught.traceback[-1].name == "divides", "the traceback leads to the line at fault"
+
+
+def test_an_exception_of_a_function_of_time_comes_out_of_every_call(elastic):
+    def unknown(t: float) -> float:
+        return {}["no such key"]
+
+    elastic["load.push"] = {"kind": "point", "at": "girder.mid", "force": [0, "1e4 N"], "function": unknown}
+    for call in ("run", "static", "converge"):
+        with pytest.raises(KeyError, match="no such key"):
+            CALLS[call](elastic)
+
+
+def test_a_law_that_gives_no_number_is_told_as_such(elastic):
+    elastic["projectile.mass.law"] = percuss.Potential(lambda p: "much", lambda p: p)
+    with pytest.raises(TypeError):
+        percuss.run(elastic)
+
+
+def test_a_law_is_called_in_the_context_of_the_caller(elastic):
+    elastic["projectile.mass.law"] = percuss.Potential(lambda p: p * p, lambda p: float(np.float64(1e308) * (10 + 0 * p)))
+    with np.errstate(over="raise"), pytest.raises(FloatingPointError):
+        percuss.run(elastic)
+
+
+def test_a_study_says_that_functions_have_no_place_in_it(study):
+    study["scenario"]["projectile.mass.law"] = percuss.Potential(divides, divides)
+    for call in (percuss.sweep, percuss.function):
+        with pytest.raises(ValueError, match="projectile.mass.law: functions of Python have no place in a study"):
+            call(study)
+
+
 def test_a_text_that_says_given_needs_a_function(elastic):
     elastic["projectile.mass.law"] = "given"
     del elastic["projectile.mass.stiffness"]

@@ -6,6 +6,7 @@ import sys
 import nbformat
 import pytest
 from nbclient import NotebookClient
+from percuss._progress import Progress
 
 from conftest import SCENARIOS
 
@@ -32,3 +33,12 @@ def test_a_notebook_keeps_one_line():
     assert output.output_type == "display_data"
     text = output.data["text/plain"]
     assert "100 %" in text and "\n" not in text and "\r" not in text
+
+
+def test_a_run_is_listened_to_where_something_is_shown_of_it():
+    """The estimate of the time left, a line of its own, is logged of the other runs."""
+    heard = []
+    listener = Progress(lambda done, total: heard.append((done, total))).listener
+    assert listener is not None and Progress(True).listener is not None and Progress(False).listener is None
+    listener(1.0, 2.0)
+    assert heard == [(1.0, 2.0)]

@@ -8,9 +8,9 @@ use percuss_output::{ModesInfo, equilibrium_value, modes_value, path_value};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::analysis_error;
+use crate::error::Refusal;
 use crate::ready::Source;
-use crate::structure::{beams, shaped};
+use crate::structure::{Beams, shaped};
 
 /// The lowest natural modes.
 ///
@@ -40,40 +40,49 @@ pub fn modes<'py>(
     count: usize,
     about: Option<&str>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let ready = source.ready(py)?;
-    let (compiled, model) = (&ready.compiled, &ready.compiled.model);
-    let loaded = about.map_or(compiled.settings.start == Start::Static, |word| word == "static");
-    let (modes, state) = if loaded {
-        ready.refuse_mechanism(py)?;
-        let found = py.detach(|| {
-            equilibrium(model).map(|e| (modes_about_equilibrium(model, &e, count), e.state))
-        });
-        found.map_err(|error| analysis_error(error.code(), &error.to_string()))?
-    } else {
-        let state = reference_state(model).map_err(|faults| ready.refuse(py, faults))?;
-        (py.detach(|| modes_about(model, &state, count)), state)
-    };
-    source.raised().map_or(Ok(()), Err)?;
-    if modes.is_empty() {
-        let text = "no modes: nothing has mass, or the tangent is singular";
-        return Err(analysis_error(AnalysisCode::NoModes, text));
-    }
-    let info = ModesInfo {
-        title: &compiled.title,
-        about: if loaded { "static" } else { "reference" },
-        model,
-        displacement: &state.displacement,
-        modes: &modes,
-    };
+    let static_wanted = about.map(|word| word == "static");
+    let (summary, displacement, shapes, beams) = source.attend(py, move |ready, _| {
+        let (compiled, model) = (&ready.compiled, &ready.compiled.model);
+        let loaded = static_wanted.unwrap_or(compiled.settings.start == Start::Static);
+        let (modes, state) = if loaded {
+            ready.refuse_mechanism()?;
+            let found = equilibrium(model)?;
+            (modes_about_equilibrium(model, &found, count), found.state)
+        } else {
+            let state = reference_state(model).map_err(|faults| ready.refuse(faults))?;
+            (modes_about(model, &state, count), state)
+        };
+        if modes.is_empty() {
+            let text = "no modes: nothing has mass, or the tangent is singular";
+            return Err(Refusal::Analysis(AnalysisCode::NoModes, text.to_owned()));
+        }
+        let info = ModesInfo {
+            title: &compiled.title,
+            about: if loaded { "static" } else { "reference" },
+            model,
+            displacement: &state.displacement,
+            modes: &modes,
+        };
+        let summary = modes_value(&info).to_string();
+        let shapes: Vec<Nodes> = modes.into_iter().map(|mode| mode.shape).collect();
+        Ok((summary, state.displacement, shapes, Beams::of(model)))
+    })?;
     let result = PyDict::new(py);
-    result.set_item("summary", modes_value(&info).to_string())?;
-    let displacement = state.displacement.as_flattened().to_vec();
-    result.set_item("displacement", shaped(py, displacement, &[state.displacement.len(), 4])?)?;
-    let nodes = modes[0].shape.len();
-    let shapes = modes.iter().flat_map(|mode| mode.shape.as_flattened()).copied().collect();
-    result.set_item("shapes", shaped(py, shapes, &[modes.len(), nodes, 4])?)?;
-    result.set_item("beams", beams(py, model)?)?;
+    result.set_item("summary", summary)?;
+    result.set_item("displacement", nodes(py, &displacement)?)?;
+    let sizes = [shapes.len(), shapes[0].len(), 4];
+    let shapes = shapes.iter().flat_map(|shape| shape.as_flattened()).copied().collect();
+    result.set_item("shapes", shaped(py, shapes, &sizes)?)?;
+    result.set_item("beams", beams.to_python(py)?)?;
     Ok(result)
+}
+
+/// Displacements and slopes of nodes, shape (nodes, 4) \[m, -\].
+type Nodes = Vec<[f64; 4]>;
+
+/// The same as an array.
+fn nodes<'py>(py: Python<'py>, of: &[[f64; 4]]) -> PyResult<Bound<'py, PyAny>> {
+    shaped(py, of.as_flattened().to_vec(), &[of.len(), 4])
 }
 
 /// Static equilibrium, or the path to it by arc length.
@@ -88,7 +97,7 @@ pub fn modes<'py>(
 /// Returns
 /// -------
 /// dict
-///     `summary` (JSON), `displacement` (n_node, 4) [m, 1], `beams`.
+///     `summary` (JSON), `displacement` (n_node, 4) [m, 1], `beams`, `warnings` (contact, topic, text, code).
 ///
 /// Examples
 /// --------
@@ -97,28 +106,27 @@ pub fn modes<'py>(
 #[pyfunction]
 #[pyo3(name = "static", signature = (source, path))]
 pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bound<'py, PyDict>> {
-    let ready = source.ready(py)?;
-    ready.refuse_mechanism(py)?;
-    let model = &ready.compiled.model;
-    let solved = py.detach(|| {
-        if !path {
+    let (summary, displacement, beams, warnings) = source.attend(py, move |ready, _| {
+        ready.refuse_mechanism()?;
+        let model = &ready.compiled.model;
+        let (value, end) = if path {
+            let followed = equilibrium_path(model, &ready.compiled.path)?;
+            let buckling = buckling_in_contact(model, &followed.end, 1);
+            let mut value = equilibrium_value(model, &followed.end, &buckling);
+            value["path"] = path_value(&followed);
+            (value, followed.end)
+        } else {
             let found = equilibrium(model)?;
-            let value = equilibrium_value(model, &found, &buckling_in_contact(model, &found, 1));
-            return Ok((value, found.state));
-        }
-        let followed = equilibrium_path(model, &ready.compiled.path)?;
-        let mut value =
-            equilibrium_value(model, &followed.end, &buckling_in_contact(model, &followed.end, 1));
-        value["path"] = path_value(&followed);
-        Ok((value, followed.end.state))
-    });
-    source.raised().map_or(Ok(()), Err)?;
-    let told = |error: percuss::Error| analysis_error(error.code(), &error.to_string());
-    let (value, state) = solved.map_err(told)?;
+            let buckling = buckling_in_contact(model, &found, 1);
+            (equilibrium_value(model, &found, &buckling), found)
+        };
+        let warnings = ready.warnings(percuss_advice::beyond_strength(model, &end.section_forces));
+        Ok((value.to_string(), end.state.displacement, Beams::of(model), warnings))
+    })?;
     let result = PyDict::new(py);
-    result.set_item("summary", value.to_string())?;
-    let displacement = state.displacement.as_flattened().to_vec();
-    result.set_item("displacement", shaped(py, displacement, &[state.displacement.len(), 4])?)?;
-    result.set_item("beams", beams(py, model)?)?;
+    result.set_item("summary", summary)?;
+    result.set_item("displacement", nodes(py, &displacement)?)?;
+    result.set_item("warnings", warnings)?;
+    result.set_item("beams", beams.to_python(py)?)?;
     Ok(result)
 }

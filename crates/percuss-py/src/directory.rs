@@ -9,10 +9,9 @@ use percuss_output::{
     Error, Extent, HistoryFormat, HistoryWriter, RunDirectory, write_envelopes, write_impacts,
     write_new, write_summary,
 };
-use pyo3::PyResult;
 use serde_json::Value;
 
-use crate::error::{output_error, system_error};
+use crate::error::Refusal;
 
 /// What a run left besides its history.
 pub struct Left<'a> {
@@ -29,11 +28,12 @@ pub struct Directory {
 
 impl Directory {
     /// Prepares it; `scenario` is the text with every default written out.
-    pub fn create(target: &Path, scenario: &str, report: bool) -> PyResult<Self> {
-        let directory = RunDirectory::create(target).map_err(|error| output_error(&error))?;
+    pub fn create(target: &Path, scenario: &str, report: bool) -> Result<Self, Refusal> {
+        let directory = RunDirectory::create(target)?;
         let file = directory.path().join("scenario.toml");
-        write_new(&file, scenario.as_bytes())
-            .map_err(|error| system_error(&format!("{}: cannot write: {error}", file.display())))?;
+        write_new(&file, scenario.as_bytes()).map_err(|error| {
+            Refusal::System(format!("{}: cannot write: {error}", file.display()))
+        })?;
         Ok(Self { directory, report })
     }
 

@@ -3,13 +3,75 @@
 use percuss::AnalysisCode;
 use percuss_codes::{Code, FileCode, RequestCode};
 use percuss_scenario::Diagnostics;
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 /// Columns of an excerpt of a file.
 const EXCERPT_WIDTH: usize = 100;
 
+/// Why work has no result: what another thread tells, which makes no exceptions.
+#[derive(Debug)]
+pub enum Refusal {
+    /// The scenario has faults.
+    Faults(Diagnostics),
+    /// An analysis found nothing.
+    Analysis(AnalysisCode, String),
+    /// A request cannot be met.
+    Request(RequestCode, String),
+    /// Files of results.
+    Output(percuss_output::Error),
+    /// Files of a study.
+    Study(percuss_study::Error),
+    /// What receives the rows of a run failed.
+    Recorder(AnalysisCode, String),
+    /// The system refused.
+    System(String),
+    /// It was asked to end.
+    Stopped,
+}
+
+impl Refusal {
+    /// The exception for it.
+    pub fn exception(self, py: Python<'_>) -> PyErr {
+        match self {
+            Self::Faults(faults) => scenario_error(py, &faults),
+            Self::Analysis(code, text) => analysis_error(code, &text),
+            Self::Request(code, text) => coded("InputError", code.into(), &text),
+            Self::Output(error) => output_error(&error),
+            Self::Study(error) => study_error(&error),
+            Self::Recorder(code, text) => coded("FileError", code.into(), &text),
+            Self::System(text) => coded("FileError", FileCode::System.into(), &text),
+            Self::Stopped => PyKeyboardInterrupt::new_err(()),
+        }
+    }
+}
+
+impl From<Diagnostics> for Refusal {
+    fn from(faults: Diagnostics) -> Self {
+        Self::Faults(faults)
+    }
+}
+
+impl From<percuss_output::Error> for Refusal {
+    fn from(error: percuss_output::Error) -> Self {
+        Self::Output(error)
+    }
+}
+
+impl From<percuss_study::Error> for Refusal {
+    fn from(error: percuss_study::Error) -> Self {
+        Self::Study(error)
+    }
+}
+
+impl From<percuss::Error> for Refusal {
+    fn from(error: percuss::Error) -> Self {
+        Self::Analysis(error.code(), error.to_string())
+    }
+}
+
 /// `percuss.ScenarioError` with every fault in it.
-pub fn scenario_error(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
+fn scenario_error(py: Python<'_>, diagnostics: &Diagnostics) -> PyErr {
     of_scenario(py, "ScenarioError", diagnostics)
 }
 
@@ -48,21 +110,6 @@ pub fn output_error(error: &percuss_output::Error) -> PyErr {
 /// What the files of a study met.
 pub fn study_error(error: &percuss_study::Error) -> PyErr {
     coded(kind(error.is_unfit()), error.code(), &error.to_string())
-}
-
-/// The system refused.
-pub fn system_error(text: &str) -> PyErr {
-    coded("FileError", FileCode::System.into(), text)
-}
-
-/// What receives the rows of a run failed.
-pub fn recorder_error(error: &percuss::Error) -> PyErr {
-    coded("FileError", error.code().into(), &error.to_string())
-}
-
-/// A request that cannot be met.
-pub fn request_error(code: RequestCode, text: &str) -> PyErr {
-    coded("InputError", code.into(), text)
 }
 
 /// Runs of a study are missing.

@@ -11,6 +11,7 @@ use std::path::PathBuf;
 
 use crate::error::output_error;
 use crate::structure::shaped;
+use crate::watch::Watch;
 
 /// `scene` (JSON), `time`, and lists of the frames: `displacement`, `velocity`, `angular_velocity`, `section_forces`, `load_factors`, and
 /// `contact_forces` of all frames one behind the other with their `contact_counts`.
@@ -120,7 +121,7 @@ pub fn scene_page(
     let fields = from_python(fields)?;
     let summary =
         serde_json::from_str(summary).map_err(|e| PyValueError::new_err(e.to_string()))?;
-    Ok(py.detach(|| report::scene_page(&fields, &summary)))
+    Watch::default().run(py, move |_| report::scene_page(&fields, &summary))
 }
 
 /// What happened, in a few sentences.
@@ -237,6 +238,7 @@ pub fn export(
         return Err(PyValueError::new_err(format!("format={format:?}: expected {names}")));
     };
     let fields = from_python(fields)?;
-    py.detach(|| paraview::export(&directory, &fields, format))
+    Watch::default()
+        .run(py, move |_| paraview::export(&directory, &fields, format))?
         .map_err(|error| output_error(&error))
 }

@@ -1,11 +1,12 @@
 //! A study as a function, for Python.
 
 use percuss_codes::RequestCode;
-use percuss_study::{Distribution, Jacobian, Study, Variation};
+use percuss_study::{Distribution, Jacobian, Variation};
 use pyo3::prelude::*;
 
-use crate::error::{request_error, study_error};
+use crate::error::{Refusal, study_error};
 use crate::structure::array;
+use crate::watch::{Stop, Watch};
 
 /// What goes in, or comes out: (name, unit, path).
 type Named = (String, String, String);
@@ -144,13 +145,15 @@ fn truncated([whole, cut]: [&'static str; 2], law: [f64; 2], within: [f64; 2]) -
 /// [1, 0, 2]
 #[pyfunction]
 pub fn function_places(
+    py: Python<'_>,
     study: &Bound<'_, crate::study::Study>,
     names: Vec<String>,
 ) -> PyResult<Vec<usize>> {
     let study = study.get().inner();
     let function = study.function().map_err(|error| study_error(&error))?;
     let names: Vec<&str> = names.iter().map(String::as_str).collect();
-    function.places(&names).map_err(|why| request_error(RequestCode::NoValue, &why))
+    let unfit = |why| Refusal::Request(RequestCode::NoValue, why).exception(py);
+    function.places(&names).map_err(unfit)
 }
 
 /// Points at shares of the distributions.
@@ -178,10 +181,13 @@ pub fn function_points<'py>(
     study: &Bound<'py, crate::study::Study>,
     shares: Vec<Vec<f64>>,
 ) -> PyResult<(Bound<'py, PyAny>, Option<String>)> {
-    let study = study.get().inner();
-    let function = study.function().map_err(|error| study_error(&error))?;
-    let points: Result<Vec<Vec<f64>>, String> = shares.iter().map(|row| function.at(row)).collect();
-    let (points, why) = match points {
+    let study = study.get().shared();
+    let work = move |_: &Stop| -> Result<_, percuss_study::Error> {
+        let function = study.function()?;
+        Ok(shares.iter().map(|row| function.at(row)).collect::<Result<Vec<Vec<f64>>, String>>())
+    };
+    let points = Watch::default().run(py, work)?;
+    let (points, why) = match points.map_err(|error| study_error(&error))? {
         Ok(points) => (points, None),
         Err(why) => (Vec::new(), Some(why)),
     };
@@ -214,12 +220,14 @@ pub fn function_values<'py>(
     study: &Bound<'py, crate::study::Study>,
     points: Vec<Vec<f64>>,
 ) -> PyResult<Rows<'py>> {
-    let study: &Study = study.get().inner();
-    let (numbers, failures) = py.detach(|| -> PyResult<_> {
-        let mut function = study.function().map_err(|error| study_error(&error))?;
+    let study = study.get().shared();
+    let work = move |stop: &Stop| -> Result<_, percuss_study::Error> {
+        let mut function = study.function()?;
         let (mut numbers, mut failures) = (Vec::new(), Vec::new());
         for (first, group) in points.chunks(GROUP).enumerate() {
-            Python::attach(|py| py.check_signals())?;
+            if stop.is_wanted() {
+                break;
+            }
             for (k, row) in function.values(group).into_iter().enumerate() {
                 match row {
                     Ok(row) => numbers.extend(row),
@@ -231,11 +239,13 @@ pub fn function_values<'py>(
             }
         }
         Ok((numbers, failures))
-    })?;
+    };
+    let done = Watch::default().run(py, work)?;
+    let (numbers, failures) = done.map_err(|error| study_error(&error))?;
     Ok((array(py, numbers).into_any(), failures))
 }
 
-/// Python is asked for signals after so many points.
+/// The wish to end is looked for after so many points.
 const GROUP: usize = 64;
 
 /// Results at a point and their derivatives, or why there are none.
@@ -264,11 +274,10 @@ pub fn function_jacobian<'py>(
     study: &Bound<'py, crate::study::Study>,
     point: Vec<f64>,
 ) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>, Option<String>)> {
-    let study: &Study = study.get().inner();
-    let found = py.detach(|| {
-        let mut function = study.function().map_err(|error| study_error(&error))?;
-        Ok::<_, PyErr>(function.jacobian(&point))
-    })?;
+    let study = study.get().shared();
+    let work = move |_: &Stop| Ok(study.function()?.jacobian(&point));
+    let found = Watch::default().run(py, work)?;
+    let found = found.map_err(|error: percuss_study::Error| study_error(&error))?;
     let (found, why) = match found {
         Ok(found) => (found, None),
         Err(why) => (Jacobian { values: Vec::new(), derivatives: Vec::new() }, Some(why)),

@@ -6,8 +6,28 @@ use std::sync::{Arc, Mutex, PoisonError};
 use percuss::{Potential, TimeFunction};
 use pyo3::prelude::*;
 
-/// What a function raised, the first one that did.
-type Raised = Arc<Mutex<Option<PyErr>>>;
+use crate::watch::Stop;
+
+/// What Python raised during the work, the first time; it ends the work.
+#[derive(Clone, Debug, Default)]
+pub struct Raised {
+    first: Arc<Mutex<Option<PyErr>>>,
+    /// Asks the work to end.
+    pub stop: Stop,
+}
+
+impl Raised {
+    /// Keeps an exception, unless there is one.
+    pub fn put(&self, error: PyErr) {
+        self.first.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+        self.stop.want();
+    }
+
+    /// The exception; asked once.
+    pub fn take(&self) -> Option<PyErr> {
+        self.first.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+}
 
 /// Functions behind paths: callables of time, and (energy, force) of a penetration.
 #[derive(Debug)]
@@ -15,6 +35,8 @@ pub struct Given {
     functions: HashMap<String, Arc<Py<PyAny>>>,
     /// Potential and its derivative, by the path of the law, shape (2).
     potentials: HashMap<String, [Arc<Py<PyAny>>; 2]>,
+    /// Calls a function in the context of the caller, whose settings (`numpy.errstate`) do not reach other threads by themselves.
+    within: Arc<Py<PyAny>>,
     raised: Raised,
 }
 
@@ -35,7 +57,9 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Given {
                 _ => {}
             }
         }
-        Ok(Self { functions, potentials, raised: Raised::default() })
+        let context = given.py().import("contextvars")?.call_method0("copy_context")?;
+        let within = Arc::new(context.getattr("run")?.unbind());
+        Ok(Self { functions, potentials, within, raised: Raised::default() })
     }
 }
 
@@ -58,23 +82,21 @@ impl Given {
         self.functions.is_empty() && self.potentials.is_empty()
     }
 
-    /// What a function raised; asked once.
-    pub fn raised(&self) -> Option<PyErr> {
-        self.raised.lock().unwrap_or_else(PoisonError::into_inner).take()
+    /// What the functions raise.
+    pub fn raised(&self) -> &Raised {
+        &self.raised
     }
 
-    /// Whether a function raised something that nobody has asked for yet.
-    pub fn has_raised(&self) -> bool {
-        self.raised.lock().unwrap_or_else(PoisonError::into_inner).is_some()
-    }
-
-    /// A function of Python as one of Rust; NaN once one has raised.
+    /// A function of Python as one of Rust; NaN, without a call, once one has raised or the work is to end.
     fn closure(&self, code: &Arc<Py<PyAny>>) -> impl Fn(f64) -> f64 + Send + Sync + 'static {
-        let (code, raised) = (code.clone(), self.raised.clone());
+        let (code, within, raised) = (code.clone(), self.within.clone(), self.raised.clone());
         move |x| {
-            let value = Python::attach(|py| code.call1(py, (x,))?.extract::<f64>(py));
-            value.unwrap_or_else(|error| {
-                raised.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+            if raised.stop.is_wanted() {
+                return f64::NAN;
+            }
+            let called = Python::attach(|py| within.call1(py, (&*code, x))?.extract::<f64>(py));
+            called.unwrap_or_else(|error| {
+                raised.put(error);
                 f64::NAN
             })
         }

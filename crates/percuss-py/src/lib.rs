@@ -17,6 +17,7 @@ mod sensitivity;
 mod shock;
 mod structure;
 mod study;
+mod watch;
 mod work;
 
 /// `percuss._percuss`.
@@ -47,6 +48,11 @@ mod _percuss {
     use super::shock::{acceleration, samples, shock_spectrum};
     #[pymodule_export]
     use super::study::Study;
+
+    #[pymodule_init]
+    fn init(module: &pyo3::Bound<'_, pyo3::types::PyModule>) -> pyo3::PyResult<()> {
+        super::structure::load_numpy(module.py())
+    }
 
     #[pymodule_export]
     const VERSION: &str = env!("CARGO_PKG_VERSION");

@@ -1,14 +1,15 @@
 //! A finished run, read from its directory.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use percuss_output::{fields, read_history, read_summary};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
-use crate::error::output_error;
+use crate::error::Refusal;
 use crate::fields::to_python;
 use crate::structure::array;
+use crate::watch::Watch;
 
 /// The same as `run` gives of a run, from what it left in a directory.
 ///
@@ -34,13 +35,13 @@ use crate::structure::array;
 /// True
 #[pyfunction]
 pub fn open(py: Python<'_>, directory: PathBuf) -> PyResult<Bound<'_, PyDict>> {
-    let read = py.detach(|| -> Result<_, percuss_output::Error> {
-        Ok((read_summary(&directory)?, read_history(&directory)?, fields::read(&directory)?))
-    });
-    let (summary, history, fields) = read.map_err(|error| output_error(&error))?;
-    let scenario = directory.join("scenario.toml");
-    let scenario =
-        if scenario.is_file() { std::fs::read_to_string(scenario)? } else { String::new() };
+    let read = Watch::default().run(py, move |_| {
+        let whole =
+            (read_summary(&directory)?, read_history(&directory)?, fields::read(&directory)?);
+        Ok((whole, scenario_in(&directory)?))
+    })?;
+    let ((summary, history, fields), scenario) =
+        read.map_err(|refusal: Refusal| refusal.exception(py))?;
     let result = PyDict::new(py);
     let channels = &history.channels;
     result.set_item("names", channels.iter().map(|c| c.name.as_str()).collect::<Vec<_>>())?;
@@ -55,4 +56,14 @@ pub fn open(py: Python<'_>, directory: PathBuf) -> PyResult<Bound<'_, PyDict>> {
     let fields = fields.map(|fields| to_python(py, &fields)).transpose()?;
     result.set_item("fields", fields)?;
     Ok(result)
+}
+
+/// The scenario of a run, if it is there.
+fn scenario_in(directory: &Path) -> Result<String, Refusal> {
+    let path = directory.join("scenario.toml");
+    if !path.is_file() {
+        return Ok(String::new());
+    }
+    let refused = |error| Refusal::System(format!("{}: cannot read: {error}", path.display()));
+    std::fs::read_to_string(&path).map_err(refused)
 }

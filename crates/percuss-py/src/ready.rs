@@ -3,14 +3,16 @@
 use std::time::SystemTime;
 
 use percuss::{Fault, mechanisms};
+use percuss_advice::{Advice, Verdict};
 use percuss_output::RunSource;
 use percuss_scenario::{
     Adds, Compiled, Diagnostics, FileAccess, Scenario, apply_changes, read_with,
 };
 use pyo3::prelude::*;
 
-use crate::error::scenario_error;
+use crate::error::Refusal;
 use crate::given::Given;
+use crate::watch::{Stop, Watch};
 
 /// What a Python scenario hands over: its text, its name in messages (files that it names lie where it lies), changes as paths with
 /// values in TOML, functions behind paths, whether it may name files outside its folder, shape (changes).
@@ -20,6 +22,22 @@ pub struct Source(String, String, Vec<(String, String)>, Given, bool);
 /// What keywords that change a scenario are called in messages.
 const CHANGES: &str = "changes of the scenario";
 
+/// Origin of a run, known to another thread.
+#[derive(Debug)]
+pub struct Origin {
+    scenario: String,
+    /// Changes, each as `path=value`, shape (changes).
+    overrides: Vec<String>,
+}
+
+impl Origin {
+    /// Origin of a run that starts now.
+    pub fn started_now(&self) -> RunSource<'_> {
+        let Self { scenario, overrides } = self;
+        RunSource { scenario, overrides, started: SystemTime::now() }
+    }
+}
+
 /// A scenario and what it compiles to.
 #[derive(Debug)]
 pub struct Ready {
@@ -28,22 +46,45 @@ pub struct Ready {
 }
 
 impl Source {
-    /// Reads and compiles.
+    /// Reads and compiles, and does work with it while signals are looked for. What a function of the user's raised comes out as it is.
     ///
     /// # Errors
-    /// `ScenarioError` with every fault.
-    pub fn ready(&self, py: Python<'_>) -> PyResult<Ready> {
-        py.detach(|| self.compile()).map_err(|faults| scenario_error(py, &faults))
+    /// What a function or the handler of a signal raised, `ScenarioError` with every fault, and what the work refuses.
+    pub fn attend<T: Send + 'static>(
+        self,
+        py: Python<'_>,
+        work: impl FnOnce(&Ready, &Stop) -> Result<T, Refusal> + Send + 'static,
+    ) -> PyResult<T> {
+        self.attend_telling(py, work, |_| Ok(()))
     }
 
-    /// What a function of the user's raised, if one did.
-    pub fn raised(&self) -> Option<PyErr> {
-        self.3.raised()
+    /// The same; `tell` is called some times a second, and what it raises ends the work.
+    ///
+    /// # Errors
+    /// As [`Source::attend`], and what `tell` raised.
+    pub fn attend_telling<T: Send + 'static>(
+        self,
+        py: Python<'_>,
+        work: impl FnOnce(&Ready, &Stop) -> Result<T, Refusal> + Send + 'static,
+        tell: impl FnMut(Python<'_>) -> PyResult<()> + Send,
+    ) -> PyResult<T> {
+        let raised = self.3.raised().clone();
+        let watch = Watch { stop: raised.stop.clone(), calls_python: !self.3.is_empty() };
+        let work = move |stop: &Stop| {
+            let ready = self.compile()?;
+            if stop.is_wanted() { Err(Refusal::Stopped) } else { work(&ready, stop) }
+        };
+        let done = watch.run_telling(py, work, tell);
+        match raised.take() {
+            Some(error) => Err(error),
+            None => done?.map_err(|refusal| refusal.exception(py)),
+        }
     }
 
-    /// Origin of a run that starts now.
-    pub fn run_source(&self) -> RunSource<'_> {
-        RunSource { scenario: &self.1, overrides: &self.2, started: SystemTime::now() }
+    /// Origin of a run of it.
+    pub fn origin(&self) -> Origin {
+        let overrides = self.2.iter().map(|(path, value)| format!("{path}={value}"));
+        Origin { scenario: self.1.clone(), overrides: overrides.collect() }
     }
 
     /// Functions behind paths.
@@ -71,17 +112,30 @@ impl Source {
     }
 }
 
+/// A warning of the model checks: contact, topic, text, code.
+pub type Warned = (String, &'static str, String, &'static str);
+
 impl Ready {
+    /// The warnings among findings, without those that the scenario allows.
+    pub fn warnings(&self, mut found: Vec<Advice>) -> Vec<Warned> {
+        percuss_advice::allow(&mut found, |code| self.scenario.content().reason_to_allow(code));
+        let warnings = found.into_iter().filter(|one| one.verdict == Verdict::Warning);
+        warnings.map(|one| (one.contact, one.topic.name(), one.text, one.topic.code())).collect()
+    }
+
     /// Faults that an analysis found, each with its place in the text.
-    pub fn refuse(&self, py: Python<'_>, faults: Vec<Fault>) -> PyErr {
-        scenario_error(py, &self.scenario.diagnostics(faults))
+    pub fn refuse(&self, faults: Vec<Fault>) -> Refusal {
+        self.scenario.diagnostics(faults).into()
     }
 
     /// Refuses a structure that can move without being strained: it has no static equilibrium.
-    pub fn refuse_mechanism(&self, py: Python<'_>) -> PyResult<()> {
+    ///
+    /// # Errors
+    /// The parts that can.
+    pub fn refuse_mechanism(&self) -> Result<(), Refusal> {
         match mechanisms(&self.compiled.model) {
             loose if loose.is_empty() => Ok(()),
-            loose => Err(self.refuse(py, loose)),
+            loose => Err(self.refuse(loose)),
         }
     }
 }
@@ -112,16 +166,16 @@ type Said = (&'static str, String, String, &'static str, Option<String>);
 /// ('fine', '...')
 #[pyfunction]
 pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<Said>> {
-    let ready = source.ready(py)?;
-    let Compiled { model, settings, .. } = &ready.compiled;
-    percuss::Simulation::new(model, settings).map_err(|faults| ready.refuse(py, faults))?;
-    let mut advice = py.detach(|| percuss_advice::advise(model, settings));
-    percuss_advice::allow(&mut advice, |code| ready.scenario.content().reason_to_allow(code));
-    source.raised().map_or(Ok(()), Err)?;
-    Ok(advice
-        .into_iter()
-        .map(|a| (a.verdict.name(), a.contact, a.text, a.topic.code(), a.reason))
-        .collect())
+    source.attend(py, |ready, _| {
+        let Compiled { model, settings, .. } = &ready.compiled;
+        percuss::Simulation::new(model, settings).map_err(|faults| ready.refuse(faults))?;
+        let mut advice = percuss_advice::advise(model, settings);
+        let content = ready.scenario.content();
+        percuss_advice::allow(&mut advice, |code| content.reason_to_allow(code));
+        let said = advice.into_iter();
+        let said = said.map(|a| (a.verdict.name(), a.contact, a.text, a.topic.code(), a.reason));
+        Ok(said.collect())
+    })
 }
 
 /// The scenario as a file with every default written out.
@@ -147,5 +201,5 @@ pub fn check(py: Python<'_>, source: Source) -> PyResult<Vec<Said>> {
 /// False
 #[pyfunction]
 pub fn written(py: Python<'_>, source: Source) -> PyResult<String> {
-    Ok(source.ready(py)?.scenario.to_toml())
+    source.attend(py, |ready, _| Ok(ready.scenario.to_toml()))
 }

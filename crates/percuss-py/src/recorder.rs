@@ -1,16 +1,34 @@
 //! What receives a run: columns, frames, and Python's wish to know and to stop.
 
-use std::time::{Duration, Instant};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use percuss::{Channel, Flow, Frame, Recorder, RecorderError, RunStatus};
 use percuss_output::fields::FrameStore;
 use percuss_output::{HistoryWriter, TimeEstimate};
 use pyo3::prelude::*;
 
-use crate::given::Given;
+use crate::given::Raised;
 
-/// Python is asked this often.
-const LOOK: Duration = Duration::from_millis(50);
+/// How far a run is, known to both threads.
+#[derive(Clone, Debug, Default)]
+pub struct Reached(Arc<[AtomicU64; 2]>);
+
+impl Reached {
+    /// A time of a run up to an end \[s\].
+    fn set(&self, time: f64, end: f64) {
+        for (to, value) in self.0.iter().zip([time, end]) {
+            to.store(value.to_bits(), Ordering::Relaxed);
+        }
+    }
+
+    /// The time reached and that of the end, once the run goes, shape (2) \[s\].
+    pub fn get(&self) -> Option<[f64; 2]> {
+        let [time, end] =
+            self.0.each_ref().map(|bits| f64::from_bits(bits.load(Ordering::Relaxed)));
+        (end > 0.0).then_some([time, end])
+    }
+}
 
 /// Rows as columns, each in memory of its own.
 #[derive(Debug, Default)]
@@ -22,66 +40,49 @@ pub struct Columns {
 }
 
 /// Receives a run for Python.
-pub struct RunRecorder<'a> {
+pub struct RunRecorder {
     /// What is recorded, shape (channels, rows) \[unit of the channel\].
     pub columns: Columns,
     /// How the scene moves.
     pub frames: FrameStore,
     /// The history on disk, where one is wanted.
     pub history: Option<HistoryWriter>,
-    /// Called with the time reached and that of the end.
-    pub listener: Option<&'a Py<PyAny>>,
+    /// How far the run is.
+    pub reached: Reached,
     /// When the run ends \[s\].
     pub end: f64,
-    pub given: &'a Given,
-    /// Why Python wants the run to stop.
-    pub raised: Option<PyErr>,
-    next_look: Instant,
+    /// What Python raised, and whether the run is to end.
+    pub raised: Raised,
+    /// Whether an estimate of the time left is logged: a line amid those of a progress bar would break them.
+    pub says_estimate: bool,
     estimate: TimeEstimate,
     rows: usize,
 }
 
-impl<'a> RunRecorder<'a> {
+impl RunRecorder {
     /// A recorder that makes room for so many rows of a run up to an end.
     pub fn new(
         frames: FrameStore,
         history: Option<HistoryWriter>,
-        listener: Option<&'a Py<PyAny>>,
-        given: &'a Given,
+        reached: Reached,
+        raised: Raised,
         (rows, end): (usize, f64),
     ) -> Self {
         Self {
             columns: Columns::default(),
             frames,
             history,
-            listener,
+            reached,
             end,
-            given,
-            raised: None,
-            next_look: Instant::now() + LOOK,
+            raised,
+            says_estimate: true,
             estimate: TimeEstimate::default(),
             rows: rows.min(1 << 16),
         }
     }
-
-    /// Lets Python handle its signals, and tells how far the run is.
-    fn look(&mut self, time: f64) -> Flow {
-        let asked = Python::attach(|py| {
-            py.check_signals()?;
-            self.listener.map_or(Ok(()), |listener| listener.call1(py, (time, self.end)).map(drop))
-        });
-        self.next_look = Instant::now() + LOOK;
-        match asked {
-            Ok(()) => Flow::Continue,
-            Err(error) => {
-                self.raised = Some(error);
-                Flow::Stop
-            }
-        }
-    }
 }
 
-impl Recorder for RunRecorder<'_> {
+impl Recorder for RunRecorder {
     fn begin(&mut self, channels: &[Channel]) -> Result<(), RecorderError> {
         self.columns.channels = channels.to_vec();
         self.columns.values = channels.iter().map(|_| Vec::with_capacity(self.rows)).collect();
@@ -104,28 +105,26 @@ impl Recorder for RunRecorder<'_> {
     }
 
     fn wants_status(&mut self) -> bool {
-        self.estimate.wants()
+        self.says_estimate && self.estimate.wants()
     }
 
     /// Goes to the logger `percuss`, which says it on standard error unless the user has other plans for it.
     fn status(&mut self, status: &RunStatus<'_>) {
-        let Some(text) = self.estimate.look(status) else { return };
+        let Some(text) = self.estimate.look(status).filter(|_| !self.raised.stop.is_wanted())
+        else {
+            return;
+        };
         let logged = Python::attach(|py| {
             let logger = py.import("logging")?.call_method1("getLogger", ("percuss",))?;
             logger.call_method1("warning", (text,)).map(drop)
         });
         if let Err(error) = logged {
-            self.raised.get_or_insert(error);
+            self.raised.put(error);
         }
     }
 
     fn progress(&mut self, time: f64) -> Flow {
-        if self.raised.is_some() {
-            return Flow::Stop;
-        }
-        if !self.given.is_empty() && self.given.has_raised() {
-            return Flow::Stop;
-        }
-        if Instant::now() < self.next_look { Flow::Continue } else { self.look(time) }
+        self.reached.set(time, self.end);
+        if self.raised.stop.is_wanted() { Flow::Stop } else { Flow::Continue }
     }
 }

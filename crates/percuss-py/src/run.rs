@@ -4,18 +4,20 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use percuss::{RunSummary, Simulation, Termination};
-use percuss_advice::{advise, compare, conclude};
-use percuss_output::fields::FrameStore;
+use percuss_advice::{Advice, advise, allow, compare, conclude};
+use percuss_output::fields::{Fields, FrameStore};
 use percuss_output::{RunInfo, RunSource, scenario_summary};
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 
 use crate::directory::{Directory, Left};
-use crate::error::{output_error, recorder_error};
+use crate::error::Refusal;
 use crate::fields::to_python;
-use crate::ready::{Ready, Source};
-use crate::recorder::RunRecorder;
+use crate::given::Raised;
+use crate::ready::{Origin, Ready, Source};
+use crate::recorder::{Columns, Reached, RunRecorder};
 use crate::structure::array;
+use crate::watch::Stop;
 
 /// Runs a scenario.
 ///
@@ -24,7 +26,7 @@ use crate::structure::array;
 /// source : tuple
 ///     What `Scenario._source` gives.
 /// progress : callable or None
-///     Called with the time reached and that of the end [s], some times a second.
+///     Called with the time reached and that of the end [s], some times a second; without it an estimate of the time left is logged.
 /// out : str, path or None
 ///     A directory for the files of the run.
 /// report : bool
@@ -35,7 +37,8 @@ use crate::structure::array;
 /// Returns
 /// -------
 /// dict
-///     `names`, `units`, `descriptions`, `columns`, `summary` (JSON), `scenario` (TOML), `fields` (the scene and how it moved), `seconds` [s].
+///     `names`, `units`, `descriptions`, `columns`, `summary` (JSON), `scenario` (TOML), `fields` (the scene and how it moved), `seconds` [s],
+///     `path` of its files or None.
 ///
 /// Raises
 /// ------
@@ -59,41 +62,22 @@ pub fn run<'py>(
     report: bool,
     shapes: Option<usize>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let ready = source.ready(py)?;
-    let model = &ready.compiled.model;
-    let simulation = Simulation::new(model, &ready.compiled.settings)
-        .map_err(|faults| source.raised().unwrap_or_else(|| ready.refuse(py, faults)))?;
-    let text = ready.scenario.to_toml();
-    let directory = out.map(|out| Directory::create(&out, &text, report)).transpose()?;
-    let history = directory.as_ref().map(|directory| directory.history(text.clone()));
-    let settings = &ready.compiled.settings;
-    let extent = (simulation.step_count() / settings.record_every + 2, settings.end);
-    let megabytes = ready.scenario.content().record.shapes;
-    let frames = FrameStore::new(ready.scenario.scene(model), settings.end, megabytes);
-    let frames = match shapes {
-        Some(shapes) => frames.at_most(shapes),
-        None => frames,
+    let wanted = Wanted {
+        out,
+        report,
+        shapes,
+        origin: source.origin(),
+        is_told: progress.is_some(),
+        reached: Reached::default(),
+        raised: source.given().raised().clone(),
     };
-    let mut recorder = RunRecorder::new(frames, history, progress.as_ref(), source.given(), extent);
-    let origin = source.run_source();
-    let ended = py.detach(|| simulate(&ready, origin, simulation, &mut recorder));
-
-    let RunRecorder { columns, frames, history, raised, .. } = recorder;
-    if let Termination::Failed(error) = &ended.summary.termination
-        && error.is_recorder()
-    {
-        return Err(recorder_error(error));
-    }
-    let mut fields = frames.finish();
-    fields.part(&ended.summary);
-    if let Some((directory, history)) = directory.zip(history) {
-        let left = Left { run: &ended.summary, summary: &ended.value, fields: &fields };
-        let finished = py.detach(|| directory.finish(history, left));
-        finished.map_err(|error| output_error(&error))?;
-    }
-    if let Some(error) = raised.or_else(|| source.raised()) {
-        return Err(error);
-    }
+    let reached = wanted.reached.clone();
+    let tell = |py: Python<'_>| match (&progress, reached.get()) {
+        (Some(progress), Some([time, end])) => progress.call1(py, (time, end)).map(drop),
+        _ => Ok(()),
+    };
+    let work = move |ready: &Ready, stop: &Stop| wanted.run(ready, stop);
+    let Done { columns, fields, text, place, ended } = source.attend_telling(py, work, tell)?;
     let result = PyDict::new(py);
     let names: Vec<&str> = columns.channels.iter().map(|c| c.name.as_str()).collect();
     let units: Vec<&str> = columns.channels.iter().map(|c| c.unit).collect();
@@ -107,7 +91,76 @@ pub fn run<'py>(
     result.set_item("scenario", text)?;
     result.set_item("fields", to_python(py, &fields)?)?;
     result.set_item("seconds", ended.seconds)?;
+    result.set_item("path", place)?;
     Ok(result)
+}
+
+/// What is wanted of a run.
+struct Wanted {
+    out: Option<PathBuf>,
+    report: bool,
+    shapes: Option<usize>,
+    origin: Origin,
+    /// Whether someone is told how far the run is.
+    is_told: bool,
+    reached: Reached,
+    raised: Raised,
+}
+
+/// A run with all that is kept of it.
+struct Done {
+    columns: Columns,
+    fields: Fields,
+    /// The scenario with every default written out.
+    text: String,
+    /// Where its files lie.
+    place: Option<PathBuf>,
+    ended: Ended,
+}
+
+impl Wanted {
+    fn run(self, ready: &Ready, stop: &Stop) -> Result<Done, Refusal> {
+        let (model, settings) = (&ready.compiled.model, &ready.compiled.settings);
+        let simulation = Simulation::new(model, settings).map_err(|faults| ready.refuse(faults))?;
+        let content = ready.scenario.content();
+        let mut advice = advise(model, settings);
+        allow(&mut advice, |code| content.reason_to_allow(code));
+        if stop.is_wanted() {
+            return Err(Refusal::Stopped);
+        }
+        let text = ready.scenario.to_toml();
+        let create = |out: PathBuf| Directory::create(&out, &text, self.report);
+        let directory = self.out.map(create).transpose()?;
+        if directory.is_some() {
+            stop.writes();
+        }
+        let history = directory.as_ref().map(|directory| directory.history(text.clone()));
+        let extent = (simulation.step_count() / settings.record_every + 2, settings.end);
+        let megabytes = content.record.shapes;
+        let frames = FrameStore::new(ready.scenario.scene(model), settings.end, megabytes);
+        let frames = match self.shapes {
+            Some(shapes) => frames.at_most(shapes),
+            None => frames,
+        };
+        let mut recorder = RunRecorder::new(frames, history, self.reached, self.raised, extent);
+        recorder.says_estimate = !self.is_told;
+        let origin = self.origin.started_now();
+        let ended = simulate(ready, origin, simulation, advice, &mut recorder);
+        let RunRecorder { columns, frames, history, .. } = recorder;
+        let mut fields = frames.finish();
+        fields.part(&ended.summary);
+        let mut place = None;
+        if let Termination::Failed(error) = &ended.summary.termination
+            && error.is_recorder()
+        {
+            return Err(Refusal::Recorder(error.code(), error.to_string()));
+        }
+        if let Some((directory, history)) = directory.zip(history) {
+            let left = Left { run: &ended.summary, summary: &ended.value, fields: &fields };
+            place = Some(directory.finish(history, left)?);
+        }
+        Ok(Done { columns, fields, text, place, ended })
+    }
 }
 
 /// A run that has ended, one way or the other.
@@ -121,12 +174,11 @@ fn simulate(
     ready: &Ready,
     source: RunSource<'_>,
     simulation: Simulation<'_>,
-    recorder: &mut RunRecorder<'_>,
+    advice: Vec<Advice>,
+    recorder: &mut RunRecorder,
 ) -> Ended {
     let compiled = &ready.compiled;
     let content = ready.scenario.content();
-    let mut advice = advise(&compiled.model, &compiled.settings);
-    percuss_advice::allow(&mut advice, |code| content.reason_to_allow(code));
     let begun = Instant::now();
     let summary = simulation.run(recorder);
     let seconds = begun.elapsed().as_secs_f64();

@@ -5,7 +5,7 @@ use percuss_study::{Differentiated, SensitivityError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::{analysis_error, scenario_error};
+use crate::error::Refusal;
 use crate::ready::Source;
 use crate::structure::shaped;
 
@@ -45,12 +45,16 @@ pub fn sensitivity<'py>(
     parameters: Vec<String>,
     results: Vec<String>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let ready = source.ready(py)?;
-    let found = py.detach(|| percuss_study::sensitivity(&ready.scenario, &parameters, &results));
-    let found = found.map_err(|error| match error {
-        SensitivityError::Faults(faults) => scenario_error(py, &faults),
-        SensitivityError::Refused(reason) => analysis_error(AnalysisCode::NoDerivative, &reason),
-        SensitivityError::Run(code, reason) => analysis_error(code, &reason),
+    let found = source.attend(py, move |ready, _| {
+        percuss_study::sensitivity(&ready.scenario, &parameters, &results).map_err(
+            |why| match why {
+                SensitivityError::Faults(faults) => Refusal::Faults(faults),
+                SensitivityError::Refused(reason) => {
+                    Refusal::Analysis(AnalysisCode::NoDerivative, reason)
+                }
+                SensitivityError::Run(code, reason) => Refusal::Analysis(code, reason),
+            },
+        )
     })?;
     let list = |all: &[Differentiated]| -> Vec<(String, f64, String)> {
         all.iter().map(|x| (x.path.clone(), x.value, x.unit.clone())).collect()

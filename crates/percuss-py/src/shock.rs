@@ -5,24 +5,25 @@ use percuss_output::shock::{self, Band, Cfc, ShockError, Signal};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::request_error;
+use crate::error::Refusal;
 use crate::structure::array;
+use crate::watch::Watch;
 
-fn refused(error: &ShockError) -> PyErr {
-    request_error(RequestCode::Acceleration, &error.to_string())
+fn refused(error: &ShockError) -> Refusal {
+    Refusal::Request(RequestCode::Acceleration, error.to_string())
 }
 
 /// The acceleration that follows from a velocity, in a class if one is given.
-fn signal(time: &[f64], velocity: &[f64], cfc: Option<u32>) -> PyResult<Signal> {
+fn signal(time: &[f64], velocity: &[f64], cfc: Option<u32>) -> Result<Signal, Refusal> {
     in_class(Signal::from_velocity(time, velocity).map_err(|error| refused(&error))?, cfc)
 }
 
 /// A signal in a class, if one is given.
-fn in_class(signal: Signal, cfc: Option<u32>) -> PyResult<Signal> {
+fn in_class(signal: Signal, cfc: Option<u32>) -> Result<Signal, Refusal> {
     let Some(number) = cfc else { return Ok(signal) };
     let class = Cfc::of(number).ok_or_else(|| {
         let text = format!("cfc={number}: expected a class of SAE J211: 60, 180, 600 or 1000");
-        request_error(RequestCode::Acceleration, &text)
+        Refusal::Request(RequestCode::Acceleration, text)
     })?;
     shock::filtered(&signal, class).map_err(|error| refused(&error))
 }
@@ -59,10 +60,16 @@ pub fn acceleration<'py>(
     velocity: Vec<f64>,
     cfc: Option<u32>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    sampled(py, signal(&time, &velocity, cfc)?)
+    sampled(py, move || signal(&time, &velocity, cfc))
 }
 
-fn sampled(py: Python<'_>, signal: Signal) -> PyResult<Bound<'_, PyDict>> {
+/// Times and values of a signal.
+fn sampled(
+    py: Python<'_>,
+    work: impl FnOnce() -> Result<Signal, Refusal> + Send + 'static,
+) -> PyResult<Bound<'_, PyDict>> {
+    let signal = Watch::default().run(py, move |_| work())?;
+    let signal = signal.map_err(|refusal| refusal.exception(py))?;
     let result = PyDict::new(py);
     result.set_item("time", array(py, signal.times().collect::<Vec<f64>>()))?;
     result.set_item("resampled", signal.resampled)?;
@@ -102,8 +109,11 @@ pub fn samples(
     values: Vec<f64>,
     cfc: Option<u32>,
 ) -> PyResult<Bound<'_, PyDict>> {
-    let signal = Signal::from_samples(&time, &values).map_err(|error| refused(&error))?;
-    sampled(py, in_class(signal, cfc)?)
+    let signal = move || {
+        let signal = Signal::from_samples(&time, &values).map_err(|error| refused(&error))?;
+        in_class(signal, cfc)
+    };
+    sampled(py, signal)
 }
 
 /// Shock response spectrum of the acceleration that follows from a velocity.
@@ -144,10 +154,15 @@ pub fn shock_spectrum<'py>(
     band: (f64, Option<f64>, f64),
     cfc: Option<u32>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let signal = signal(&history.0, &history.1, cfc)?;
-    let (from, to, per_octave) = band;
-    let band = Band { from, to, per_octave };
-    let found = shock::shock_spectrum(&signal, damping, &band).map_err(|error| refused(&error))?;
+    let work = move || {
+        let signal = signal(&history.0, &history.1, cfc)?;
+        let (from, to, per_octave) = band;
+        let band = Band { from, to, per_octave };
+        let found = shock::shock_spectrum(&signal, damping, &band);
+        Ok((found.map_err(|error| refused(&error))?, signal.resampled))
+    };
+    let found = Watch::default().run(py, move |_| work())?;
+    let (found, resampled) = found.map_err(|refusal: Refusal| refusal.exception(py))?;
     let result = PyDict::new(py);
     let velocity = found.pseudo_velocity();
     let answers = [
@@ -162,6 +177,6 @@ pub fn shock_spectrum<'py>(
         result.set_item(format!("{name}_maximax"), array(py, column(|x| x.maximax())))?;
     }
     result.set_item("frequency", array(py, found.frequency))?;
-    result.set_item("resampled", signal.resampled)?;
+    result.set_item("resampled", resampled)?;
     Ok(result)
 }

@@ -1,6 +1,7 @@
 //! Studies for Python: their shards, wherever they are run, and the table at the end.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use percuss_scenario::FileAccess;
 use percuss_study::{Folder, Shard};
@@ -8,7 +9,8 @@ use pyo3::exceptions::PyIndexError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
 
-use crate::error::{scenario_error, study_error};
+use crate::error::{Refusal, study_error};
+use crate::watch::{Stop, Watch};
 use crate::work;
 
 /// A study that has been read; it needs no file any more.
@@ -34,7 +36,7 @@ use crate::work;
 /// <percuss.Study The bag, from 1 to 9 m/s: 9 runs>
 #[pyclass(frozen, module = "percuss._percuss")]
 pub struct Study {
-    inner: percuss_study::Study,
+    inner: Arc<percuss_study::Study>,
 }
 
 #[pymethods]
@@ -44,8 +46,11 @@ impl Study {
     #[pyo3(signature = (text, name, allow_outside = false))]
     fn new(py: Python<'_>, text: &str, name: &str, allow_outside: bool) -> PyResult<Self> {
         let access = if allow_outside { FileAccess::Anywhere } else { FileAccess::OwnFolder };
-        let read = py.detach(|| percuss_study::Study::from_toml_with(text, name, access));
-        read.map(|inner| Self { inner }).map_err(|faults| scenario_error(py, &faults))
+        let (text, name) = (text.to_owned(), name.to_owned());
+        let work = move |_: &Stop| percuss_study::Study::from_toml_with(&text, &name, access);
+        let read = Watch::default().run(py, work)?;
+        read.map(|inner| Self { inner: Arc::new(inner) })
+            .map_err(|faults| Refusal::Faults(faults).exception(py))
     }
 
     /// Studies travel as their text.
@@ -212,7 +217,7 @@ impl Study {
     /// True
     fn run_shard<'py>(&self, py: Python<'py>, index: u64) -> PyResult<Bound<'py, PyBytes>> {
         let index = self.known(index)?;
-        work::shard(py, &self.inner, index)
+        work::shard(py, self.shared(), index)
     }
 
     /// Whether these are the bytes of a shard, whole and of this study.
@@ -266,7 +271,7 @@ impl Study {
         py: Python<'py>,
         read: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyBytes>> {
-        work::merged(py, &self.inner, read)
+        work::merged(py, self.shared(), read)
     }
 
     /// Does what is left of the study in a directory, and puts the results together. Nothing is returned.
@@ -300,7 +305,7 @@ impl Study {
         jobs: usize,
         progress: Py<PyAny>,
     ) -> PyResult<()> {
-        work::sweep(py, &self.inner, &self.folder(&directory)?, jobs, &progress)
+        work::sweep(py, self.shared(), self.folder(&directory)?, jobs, &progress)
     }
 
     /// Makes a directory that of the study, or refuses one of something else. Nothing is returned.
@@ -345,7 +350,7 @@ impl Study {
     /// >>> table.study.indices("kept") is None
     /// True
     fn indices(&self, py: Python<'_>, directory: PathBuf) -> PyResult<Option<Vec<u8>>> {
-        work::indices(py, &self.inner, || self.folder(&directory))
+        work::indices(py, self.shared(), || self.folder(&directory))
     }
 
     /// `report.html` of the results in a directory.
@@ -372,10 +377,11 @@ impl Study {
     /// True
     fn report(&self, py: Python<'_>, directory: PathBuf) -> PyResult<String> {
         let folder = self.folder(&directory)?;
-        py.detach(|| {
-            Ok(percuss_study::report(&self.inner, &folder.results(&self.inner)?, &folder.kept()))
-        })
-        .map_err(|error| study_error(&error))
+        let study = self.shared();
+        let work = move |_: &Stop| {
+            Ok(percuss_study::report(&study, &folder.results(&study)?, &folder.kept()))
+        };
+        Watch::default().run(py, work)?.map_err(|error: percuss_study::Error| study_error(&error))
     }
 
     /// Columns of a table of the study that has been kept, whichever version of the program computed it.
@@ -402,7 +408,9 @@ impl Study {
     /// ...     len(table.study.columns(file.read()))
     /// 15
     fn columns<'py>(&self, py: Python<'py>, bytes: &[u8]) -> PyResult<Bound<'py, PyList>> {
-        let table = percuss_study::read_table(bytes, &self.inner);
+        let (study, bytes) = (self.shared(), bytes.to_vec());
+        let work = move |_: &Stop| percuss_study::read_table(&bytes, &study);
+        let table = Watch::default().run(py, work)?;
         work::to_python(py, table.map_err(|error| study_error(&error))?)
     }
 
@@ -430,7 +438,7 @@ impl Study {
     /// ['run', 'speed', 'peak_force']
     fn results<'py>(&self, py: Python<'py>, directory: PathBuf) -> PyResult<Bound<'py, PyList>> {
         let folder = self.folder(&directory)?;
-        work::columns(py, &self.inner, &folder)
+        work::columns(py, self.shared(), folder)
     }
 }
 
@@ -438,6 +446,11 @@ impl Study {
     /// The study of the core.
     pub(crate) fn inner(&self) -> &percuss_study::Study {
         &self.inner
+    }
+
+    /// The same for another thread.
+    pub(crate) fn shared(&self) -> Arc<percuss_study::Study> {
+        Arc::clone(&self.inner)
     }
 
     fn known(&self, index: u64) -> PyResult<u64> {

@@ -1,19 +1,15 @@
 //! The work of a study's shards and sweeps for Python.
 
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::time::Duration;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
-use percuss::AnalysisCode;
 use percuss_study::{Done, Folder, Progress, Shard, Study, Table, Values, merge};
-use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyList};
 
-use crate::error::{analysis_error, incomplete, study_error};
+use crate::error::{Refusal, incomplete, study_error};
 use crate::structure::array;
-
-/// Python is asked this often during a sweep.
-const LOOK: Duration = Duration::from_millis(50);
+use crate::watch::{Stop, Watch};
 
 /// Does what is left of a study on `jobs` threads, 0 for one a core, and puts the results together.
 ///
@@ -21,49 +17,30 @@ const LOOK: Duration = Duration::from_millis(50);
 /// What `progress` raised, or what ended the sweep.
 pub fn sweep(
     py: Python<'_>,
-    study: &Study,
-    folder: &Folder,
+    study: Arc<Study>,
+    folder: Folder,
     jobs: usize,
     progress: &Py<PyAny>,
 ) -> PyResult<()> {
-    let wanted: Vec<u64> = (0..study.shard_count()).collect();
-    let (stop, seen) = (AtomicBool::new(false), AtomicU64::new(0));
-    let tell = |at: Progress| {
-        seen.store(at.done, Ordering::Relaxed);
-        !stop.load(Ordering::Relaxed)
-    };
-    // Python hears signals on its main thread only, so the work is done on another one.
-    let (done, raised) = py.detach(|| {
-        std::thread::scope(|scope| {
-            let work = scope.spawn(|| percuss_study::sweep(study, folder, &wanted, jobs, &tell));
-            let mut raised = None;
-            while !work.is_finished() {
-                std::thread::sleep(LOOK);
-                let runs = (seen.load(Ordering::Relaxed), study.run_count());
-                let look = |py: Python<'_>| {
-                    py.check_signals()?;
-                    progress.call1(py, runs).map(drop)
-                };
-                if raised.is_none()
-                    && let Err(error) = Python::attach(look)
-                {
-                    raised = Some(error);
-                    stop.store(true, Ordering::Relaxed);
-                }
-            }
-            (work.join(), raised)
-        })
-    });
-    if let Some(error) = raised {
-        return Err(error);
-    }
-    match done {
-        Ok(Ok(Done::All)) => {
-            py.detach(|| folder.finish(study)).map_err(|error| study_error(&error))
+    let (seen, runs) = (Arc::new(AtomicU64::new(0)), study.run_count());
+    let told = Arc::clone(&seen);
+    let work = move |stop: &Stop| {
+        let wanted: Vec<u64> = (0..study.shard_count()).collect();
+        let tell = |at: Progress| {
+            seen.store(at.done, Ordering::Relaxed);
+            !stop.is_wanted()
+        };
+        let done = percuss_study::sweep(&study, &folder, &wanted, jobs, &tell)?;
+        if done == Done::All {
+            folder.finish(&study)?;
         }
-        Ok(Ok(_)) => Err(incomplete("the study is not complete")),
-        Ok(Err(error)) => Err(study_error(&error)),
-        Err(_) => Err(analysis_error(AnalysisCode::Broken, "a thread of the sweep broke down")),
+        Ok(done)
+    };
+    let tell = |py: Python<'_>| progress.call1(py, (told.load(Ordering::Relaxed), runs)).map(drop);
+    match Watch::default().run_telling(py, work, tell)? {
+        Ok(Done::All) => Ok(()),
+        Ok(_) => Err(incomplete("the study is not complete")),
+        Err(error) => Err(study_error(&error)),
     }
 }
 
@@ -73,22 +50,18 @@ pub fn sweep(
 /// What `read` raised, or a shard that is missing or not of this study.
 pub fn merged<'py>(
     py: Python<'py>,
-    study: &Study,
+    study: Arc<Study>,
     read: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let raised = std::cell::RefCell::new(None);
-    let shards = (0..study.shard_count()).map_while(|index| {
-        let bytes = read.call1((index,)).and_then(|bytes| bytes.extract::<Vec<u8>>());
-        bytes
-            .map(|bytes| Shard::from_parquet(&bytes, study))
-            .map_err(|error| raised.borrow_mut().replace(error))
-            .ok()
-    });
-    let mut out = Vec::new();
-    let merged = merge(study, shards, &mut out);
-    raised.take().map_or(Ok(()), Err)?;
-    merged.map_err(|error| study_error(&error))?;
-    Ok(PyBytes::new(py, &out))
+    let all = (0..study.shard_count()).map(|index| read.call1((index,))?.extract::<Vec<u8>>());
+    let all = all.collect::<PyResult<Vec<_>>>()?;
+    let work = move |_: &Stop| {
+        let mut out = Vec::new();
+        merge(&study, all.iter().map(|bytes| Shard::from_parquet(bytes, &study)), &mut out)?;
+        Ok(out)
+    };
+    let merged = Watch::default().run(py, work)?;
+    Ok(PyBytes::new(py, &merged.map_err(|error| study_error(&error))?))
 }
 
 /// Columns of the results in a directory: (name, unit, role, what it is, values).
@@ -97,10 +70,11 @@ pub fn merged<'py>(
 /// Results that are not there or cannot be read.
 pub fn columns<'py>(
     py: Python<'py>,
-    study: &Study,
-    folder: &Folder,
+    study: Arc<Study>,
+    folder: Folder,
 ) -> PyResult<Bound<'py, PyList>> {
-    let table = py.detach(|| folder.results(study)).map_err(|error| study_error(&error))?;
+    let table = Watch::default().run(py, move |_| folder.results(&study))?;
+    let table = table.map_err(|error| study_error(&error))?;
     to_python(py, table)
 }
 
@@ -125,16 +99,13 @@ pub fn to_python(py: Python<'_>, table: Table) -> PyResult<Bound<'_, PyList>> {
 ///
 /// # Errors
 /// `KeyboardInterrupt`, or a table that cannot be written.
-pub fn shard<'py>(py: Python<'py>, study: &Study, index: u64) -> PyResult<Bound<'py, PyBytes>> {
-    let done = py.detach(|| {
-        let goes_on = || Python::attach(|py| py.check_signals()).is_ok();
-        let shard = study.run_shard_while(index, &goes_on)?;
-        Some(shard.to_parquet(study))
-    });
-    match done {
-        Some(bytes) => Ok(PyBytes::new(py, &bytes.map_err(|error| study_error(&error))?)),
-        None => Err(PyKeyboardInterrupt::new_err(())),
-    }
+pub fn shard<'py>(py: Python<'py>, study: Arc<Study>, index: u64) -> PyResult<Bound<'py, PyBytes>> {
+    let work = move |stop: &Stop| {
+        let shard = study.run_shard_while(index, &|| !stop.is_wanted());
+        shard.ok_or(Refusal::Stopped)?.to_parquet(&study).map_err(Refusal::Study)
+    };
+    let bytes = Watch::default().run(py, work)?;
+    Ok(PyBytes::new(py, &bytes.map_err(|refusal| refusal.exception(py))?))
 }
 
 /// The table of Sobol indices: Parquet; none for a study without.
@@ -143,16 +114,17 @@ pub fn shard<'py>(py: Python<'py>, study: &Study, index: u64) -> PyResult<Bound<
 /// Results that are not there or cannot be read.
 pub fn indices(
     py: Python<'_>,
-    study: &Study,
+    study: Arc<Study>,
     folder: impl FnOnce() -> PyResult<Folder>,
 ) -> PyResult<Option<Vec<u8>>> {
     if !study.has_sobol_indices() {
         return Ok(None);
     }
     let folder = folder()?;
-    let bytes = py.detach(|| {
-        let table = folder.results(study)?;
-        percuss_study::indices_parquet(study, &percuss_study::indices(study, &table))
-    });
+    let work = move |_: &Stop| {
+        let table = folder.results(&study)?;
+        percuss_study::indices_parquet(&study, &percuss_study::indices(&study, &table))
+    };
+    let bytes = Watch::default().run(py, work)?;
     bytes.map(Some).map_err(|error| study_error(&error))
 }

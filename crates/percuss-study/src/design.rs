@@ -18,6 +18,8 @@ pub(crate) enum Kind {
     LatinHypercube,
     Sobol,
     MonteCarlo,
+    /// Listed: run k takes entry k of each parameter.
+    Points,
 }
 
 /// Which point of the unit cube each run stands for.
@@ -75,7 +77,7 @@ impl Design {
         if self.sobol_indices { self.dimension as u64 + 2 } else { 1 }
     }
 
-    /// The point of a run: shares from 0 to 1, one a parameter. Not for grids.
+    /// The point of a run: shares from 0 to 1, one a parameter. Not for grids and listed points.
     pub fn point(&self, run: u64) -> Vec<f64> {
         let d = self.dimension;
         if !self.sobol_indices {
@@ -95,8 +97,11 @@ impl Design {
         }
     }
 
-    /// Which value of each parameter a run of a grid takes; the last parameter changes fastest.
+    /// Which value of each parameter a run of a grid takes, whose last parameter changes fastest, or a run of listed points.
     pub fn combination(&self, run: u64) -> Vec<usize> {
+        if self.kind == Kind::Points {
+            return vec![run as usize; self.dimension];
+        }
         let mut rest = run;
         let mut out: Vec<usize> = Vec::with_capacity(self.levels.len());
         for &levels in self.levels.iter().rev() {
@@ -154,7 +159,7 @@ impl Design {
                 let paired = self.correlation.as_ref().and_then(|lower| paired(&parts, lower));
                 Tables::Latin(paired.unwrap_or(parts))
             }
-            Kind::MonteCarlo | Kind::Grid => Tables::None,
+            Kind::MonteCarlo | Kind::Grid | Kind::Points => Tables::None,
         }
     }
 

@@ -191,11 +191,7 @@ impl<'s> Function<'s> {
             let text = format!("{given} numbers for {wanted} parameters ({})", names.join(", "));
             return Err(unfit(text));
         }
-        let finite = |(x, parameter): (&f64, &Parameter)| match x.is_finite() {
-            true => Ok(Input::Number(*x)),
-            false => Err(unfit(format!("`{}` is {x}: a number is needed", parameter.name))),
-        };
-        point.iter().zip(self.parameters()).map(finite).collect()
+        Ok(point.iter().map(|x| Input::Number(*x)).collect())
     }
 
     /// Results of a run, if it has all of them.

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use percuss_codes::Code;
+use percuss_codes::{Code, RequestCode};
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
 use crate::detail::{detail_for, is_known_alone};
@@ -46,12 +46,24 @@ impl<'s> Preparer<'s> {
         let scenario = scenario.as_mut().map_err(|reason| reason.clone())?;
         for (parameter, input) in self.study.parameters.iter().zip(inputs) {
             if let Input::Number(number) = input {
+                finite(&parameter.name, *number)?;
                 scenario
                     .set_number(&parameter.field, *number)
                     .map_err(|fault| percuss_scenario::in_one_line(&fault))?;
             }
         }
         Ok(scenario)
+    }
+}
+
+/// That a parameter has a number.
+fn finite(name: &str, number: f64) -> Result<(), String> {
+    match number.is_finite() {
+        true => Ok(()),
+        false => {
+            let text = format!("`{name}` is {number}: a number is needed");
+            Err(Code::from(RequestCode::NoValue).behind(text))
+        }
     }
 }
 

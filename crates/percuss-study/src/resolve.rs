@@ -7,7 +7,7 @@ use std::path::Path;
 
 use percuss::{Fault, NoRecorder, RunSummary};
 use percuss_output::SummaryPath;
-use percuss_scenario::study::StudyContent;
+use percuss_scenario::study::{self, StudyContent};
 use percuss_scenario::{Diagnostics, FileAccess, Scenario, StudyFile, one_of};
 
 use self::design::design;
@@ -79,10 +79,11 @@ fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
     let sample = percuss::simulate(&compiled.model, &settings, &mut NoRecorder)
         .map_err(|faults| scenario.diagnostics(faults))?;
 
+    let listed = matches!(file.content.design, study::Design::Points { .. });
     let mut parameters = Vec::new();
     for named in &file.content.parameter {
         let header = format!("parameter.{}", named.name);
-        match parameter(&mut scenario, &named.name, &named.table) {
+        match parameter(&mut scenario, &named.name, &named.table, listed) {
             Ok(parameter) => parameters.push(parameter),
             Err(fault) => faults.push(Fault { path: format!("{header}.{}", fault.path), ..fault }),
         }

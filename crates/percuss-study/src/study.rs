@@ -96,9 +96,9 @@ impl Study {
         matches!(self.design.kind, Kind::Sobol | Kind::LatinHypercube)
     }
 
-    /// Whether every combination of values is run.
-    pub fn is_grid(&self) -> bool {
-        self.design.kind == Kind::Grid
+    /// Whether its values are drawn at random; those of grids and of listed points are chosen, and shares of runs then tell no probability.
+    pub fn draws_values(&self) -> bool {
+        !matches!(self.design.kind, Kind::Grid | Kind::Points)
     }
 
     /// Points of the design; each one run, or with Sobol indices 2 runs and one more a parameter, one after the other.
@@ -135,7 +135,7 @@ impl Study {
 
     /// Values of the parameters in a run.
     pub fn inputs(&self, run: u64) -> Vec<Input<'_>> {
-        if self.design.kind == Kind::Grid {
+        if matches!(self.design.kind, Kind::Grid | Kind::Points) {
             let combination = self.design.combination(run);
             let levels = self.parameters.iter().zip(combination);
             return levels.map(|(p, k)| p.variation.level(k)).collect();

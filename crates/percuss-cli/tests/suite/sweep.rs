@@ -236,3 +236,20 @@ fn modules_of_the_working_directory_are_not_run() {
     assert_ne!(done.status.code(), Some(0));
     assert!(!desk.path("hijacked").exists(), "a file of the working directory was run");
 }
+
+/// Points of another program: a file of them is a design, and a point that cannot be is a row.
+#[test]
+fn a_file_of_points_is_swept() {
+    let desk = Desk::new();
+    let study = STUDY
+        .replace("distribution = { kind = \"uniform\", from = \"10 m/s\", to = \"30 m/s\" }", "")
+        .replace("kind = \"sobol\"\nruns = 96", "kind = \"points\"\nfile = \"points.csv\"");
+    desk.put("study.toml", study);
+    desk.put("points.csv", "speed [km/h],projectile.mass.mass\n36,500\n72,\"480 kg\"\n72,-1\n");
+    desk.percuss(&["check", "study.toml"]).ends_with(0);
+    desk.percuss(&["sweep", "study.toml", "--out", "out"])
+        .ends_with(0)
+        .tells("3 runs, 2 completed");
+    desk.put("points.csv", "speed [km/h],weight\n36,500\n");
+    desk.percuss(&["sweep", "study.toml", "--out", "other"]).ends_with(2).tells("\"weight\"");
+}

@@ -5,6 +5,7 @@
 
 mod content;
 mod given;
+mod points;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -83,7 +84,7 @@ impl StudyFile {
         let expected = "a study, with `base`, [parameter.NAME], [design] and [results]";
         let parsed = parse::<StudyContent>(&source, Files::taken_in(folder, access), expected)?;
         let mut faults: Vec<_> = parsed.faults.into_iter().map(|raw| place(&source, raw)).collect();
-        let (content, places, mut tainted) = (parsed.content, parsed.places, parsed.tainted);
+        let (mut content, places, mut tainted) = (parsed.content, parsed.places, parsed.tainted);
         if access == FileAccess::OwnFolder
             && let Some(base) = content.base.as_deref()
             && !is_within(folder, base)
@@ -93,6 +94,13 @@ impl StudyFile {
             let code = FaultCode::File;
             faults.push(Diagnostic::at(code, &source, span, "base", found, WITHIN));
             tainted.insert("base".into());
+        }
+        if let Err(points::Unread { code, found, expected }) =
+            points::take_in(&mut content, folder, access)
+        {
+            let span = places.find("design.file").unwrap_or(0..0);
+            faults.push(Diagnostic::at(code, &source, span, "design.file", found, expected));
+            tainted.insert("parameter".into());
         }
         Ok(Self { content, places, folder: folder.into(), access, faults, tainted, source })
     }

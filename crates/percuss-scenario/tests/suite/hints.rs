@@ -17,7 +17,7 @@ fn a_missing_design_is_named_with_its_kinds() {
     let study = StudyFile::read("base = \"f.toml\"\n", "s.toml").expect("a study");
     let told = study.settle(Vec::new()).expect_err("no design").to_string();
     let expected = "found no [design], expected a table with `kind` = \"grid\", \"latin-hypercube\", \"sobol\", \
-                    \"monte-carlo\"";
+                    \"monte-carlo\", \"points\"";
     assert!(told.contains(expected), "{told}");
 }
 

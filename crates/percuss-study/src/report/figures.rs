@@ -64,7 +64,8 @@ fn response(
     let stride = table.rows().div_ceil(most).max(1);
     let mut curves = Vec::new();
     for (k, group) in groups.iter().enumerate() {
-        let rows: Vec<usize> = group.rows.iter().copied().step_by(stride).collect();
+        let rows = group.rows.iter().copied().filter(|&row| x[row].is_finite());
+        let rows: Vec<usize> = rows.step_by(stride).collect();
         let pick = |values: &[f64]| rows.iter().map(|&row| values[row]).collect::<Vec<f64>>();
         let label = if group.label.is_empty() { result.name.clone() } else { group.label.clone() };
         let (style, x, y) = (k + 1, pick(&x), pick(&y));
@@ -120,8 +121,8 @@ pub(super) fn maps(study: &Study, table: &Table) -> Vec<Block> {
 
 /// How the results are distributed.
 pub(super) fn distributions(study: &Study, table: &Table) -> Vec<Block> {
-    if study.is_grid() {
-        return Vec::new(); // its values were chosen, not drawn
+    if !study.draws_values() {
+        return Vec::new();
     }
     let mut charts = Vec::new();
     for result in study.results() {

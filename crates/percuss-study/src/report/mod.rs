@@ -34,7 +34,7 @@ pub fn report(study: &Study, table: &Table, kept: &[(u64, String)]) -> String {
     blocks.extend(figures::responses(study, table));
     blocks.extend(figures::maps(study, table));
     blocks.extend(figures::distributions(study, table));
-    if !study.is_grid() {
+    if study.draws_values() {
         blocks.extend(tables::exceedances(study, table));
     }
     blocks.extend(tables::audit(table));

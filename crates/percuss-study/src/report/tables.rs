@@ -53,7 +53,7 @@ pub(super) fn results(study: &Study, table: &Table) -> Vec<Block> {
     let caption = "Completed runs with a value".to_string();
     let mut blocks = vec![Block::Table { caption, header: texts(&header), rows }];
     blocks.extend(open(study, table));
-    if !study.is_grid() {
+    if study.draws_values() {
         blocks.push(intervals(study, table));
         blocks.push(Block::Note(about_intervals(study)));
     }

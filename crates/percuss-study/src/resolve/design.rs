@@ -26,6 +26,7 @@ pub(super) fn design(
         study::Design::LatinHypercube { sampling } => sampled(Kind::LatinHypercube, sampling),
         study::Design::Sobol { sampling } => sampled(Kind::Sobol, sampling),
         study::Design::MonteCarlo { sampling } => sampled(Kind::MonteCarlo, sampling),
+        study::Design::Points { .. } => points(content, parameters, faults),
     };
     let mut add = |path: &str, found: String, expected: &str| {
         faults.push(Fault::new(path, found, expected));
@@ -36,7 +37,7 @@ pub(super) fn design(
     if design.kind == Kind::LatinHypercube && design.points > LATIN_POINTS as u64 {
         add("design.runs", design.points.to_string(), "at most 1e8 for a Latin hypercube");
     }
-    if design.kind != Kind::Grid && design.points == 0 {
+    if !matches!(design.kind, Kind::Grid | Kind::Points) && design.points == 0 {
         add("design.runs", "0".into(), "at least 1");
     }
     if !content.correlation.is_empty() {
@@ -44,9 +45,13 @@ pub(super) fn design(
             let found = "correlated parameters with `sobol_indices`";
             let expected = "independent parameters: the indices share out a variance among them";
             add("correlation", found.into(), expected);
-        } else if design.kind == Kind::Grid {
+        } else if matches!(design.kind, Kind::Grid | Kind::Points) {
             let expected = "a design of random values, such as \"sobol\"";
-            add("correlation", "correlated parameters in a grid".into(), expected);
+            let found = match design.kind {
+                Kind::Grid => "correlated parameters in a grid",
+                _ => "correlated parameters whose values are listed",
+            };
+            add("correlation", found.into(), expected);
         } else if complete {
             design.correlation = correlation(content, parameters, faults);
             if !design.can_be_paired() {
@@ -90,6 +95,30 @@ fn grid(
     let mut design = Design::new(Kind::Grid, runs, parameters.len(), content.seed);
     design.levels = levels;
     design
+}
+
+/// Listed points: as many values of each parameter.
+fn points(content: &StudyContent, parameters: &[Parameter], faults: &mut Vec<Fault>) -> Design {
+    let mut runs = None;
+    for parameter in parameters {
+        let path = format!("parameter.{}", parameter.name);
+        let listed = match parameter.variation {
+            Variation::Numbers(_) | Variation::Words(_) => parameter.variation.levels(),
+            Variation::Range { .. } | Variation::Random(_) => None,
+        };
+        let Some(count) = listed else {
+            let expected = "`values`, one for each run, or another design";
+            faults.push(Fault::new(path, "a range or distribution among listed points", expected));
+            continue;
+        };
+        let first = *runs.get_or_insert(count);
+        if count != first {
+            let found = format!("{count} values");
+            let expected = format!("{first}, as many as the first parameter has: one for each run");
+            faults.push(Fault::new(format!("{path}.values"), found, expected));
+        }
+    }
+    Design::new(Kind::Points, runs.unwrap_or(1) as u64, parameters.len(), content.seed)
 }
 
 /// Lower triangle of the correlation matrix.

@@ -32,16 +32,21 @@ impl Values<'_> {
     }
 }
 
+/// A parameter; `listed` if its values are those of the runs one after the other.
 pub(super) fn parameter(
     scenario: &mut Scenario,
     name: &str,
     given: &study::Parameter,
+    listed: bool,
 ) -> Result<Parameter, Fault> {
     let field = scenario.field(&given.path);
     let field = field.map_err(|fault| Fault { path: "path".into(), ..fault })?;
     let mut values = Values { scenario, field: field.clone(), unit: None };
     let variation = if let Some(list) = &given.values {
-        list_of(&mut values, list)?
+        match listed.then(|| listed_numbers(&mut values, list)).flatten() {
+            Some(numbers) => numbers?,
+            None => list_of(&mut values, list)?,
+        }
     } else if field.is_read_anew() {
         let found = format!("`{}`, which is no number in the base scenario", given.path);
         let expected = "a number there to start from, or a list of `values`";
@@ -51,7 +56,11 @@ pub(super) fn parameter(
     } else if let Some(distribution) = &given.distribution {
         Variation::Random(distribution_of(&mut values, distribution)?)
     } else {
-        return Err(Fault::new("values", "no variation", "`values`"));
+        let expected = match listed {
+            true => "`values`, one for each run, or a column of the `file` of the design",
+            false => "`values`, such as [\"10 m/s\", \"20 m/s\"], `range` or `distribution`",
+        };
+        return Err(Fault::new("values", "no variation", expected));
     };
     let unit = match values.unit {
         Some("") | None => "1".to_string(),
@@ -64,6 +73,33 @@ pub(super) fn parameter(
         _ => String::new(),
     };
     Ok(Parameter { name: name.into(), field, unit, example, variation })
+}
+
+/// Numbers of runs one after the other, none if some are no numbers. Bare ones are in the SI unit of the value in the base scenario and are not
+/// looked at here: one that cannot be is a run that is invalid, and leaves the others alone.
+fn listed_numbers(values: &mut Values<'_>, list: &[Given]) -> Option<Result<Variation, Fault>> {
+    if values.field.is_read_anew() || list.is_empty() {
+        return None;
+    }
+    let bare: Vec<Option<f64>> = list.iter().map(|given| given.toml.parse().ok()).collect();
+    let mut unit = values.scenario.number(&values.field).map(|(_, unit)| unit);
+    if unit.is_none() {
+        // Where no number stands, the first one that can be there says what they mean.
+        let first = list.iter().zip(&bare).find(|(given, bare)| {
+            bare.is_some() && values.scenario.set_toml(&values.field, &given.toml).is_ok()
+        });
+        first?;
+        unit = values.scenario.number(&values.field).map(|(_, unit)| unit);
+    }
+    values.unit = Some(unit?);
+    if bare.iter().zip(list).any(|(bare, given)| bare.is_none() && given.is_word()) {
+        return None;
+    }
+    let number = |(bare, given): (&Option<f64>, &Given)| match bare {
+        Some(number) => Ok(*number),
+        None => values.number("values", given),
+    };
+    Some(bare.iter().zip(list).map(number).collect::<Result<_, _>>().map(Variation::Numbers))
 }
 
 /// A list: of numbers if all of them are, else of words.

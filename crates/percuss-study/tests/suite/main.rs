@@ -2,6 +2,7 @@
 
 mod convergence;
 mod error_bars;
+mod listed_points;
 mod open_contacts;
 mod sensitivities;
 mod studies;
