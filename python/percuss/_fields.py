@@ -227,13 +227,19 @@ class Fields:
         Returns
         -------
         list of Contact
-            Places and forces.
+            Places, forces and impulses; a contact that transmits an impact may have both.
+
+        Raises
+        ------
+        IndexError
+            If there is no such frame.
 
         Examples
         --------
         >>> percuss.run("plank.toml").fields.contacts(0)
         []
         """
+        frame = range(len(self))[frame]
         bodies = {b["name"] for b in self.scene["bodies"] + self.scene["obstacles"]}
         out = []
         for number, x, y, f, g, impulsive in self._native["contact_forces"][self._offsets[frame] : self._offsets[frame + 1]]:

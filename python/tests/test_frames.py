@@ -101,6 +101,17 @@ def test_a_compliant_contact_has_forces_alone(elastic):
     assert result._instant() == peak["time"] and when == pytest.approx(peak["time"], abs=2e-4)
 
 
+def test_frames_are_counted_from_either_end(elastic):
+    fields = percuss.run(elastic, shapes=20, time__end="20 ms").fields
+    last = len(fields) - 1
+    one, other = fields.contacts(-1), fields.contacts(last)
+    assert [c.contact for c in one] == [c.contact for c in other] == ["mass"]
+    assert all(np.array_equal(a.force, b.force) for a, b in zip(one, other))
+    for frame in (last + 1, -last - 2):
+        with pytest.raises(IndexError):
+            fields.contacts(frame)
+
+
 def test_a_contact_at_rest_has_its_force_and_the_impulse_that_it_transmits():
     result = percuss.run(percuss.Scenario.from_toml(BALLS))
     fields, weight = result.fields, 2 * 9.81

@@ -84,14 +84,14 @@ fn sampled(
 /// time : list of float
 ///     Times of the rows [s].
 /// values : list of float
-///     Values there, in the unit of the column.
+///     Values there [unit of the column].
 /// cfc : {60, 180, 600, 1000} or None
 ///     Channel frequency class to filter it in.
 ///
 /// Returns
 /// -------
 /// dict
-///     `time` [s], `values` in the unit of the column, `resampled`: whether the rows were not evenly spaced.
+///     `time` [s], `values` [unit of the column], `resampled`: whether the rows were not evenly spaced.
 ///
 /// Raises
 /// ------

@@ -84,3 +84,32 @@ fn frames_that_do_not_fit_their_scene_are_refused_and_nothing_is_left() {
     refused.tells("girder");
     assert!(!desk.path("hit/paraview").exists());
 }
+
+/// The impulse of an impact does not depend on the step; divided by the step it would.
+#[test]
+fn impacts_are_impulses_in_the_frames_of_every_mode() {
+    let desk = Desk::new();
+    desk.put(
+        "steps.toml",
+        include_str!("../../../../scenarios/paper/rigid-clamped-e0.5-paper.toml"),
+    );
+    desk.put("events.toml", include_str!("../../../../scenarios/paper/rigid-clamped-e0.5.toml"));
+    for file in ["steps.toml", "events.toml"] {
+        for step in ["1e-5 s", "2.5e-6 s"] {
+            let step = format!("time.step={step}");
+            let set = ["--set", "time.end=1 ms", "--set", &step, "--no-report", "-q"];
+            desk.percuss(&[&["run", file, "--out", "hit"][..], &set].concat()).ends_with(0);
+            let fields = percuss_output::fields::read(desk.path("hit")).unwrap().unwrap();
+            let rows = || fields.frames.iter().flat_map(|f| f.contact_forces.chunks_exact(6));
+            let largest = |kind: f32| {
+                let own = rows().filter(|row| row[5] == kind);
+                own.map(|row| row[3].hypot(row[4])).fold(0.0_f32, f32::max)
+            };
+            let told = desk.summary("hit")["contact"]["hammer"]["impacts"][0]["impulse"].clone();
+            let told = told.as_f64().unwrap() as f32;
+            assert_eq!(largest(0.0), 0.0, "{file} {step}");
+            assert!((largest(1.0) / told - 1.0).abs() < 1e-6, "{file} {step}: {told}");
+            assert!((2800.0..2900.0).contains(&told), "{file} {step}: {told}");
+        }
+    }
+}

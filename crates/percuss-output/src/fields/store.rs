@@ -72,7 +72,7 @@ pub struct FrameStore {
 struct Wanted {
     touching: bool,
     due: bool,
-    /// Force \[N\] and impulse \[N s\], each if it is the largest so far.
+    /// Force and impulse, each if it is the largest so far, shape (2) \[N, N s\].
     peaks: [Option<f64>; 2],
 }
 
@@ -215,6 +215,34 @@ mod tests {
         let touching = times.iter().filter(|t| (50_000.0..51_000.0).contains(*t)).count();
         assert!(touching >= FEWEST / 2, "{touching}");
         assert!(times.windows(2).all(|w| w[1] - w[0] <= 5000.0 && w[1] > w[0]));
+    }
+
+    #[test]
+    fn frames_of_the_largest_force_and_of_the_largest_impulse_are_kept() {
+        let mut store = FrameStore::new(Scene::default(), 99_999.0, 1e-6);
+        // A small force all the time, larger at 777; impulses at 33 333 and, the larger one, at 66 667, in frames with the same force.
+        let force = |k: usize| if k == 777 { 2.0 } else { 1.0 };
+        let impulse = |k: usize| match k {
+            33_333 => 3e-3,
+            66_667 => 4e-3,
+            _ => 0.0,
+        };
+        for k in 0..=99_999 {
+            if store.wants(k as f64, force(k), impulse(k)) {
+                store.take(&Frame {
+                    time: k as f64,
+                    displacement: &[],
+                    velocity: &[],
+                    spin: &[],
+                    section_forces: &[],
+                    contact_forces: &[],
+                    load_factors: &[],
+                });
+            }
+        }
+        let times: Vec<f64> = store.finish().frames.iter().map(|f| f.time).collect();
+        assert!(times.len() <= FEWEST + 3, "{}", times.len());
+        assert!([777.0, 66_667.0].iter().all(|t| times.contains(t)), "{times:?}");
     }
 
     #[test]

@@ -26,7 +26,7 @@ impl Signal {
     /// # Errors
     /// As of [`Self::from_velocity`].
     pub fn from_samples(time: &[f64], values: &[f64]) -> Result<Self, ShockError> {
-        let rows = Rows::new(time, values)?;
+        let rows = RowSamples::new(time, values)?;
         let (values, resampled) = rows.even();
         Ok(Self { start: rows.time[0], step: rows.step, values, resampled })
     }
@@ -38,7 +38,7 @@ impl Signal {
     /// # Errors
     /// With fewer than three rows, times that do not grow, or values that are no numbers.
     pub fn from_velocity(time: &[f64], velocity: &[f64]) -> Result<Self, ShockError> {
-        let rows = Rows::new(time, velocity)?;
+        let rows = RowSamples::new(time, velocity)?;
         let step = rows.step;
         let (even, resampled) = rows.even();
         let values = even.windows(2).map(|pair| (pair[1] - pair[0]) / step).collect();
@@ -58,7 +58,7 @@ impl Signal {
 }
 
 /// Rows of a history with growing times and finite values, and the distance of an even sampling of them.
-struct Rows<'a> {
+struct RowSamples<'a> {
     /// Times, shape (rows) \[s\].
     time: &'a [f64],
     /// Values, shape (rows) \[SI unit of the column\].
@@ -69,7 +69,7 @@ struct Rows<'a> {
     count: Option<f64>,
 }
 
-impl<'a> Rows<'a> {
+impl<'a> RowSamples<'a> {
     fn new(time: &'a [f64], values: &'a [f64]) -> Result<Self, ShockError> {
         let n = time.len().min(values.len());
         if n < 3 {
