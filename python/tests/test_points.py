@@ -42,6 +42,14 @@ def test_columns_of_a_table_go_by_name_or_path_whatever_their_order(two):
     assert np.array_equal(percuss.sweep(two, points=structured)["peak_force"], wanted)
 
 
+def test_points_of_a_sweep_have_the_forms_of_those_of_a_function(two):
+    pandas = pytest.importorskip("pandas")
+    wanted, f = percuss.sweep(two, points=POINTS[:1])["exit"], percuss.function(two)
+    for points in (pandas.DataFrame(POINTS[:1]), {"mass": POINTS[0, 1], "speed": POINTS[0, 0]}):
+        assert np.array_equal(percuss.sweep(two, points=points)["exit"], wanted)
+        assert np.array_equal(np.atleast_2d(f(points))[:, 1], wanted)
+
+
 def test_a_path_makes_a_parameter(two):
     alone = {key: two[key] for key in ("scenario", "results")}
     table = percuss.sweep(**alone, points={"projectile.mass.velocity[1]": [12, 20.0]})
