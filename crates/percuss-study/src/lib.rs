@@ -61,6 +61,7 @@
 
 pub mod analysis;
 mod column;
+mod columns;
 mod converge;
 mod design;
 mod detail;
@@ -82,6 +83,7 @@ mod study;
 mod sweep;
 
 pub use column::{Column, Role, Table, Values};
+pub use columns::{ColumnJacobian, Means, column_jacobian, column_values};
 pub use converge::{
     Cheapest, ConvergeError, Converged, Convergence, Extrapolation, Ladder, Refined, Sequence,
     converge, extrapolate,
@@ -93,6 +95,7 @@ pub use function::{Function, Jacobian};
 pub use indices::{INDICES, indices, indices_parquet};
 pub use merge::merge;
 pub use parameter::{Input, Parameter, Variation};
+pub use percuss_batch::{ColumnSample, Taken};
 pub use prepare::Invalid;
 pub use report::report;
 pub use sensitivity::{

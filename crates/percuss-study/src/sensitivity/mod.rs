@@ -4,7 +4,10 @@ mod differentiated;
 mod one_sided;
 
 use percuss::{Fault, Settings};
-use percuss_batch::{Horizon, Sensitivities, Undifferentiated, sensitivities};
+use percuss_batch::{
+    ColumnSample, Horizon, Sensitivities, Undifferentiated, sensitivities,
+    sensitivities_with_columns,
+};
 use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick, pick_derivatives, summary_paths};
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
@@ -162,21 +165,8 @@ pub(crate) fn differentiate(
     results: &[String],
 ) -> Result<DifferentiatedRun, SensitivityError> {
     let compiled = scenario.compile()?;
+    let (differentiated, variations) = vary_all(scenario, parameters)?;
     let mut faults = Vec::new();
-    let mut differentiated = Vec::new();
-    let mut variations = Vec::new();
-    for path in parameters {
-        match vary(scenario, path) {
-            Ok((parameter, variation)) => {
-                differentiated.push(parameter);
-                variations.push(variation);
-            }
-            Err(fault) => faults.push(fault),
-        }
-    }
-    if !faults.is_empty() {
-        return Err(scenario.diagnostics(faults).into());
-    }
     let found = sensitivities(&compiled.model, &compiled.settings, &variations)?;
     let mut paths = Vec::new();
     for path in wanted(results, &found.summary) {
@@ -195,6 +185,58 @@ pub(crate) fn differentiate(
         return Err(scenario.diagnostics(faults).into());
     }
     Ok(DifferentiatedRun { compiled, parameters: differentiated, variations, paths, found })
+}
+
+/// Numbers taken from columns of the history, and their exact derivatives.
+pub(crate) struct ExactColumns {
+    /// The numbers, shape (samples) \[SI unit of the column\].
+    pub values: Vec<f64>,
+    /// Derivatives, shape (samples, parameters) \[SI unit of the column by that of the parameter\]; NaN where there are none.
+    pub derivatives: Vec<Vec<f64>>,
+    /// Contacts, and yielding, that a small change of a parameter adds or removes, shape (such events).
+    pub one_sided: Vec<OneSided>,
+    /// Time up to which derivatives are valid, if it is before the end.
+    pub horizon: Option<Horizon>,
+}
+
+/// Numbers taken from columns of the history, and their exact derivatives; NaN where there are none. Errors are those of [`sensitivity`].
+pub(crate) fn exact_columns(
+    scenario: &Scenario,
+    parameters: &[String],
+    samples: &[ColumnSample],
+) -> Result<ExactColumns, SensitivityError> {
+    let compiled = scenario.compile()?;
+    let (differentiated, variations) = vary_all(scenario, parameters)?;
+    let (model, settings) = (&compiled.model, &compiled.settings);
+    let found = sensitivities_with_columns(model, settings, &variations, samples)?;
+    let one_sided = one_sided(&found.grazing, &differentiated);
+    let by = &found.columns.derivatives;
+    let rows = (0..samples.len()).map(|k| by.iter().map(|column| column[k]).collect());
+    let derivatives = rows.collect();
+    let values = found.columns.values;
+    Ok(ExactColumns { values, derivatives, one_sided, horizon: found.horizon })
+}
+
+/// The parameters, and how each of them is varied.
+fn vary_all(
+    scenario: &Scenario,
+    parameters: &[String],
+) -> Result<(Vec<Differentiated>, Vec<percuss_batch::Variation>), Diagnostics> {
+    let (mut differentiated, mut variations) = (Vec::new(), Vec::new());
+    let mut faults = Vec::new();
+    for path in parameters {
+        match vary(scenario, path) {
+            Ok((parameter, variation)) => {
+                differentiated.push(parameter);
+                variations.push(variation);
+            }
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(scenario.diagnostics(faults));
+    }
+    Ok((differentiated, variations))
 }
 
 impl DifferentiatedRun {
