@@ -6,12 +6,11 @@ use percuss_codes::AnalysisCode;
 use percuss_scenario::{Compiled, Diagnostics, Scenario, one_of};
 use rayon::prelude::*;
 
-use crate::sensitivity::{ExactColumns, OneSided, SensitivityError, beyond, exact_columns};
+use crate::means::{Means, SHARE};
+use crate::sensitivity::{
+    ExactColumns, OneSided, SensitivityError, beyond, exact_columns, unknown_derivatives,
+};
 use crate::sweep::pool;
-
-/// Change of a parameter over which runs are differenced, as a share of its size: the errors of truncation and round-off of a central difference
-/// are then both of some 1e-6.
-const SHARE: f64 = 1e-4;
 
 /// Numbers taken from columns, and their derivatives.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,27 +24,6 @@ pub struct ColumnJacobian {
     /// Contacts, and yielding, that a small change of a parameter adds or removes: derivatives are valid on the side of the run,
     /// shape (such events).
     pub one_sided: Vec<OneSided>,
-}
-
-/// How derivatives were found.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Means {
-    /// As derivatives of the steps of the run.
-    Exact,
-    /// As central differences of runs, all of them or those that have no exact ones.
-    Differences {
-        /// Why there are no exact ones.
-        why: String,
-    },
-}
-
-impl std::fmt::Display for Means {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Exact => f.write_str("exact"),
-            Self::Differences { why } => write!(f, "differences: {why}"),
-        }
-    }
 }
 
 /// Numbers taken from columns of the history of a run, shape (samples) \[SI unit of the column\]; NaN where the run has none.
@@ -127,10 +105,6 @@ fn complete(
     }
     found.means = other.means;
     Ok(found)
-}
-
-fn unknown_derivatives(column: &str) -> String {
-    format!("derivatives are not available for the column `{column}`")
 }
 
 /// Derivatives as differences of runs.

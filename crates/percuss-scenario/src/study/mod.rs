@@ -5,6 +5,7 @@
 
 mod content;
 mod given;
+mod wanted;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -17,6 +18,7 @@ pub use content::{
     Correlation, Design, Distribution, Parameter, Range, Sampling, Spacing, StudyContent,
 };
 pub use given::Given;
+pub use wanted::{ColumnResult, WantedResult};
 
 use crate::code::{FaultCode, of_path};
 use crate::diagnostic::{Diagnostic, Diagnostics};
