@@ -3,7 +3,7 @@
 import json
 import math
 import subprocess
-import sysconfig
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +12,7 @@ import pytest
 
 from conftest import SCENARIOS
 
-COMMAND = Path(sysconfig.get_path("scripts")) / "percuss"
+COMMAND = Path(sys.executable).with_name("percuss")
 
 
 def test_modes_of_a_clamped_beam_are_those_of_the_closed_form(elastic):

@@ -81,6 +81,8 @@ pub struct Sensitivities {
     pub grazing: Vec<Grazing>,
     /// Numbers taken from columns of the history, and their derivatives.
     pub columns: SampleDerivatives,
+    /// Factorisations of the tangent for the derivatives: one a step, and a few of its iterations, for every four parameters.
+    pub factorizations: usize,
 }
 
 /// Numbers taken from columns of the history, and their derivatives.
@@ -137,6 +139,7 @@ pub fn sensitivities_with_columns(
         horizon: None,
         grazing: Vec::new(),
         columns: SampleDerivatives { values, derivatives: Vec::new() },
+        factorizations: 0,
     };
     let none: &[ParameterSlopes] = &[];
     // Without parameters the grazing contacts are still found.
@@ -274,6 +277,7 @@ impl Case<'_> {
             let until = horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time);
             found.columns.derivatives.push(self.columns(&run, until, &read));
         }
+        found.factorizations += own.factorizations;
         let grazing = run.grazing(parameters.len());
         if found.grazing.is_empty() {
             found.grazing = grazing;

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::{DerivativeRun, Derived};
 use crate::known_columns::{Balance, Known};
-use percuss::internals::scalar::{Number, Real};
+use percuss::internals::scalar::Real;
 use percuss::math::vec2::{add, cross, dot};
 
 impl DerivativeRun<'_> {
@@ -37,10 +37,7 @@ impl DerivativeRun<'_> {
             Known::Position(k, i) => guides[k].position[i] + guides[k].direction[i] * state(k).way,
             Known::Velocity(k, i) => guides[k].direction[i] * state(k).velocity,
             Known::Gap(k) => state(k).gap,
-            Known::Force(k) => {
-                let gap = state(k).gap;
-                guides[k].reaction((-gap).max(gap.constant(0.0)))
-            }
+            Known::Force(k) => guides[k].pushes(state(k).gap, state(k).rate),
             Known::Impulse(k) => self.log.guides[k].given[0] - self.columns.impulses[k],
             Known::Displacement(k, i) => engine.point(k)[0][i],
             Known::PointVelocity(k, i) => engine.point(k)[1][i],
