@@ -1,18 +1,22 @@
 //! State and stepping of one run with its derivatives.
 
+mod columns;
 mod plastic;
 
+use super::column::{ColumnSample, Found};
 use super::commit::Accept;
 use super::drive::rigid_guides;
 use super::engine::Engine;
 use super::horizon::Horizon;
 use super::impact::Press;
+use super::known_columns::KnownColumns;
 use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
 use super::numbers::Numbers;
 use super::rigid_log::RigidLog;
 use super::run_progress::{RunProgress, scales};
+use super::value_solver::{SolvesValues, value_solver};
 use percuss::Model;
 use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales};
@@ -35,7 +39,10 @@ pub struct DerivativeRun<'a> {
     pub engine: Engine<Derived>,
     pub ledger: LaneLedger<Derived>,
     pub log: Log<Derived>,
+    /// Corrections and factorisations of the run.
     pub search: LaneNewton<Derived>,
+    /// Solver of the values of a step, and of the factors for its derivatives.
+    values: Box<dyn SolvesValues<Derived>>,
     /// Time and contacts of the run, from its values without derivatives.
     pub progress: RunProgress,
     /// Rigid projectiles, shape (rigid contacts) \[index of a projectile\].
@@ -46,20 +53,21 @@ pub struct DerivativeRun<'a> {
     offset: Derived,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
     pub misses: Vec<(usize, Derived, Derived)>,
+    /// Numbers taken from the columns of its history.
+    columns: KnownColumns<Derived>,
 }
 
 impl<'a> DerivativeRun<'a> {
-    /// At the start of a run that ends at `end`.
+    /// At the start of a run that ends at `end` and takes samples from its history.
     pub fn new(
-        model: &'a Model,
-        settings: &'a Settings,
+        (model, settings): (&'a Model, &'a Settings),
         numbers: Numbers<Derived>,
         end: Derived,
+        samples: &[ColumnSample],
     ) -> Self {
         let mut engine = Engine::new(numbers);
         engine.apply_loads();
-        let mut search = LaneNewton::idle(engine.h);
-        search.set_run(0, true);
+        let (values, search) = (value_solver(&engine.numbers), LaneNewton::idle(engine.h));
         let (ledger, log) = (LaneLedger::open(&engine), Log::new(&engine));
         let rigid: Vec<usize> = rigid_guides(&engine.numbers).collect();
         let restitution = |k: &usize| engine.numbers.guides[*k].restitution.value;
@@ -76,11 +84,18 @@ impl<'a> DerivativeRun<'a> {
             ledger,
             log,
             search,
+            values,
             progress,
             rigid,
             offset,
             misses: Vec::new(),
+            columns: KnownColumns::new(samples, model, offset),
         }
+    }
+
+    /// The samples with the times to which they belong, if the run has them and their derivatives are known, shape (samples).
+    pub fn samples(&self) -> impl Iterator<Item = Option<Found<Derived>>> + '_ {
+        self.columns.found()
     }
 
     /// Runs to the end, or to the horizon of the derivatives.
@@ -90,6 +105,7 @@ impl<'a> DerivativeRun<'a> {
     pub fn run(&mut self) -> Result<(), Horizon> {
         let (gaps, negligible) = (self.gaps_and_rates(), self.negligible());
         self.progress.close_at_rest(gaps.into_iter(), negligible);
+        self.row();
         while !self.progress.is_over() {
             let (gaps, negligible) = (self.gaps_and_rates(), self.negligible());
             self.progress.begin(gaps.into_iter(), negligible);
@@ -189,6 +205,10 @@ impl<'a> DerivativeRun<'a> {
         let (mut seen, steps) = (self.seen(), self.progress.steps);
         let impulse = |k: &usize| self.engine.guides[*k].impulse.value;
         let impulses: Vec<f64> = self.rigid.iter().map(impulse).collect();
+        if self.progress.has_struck(&impulses) {
+            self.row();
+        }
+        let rows = self.progress.rows_with(&impulses);
         self.accept();
         for (seen, gaps) in seen.iter_mut().zip(self.gaps_and_rates()) {
             seen.end = gaps;
@@ -200,6 +220,9 @@ impl<'a> DerivativeRun<'a> {
             self.log.time = until + self.offset;
         }
         (self.offset.value, self.log.time.value) = (self.progress.offset, self.progress.time);
+        if self.progress.rows > rows {
+            self.row();
+        }
         match self.engine.fibres.failing {
             true => Err(self.horizon("where a fibre fails".into())),
             false => Ok(()),
@@ -215,11 +238,13 @@ impl<'a> DerivativeRun<'a> {
         self.progress.solver_steps += 1;
         self.engine.h = h;
         self.engine.constraints.impulsive = self.progress.is_impact();
-        self.engine.solve(&self.ledger, &mut self.search);
-        match self.search.failed {
-            true => Err(self.horizon("where the step has to be cut".into())),
-            false => Ok(()),
+        if !self.values.solve(&mut self.engine, &self.ledger) {
+            return Err(self.horizon("where the step has to be cut".into()));
         }
+        self.engine.follow();
+        let effort = self.values.effort().map(|count| h.constant(count));
+        [self.search.iterations, self.search.factorizations] = effort;
+        Ok(())
     }
 
     /// Horizon if an impulse would increase the energy: Moreau's law replaces the law of the contact there.

@@ -219,7 +219,7 @@ impl<S: Number> Engine<S> {
         let (guide, state) = (&self.numbers.guides[k], &mut self.guides[k]);
         state.gap_change = guide.along(&self.increment) - state.increment;
         let gap_1 = state.gap + state.gap_change;
-        guide.force(state, -gap_1);
+        guide.force(state, -gap_1, rate);
         let push = state.force + state.impulse * rate;
         let inertia = guide.mass * (state.increment * rate - state.velocity) * (rate + rate);
         state.residual = inertia + push - dot(guide.direction, state.applied);

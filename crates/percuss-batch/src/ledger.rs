@@ -63,6 +63,9 @@ impl<S: Number> LaneLedger<S> {
             self.sums.angular_impulse_supports += h * push * cross(arm, guide.direction);
             // Work of an impulse: L (z0 + z1)/2, the mean rate over the step.
             self.sums.loss_impacts += -(state.impulse * state.gap_change / h);
+            if guide.damped {
+                self.sums.loss_damping += -(state.dissipated * state.gap_change);
+            }
         }
         engine.enter_loads(&mut self.sums);
         engine.enter_damping(&mut self.sums);

@@ -93,6 +93,10 @@ pub struct GuideNumbers<S> {
     pub stiffness: S,
     /// Coefficient of restitution of a rigid contact \[-\]; zero of others.
     pub restitution: S,
+    /// Factor of Hunt and Crossley's dissipation \[s/m\].
+    pub dissipation: S,
+    /// Whether there is dissipation.
+    pub damped: bool,
 }
 
 /// A dead load, for a factor of one.
@@ -189,6 +193,8 @@ impl<S: Copy> GuideNumbers<S> {
             speed: f(self.speed),
             stiffness: f(self.stiffness),
             restitution: f(self.restitution),
+            dissipation: f(self.dissipation),
+            damped: self.damped,
         }
     }
 }

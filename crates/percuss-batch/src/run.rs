@@ -54,6 +54,9 @@ fn lane_numbers(
         Detail::Stresses | Detail::Resultants | Detail::Motion => {}
     }
     let numbers = numbers(model, settings)?;
+    if numbers.guides.iter().any(|guide| guide.damped) {
+        return Err("a contact force that dissipates");
+    }
     match rigid_guides(&numbers).count() {
         0 | 1 => Ok(numbers),
         _ => Err("more than one rigid projectile"),

@@ -29,8 +29,8 @@ pub struct BatchShape {
     /// Node of each spring to the ground, and whether it presses on one side only, shape (springs to the ground)
     /// \[index of a node\].
     springs: Vec<(usize, bool)>,
-    /// Struck node and law of each guided projectile, shape (guided projectiles) \[index of a node\].
-    pub guides: Vec<(usize, GuideLaw)>,
+    /// Struck node and law of each guided projectile, and whether its contact is damped, shape (guided projectiles) \[index of a node\].
+    pub guides: Vec<(usize, GuideLaw, bool)>,
     /// Nodes of each load, shape (loads, nodes of one) \[index of a node\].
     loads: Vec<Vec<usize>>,
     /// Node of each recorded point, shape (recorded points) \[index of a node\].
@@ -59,7 +59,7 @@ impl BatchShape {
                 .map(|c| (c.kind.is_of_slopes(), c.points().iter().map(|p| p.node).collect()))
                 .collect(),
             springs: numbers.springs.iter().map(|s| (s.point.node, s.law.is_one_sided())).collect(),
-            guides: numbers.guides.iter().map(|g| (g.node, g.law)).collect(),
+            guides: numbers.guides.iter().map(|g| (g.node, g.law, g.damped)).collect(),
             loads: numbers.loads.iter().map(|l| l.nodes.clone()).collect(),
             points: numbers.points.iter().map(|p| p.node).collect(),
         }
@@ -136,7 +136,7 @@ fn guide(
     i: usize,
     projectile: &ProjectileData,
 ) -> Result<GuideNumbers<f64>, &'static str> {
-    let (law, stiffness, restitution) = match &model.contacts[i].law {
+    let (law, stiffness, restitution, dissipation) = match &model.contacts[i].law {
         TouchLaw::Smooth(law) => {
             if law.force != ContactForce::Conserving {
                 return Err("a contact force other than the conserving one");
@@ -144,12 +144,13 @@ fn guide(
             if law.unloading.is_some() {
                 return Err("a contact that crushes");
             }
-            if law.dissipation != 0.0 {
-                return Err("a contact force that dissipates");
-            }
             match law.potential {
-                Potential::Linear { stiffness } => (GuideLaw::Linear, stiffness, 0.0),
-                Potential::Hertz { stiffness } => (GuideLaw::Hertz, stiffness, 0.0),
+                Potential::Linear { stiffness } => {
+                    (GuideLaw::Linear, stiffness, 0.0, law.dissipation)
+                }
+                Potential::Hertz { stiffness } => {
+                    (GuideLaw::Hertz, stiffness, 0.0, law.dissipation)
+                }
                 _ => return Err("a contact law given by a table or a function"),
             }
         }
@@ -160,7 +161,7 @@ fn guide(
             if law.impact != ImpactLaw::Newton {
                 return Err("an impact law other than Newton's");
             }
-            (GuideLaw::Rigid, 0.0, law.restitution)
+            (GuideLaw::Rigid, 0.0, law.restitution, 0.0)
         }
     };
     let (body, point) = (&model.bodies[projectile.body], &projectile.point);
@@ -180,5 +181,7 @@ fn guide(
         speed: dot(projectile.direction, body.velocity),
         stiffness,
         restitution,
+        dissipation,
+        damped: dissipation != 0.0,
     })
 }

@@ -196,9 +196,11 @@ impl<S: Number> SummaryInput<'_, S> {
         if guide.law == GuideLaw::Rigid {
             return (self.rigid)(k, reading);
         }
+        // The peak of a damped force is not that of the penetration.
+        let of = |value: S| if guide.damped { value * f64::NAN } else { value };
         let force = |top: &Top<S>| Top {
-            value: guide.reaction(top.value),
-            time: at_last(top.time, self.log.time),
+            value: of(guide.reaction(top.value)),
+            time: of(at_last(top.time, self.log.time)),
         };
         let closed = self.log.intervals(self.engine, k, self.lane);
         let touched = !closed.is_empty();
@@ -240,7 +242,7 @@ impl<S: Number> SummaryInput<'_, S> {
             place_end: reading.place(k, closed.place_end),
             energy: EnergySplit {
                 given: closed.given.map(read),
-                lost: 0.0,
+                lost: if self.engine.numbers.guides[k].damped { f64::NAN } else { 0.0 },
                 stored: read(closed.stored),
                 scheme: 0.0,
             },

@@ -3,6 +3,7 @@
 use percuss::AnalysisCode;
 use percuss_codes::{Code, FileCode, RequestCode};
 use percuss_scenario::Diagnostics;
+use percuss_study::SensitivityError;
 use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
@@ -55,6 +56,16 @@ impl From<Diagnostics> for Refusal {
 impl From<percuss_output::Error> for Refusal {
     fn from(error: percuss_output::Error) -> Self {
         Self::Output(error)
+    }
+}
+
+impl From<SensitivityError> for Refusal {
+    fn from(error: SensitivityError) -> Self {
+        match error {
+            SensitivityError::Faults(faults) => Self::Faults(faults),
+            SensitivityError::Refused(reason) => Self::Analysis(AnalysisCode::NoDerivative, reason),
+            SensitivityError::Run(code, reason) => Self::Analysis(code, reason),
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod analyses;
 mod command;
+mod converge;
 mod directory;
 mod edit;
 mod error;
@@ -28,6 +29,8 @@ mod _percuss {
     #[pymodule_export]
     use super::command::command;
     #[pymodule_export]
+    use super::converge::converged;
+    #[pymodule_export]
     use super::edit::{remove, set, steps};
     #[pymodule_export]
     use super::fields::{export, instant, scene_page, state, story};
@@ -43,7 +46,7 @@ mod _percuss {
     #[pymodule_export]
     use super::run::run;
     #[pymodule_export]
-    use super::sensitivity::{extrapolated, sensitivity};
+    use super::sensitivity::{column_jacobian, column_values, extrapolated, sensitivity};
     #[pymodule_export]
     use super::shock::{acceleration, samples, shock_spectrum};
     #[pymodule_export]

@@ -48,12 +48,20 @@ pub fn sweep(
     jobs: usize,
     tell: &(dyn Fn(Progress) -> bool + Sync),
 ) -> Result<Done, Error> {
+    let pool = pool(jobs)?;
+    pool.install(|| in_pool(study, folder, wanted, tell))
+}
+
+/// Threads for runs, so many or, with 0, one for each core.
+///
+/// # Errors
+/// If none can be started.
+pub(crate) fn pool(jobs: usize) -> Result<rayon::ThreadPool, Error> {
     let of = |jobs| rayon::ThreadPoolBuilder::new().num_threads(jobs).stack_size(STACK);
     // Where so many threads are not to be had one is enough, and in the end this one.
     let pool = of(jobs).build().or_else(|_| of(1).build());
     let pool = pool.or_else(|_| of(1).use_current_thread().build());
-    let pool = pool.map_err(|e| Error::system(format!("no threads can be started: {e}")))?;
-    pool.install(|| in_pool(study, folder, wanted, tell))
+    pool.map_err(|e| Error::system(format!("no threads can be started: {e}")))
 }
 
 fn in_pool(

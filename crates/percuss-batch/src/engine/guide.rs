@@ -23,9 +23,10 @@ pub struct GuideState<S> {
     pub gap_change: S,
     /// Force of the loads, shape (2) \[N\].
     pub applied: [S; 2],
-    /// Force \[N\], its slope by the penetration at the end of the step \[N/m\].
+    /// Force \[N\], its slope by the penetration at the end of the step \[N/m\], its dissipative part \[N\].
     pub force: S,
     pub slope: S,
+    pub dissipated: S,
     /// Slope, and inertia with the slope, of the tangent assembled last, shape (2) \[N/m\].
     pub assembled: [S; 2],
     /// The same of the factors in use, shape (2) \[N/m\].
@@ -70,6 +71,7 @@ impl<S: Number> GuideState<S> {
             applied: [zero; 2],
             force: zero,
             slope: zero,
+            dissipated: zero,
             assembled: [zero, guide.mass],
             factored: [zero, guide.mass],
             impulse: zero,

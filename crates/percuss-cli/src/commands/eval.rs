@@ -154,9 +154,10 @@ fn evaluate(
     wanted: &[(usize, Wanted)],
     by: &[(usize, String)],
 ) -> Result<Vec<Answered>, String> {
-    let mut derivatives = Vec::new();
+    let (mut derivatives, mut means) = (Vec::new(), None);
     if wanted.iter().any(|(_, f)| f.gradient) {
-        derivatives = function.jacobian(point)?.derivatives;
+        let found = function.jacobian(point)?;
+        (derivatives, means) = (found.derivatives, Some(found.means.to_string()));
     }
     // Values are those of a run of their own: one that carries derivatives adds in another order, and whoever asks with and without
     // gradients would get other last digits.
@@ -171,6 +172,7 @@ fn evaluate(
             name: f.name.clone(),
             value: f.value.then(|| values[*k]),
             gradient: f.gradient.then(|| gradient(&derivatives[*k])),
+            means: means.clone().filter(|_| f.gradient),
         }
     };
     Ok(wanted.iter().map(one).collect())

@@ -75,6 +75,7 @@ fn a_point_is_evaluated_in_every_form() {
         plain["results"], told["results"],
         "values do not depend on whether gradients are asked for"
     );
+    assert_eq!(told["means"], "exact");
     for (k, result) in ["force", "exit"].iter().enumerate() {
         assert!(close(number(&told["results"][result]), number(&expected["results"][k]["value"])));
         for (j, parameter) in ["speed", "mass"].iter().enumerate() {

@@ -6,6 +6,7 @@
 mod content;
 mod given;
 mod points;
+mod wanted;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -18,6 +19,7 @@ pub use content::{
     Correlation, Design, Distribution, Parameter, Range, Sampling, Spacing, StudyContent,
 };
 pub use given::Given;
+pub use wanted::{ColumnResult, WantedResult};
 
 use crate::code::{FaultCode, of_path};
 use crate::diagnostic::{Diagnostic, Diagnostics};

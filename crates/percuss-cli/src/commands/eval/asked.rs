@@ -23,4 +23,6 @@ pub(super) struct Answered {
     pub(super) value: Option<f64>,
     /// Derivatives by the variables asked for, with their names, shape (variables) \[unit of the function by that of the variable\].
     pub(super) gradient: Option<Vec<(String, f64)>>,
+    /// How the gradient was found: `exact`, or `differences: ` and why.
+    pub(super) means: Option<String>,
 }

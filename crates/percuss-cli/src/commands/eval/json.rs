@@ -29,6 +29,7 @@ pub fn told(all: &[Answered]) -> String {
     let mut value = json!({ "results": values });
     if !derivatives.is_empty() {
         value["derivatives"] = Value::Object(derivatives);
+        value["means"] = json!(all.iter().find_map(|f| f.means.as_ref()));
     }
     format!("{value:#}\n")
 }

@@ -4,7 +4,7 @@
 
 use std::sync::OnceLock;
 
-use percuss_study::{Function, Jacobian};
+use percuss_study::{Function, Jacobian, Means};
 use serde_json::{Value, json};
 
 /// Name of the model, as most examples of UM-Bridge have it.
@@ -124,10 +124,13 @@ fn told(model: &mut Model<'_>, posted: bool, path: &str, body: &str) -> Result<V
 }
 
 impl Model<'_> {
-    /// Whether results have derivatives: tried once, at the middle of what varies.
+    /// Whether results have exact derivatives: tried once, at the middle of what varies. Differences are left to the client, which knows better where
+    /// it needs them.
     fn is_differentiable(&mut self) -> bool {
         let middle = self.function.middle();
-        *self.differentiable.get_or_init(|| self.function.jacobian(&middle).is_ok())
+        *self.differentiable.get_or_init(|| {
+            self.function.jacobian(&middle).is_ok_and(|found| found.means == Means::Exact)
+        })
     }
 
     /// The point of a request: one vector in a list.
