@@ -29,6 +29,7 @@ from ._errors import (
     ScenarioError,
     StudyError,
 )
+from ._fit import Fit, FitParameter, FitProfile, Measured, fit
 from ._function import Function, function
 from ._function import openturns_function as openturns
 from ._given import Potential
@@ -51,8 +52,12 @@ __all__ = [
     "Equilibrium",
     "Fault",
     "FileError",
+    "Fit",
+    "FitParameter",
+    "FitProfile",
     "Function",
     "InputError",
+    "Measured",
     "MissingError",
     "MissingRunError",
     "Modes",
@@ -70,6 +75,7 @@ __all__ = [
     "__version__",
     "check",
     "converge",
+    "fit",
     "function",
     "load",
     "modes",

@@ -255,7 +255,7 @@ class StudyError(PercussError, RuntimeError):
 
 
 class PercussWarning(UserWarning):
-    """A warning of the audit of a finished run.
+    """A warning of the audit of a finished run, or of a fit.
 
     Attributes
     ----------

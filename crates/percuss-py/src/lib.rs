@@ -7,8 +7,10 @@ mod directory;
 mod edit;
 mod error;
 mod fields;
+mod fit;
 mod function;
 mod given;
+mod interruptible;
 mod open;
 mod ready;
 mod recorder;
@@ -30,6 +32,8 @@ mod _percuss {
     use super::edit::{remove, set};
     #[pymodule_export]
     use super::fields::{export, scene_page, state, story};
+    #[pymodule_export]
+    use super::fit::{FitProblem, NativeFit};
     #[pymodule_export]
     use super::function::{function_jacobian, function_layout, function_values};
     #[pymodule_export]

@@ -80,12 +80,14 @@ mod sensitivity;
 mod shard;
 mod study;
 mod sweep;
+mod workers;
 
 pub use column::{Column, Role, Table, Values};
 pub use converge::{
     Cheapest, ConvergeError, Converged, Convergence, Extrapolation, Ladder, Refined, Sequence,
     converge, extrapolate,
 };
+pub use design::latin_hypercube;
 pub use distribution::{Distribution, Gauss, Truncation};
 pub use error::Error;
 pub use folder::{Folder, KEPT, REPORT, RESULTS};
@@ -93,7 +95,7 @@ pub use function::{Function, Jacobian};
 pub use indices::{INDICES, indices, indices_parquet};
 pub use merge::merge;
 pub use parameter::{Input, Parameter, Variation};
-pub use prepare::Invalid;
+pub use prepare::{Invalid, in_one_line};
 pub use report::report;
 pub use sensitivity::{
     Differentiated, OneSided, Sensitivity, SensitivityError, Without, beyond, sensitivity,
@@ -101,3 +103,4 @@ pub use sensitivity::{
 pub use shard::Shard;
 pub use study::{ResultColumn, Study};
 pub use sweep::{Done, Progress, sweep};
+pub use workers::Workers;

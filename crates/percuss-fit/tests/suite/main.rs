@@ -1,0 +1,7 @@
+//! Fits end to end.
+
+mod common;
+mod doubts;
+mod faults;
+mod found;
+mod twin;
