@@ -47,6 +47,8 @@ class Function:
         Smallest and largest value of each parameter in the study [SI units]; None where it has none.
     middle : ndarray of shape (n_parameter,)
         Median of each parameter in the study [SI units].
+    means : str or None
+        How the last Jacobian was found: ``"exact"``, or ``"differences: "`` and why; None before the first one.
 
     Raises
     ------
@@ -74,6 +76,7 @@ class Function:
         inputs, bounds, middle, outputs = _percuss.function_layout(study)
         self.study = study
         self.failed = failed
+        self.means: str | None = None
         self.names: tuple[str, ...] = tuple(name for name, _, _ in inputs)
         self.results: tuple[str, ...] = tuple(name for name, _, _ in outputs)
         self.units: dict[str, str] = {name: unit for name, unit, _ in [*inputs, *outputs]}
@@ -116,7 +119,9 @@ class Function:
         return flat.reshape(*points.shape[:-1], len(self.results))
 
     def jacobian(self, x: ArrayLike) -> Floats:
-        """Derivatives of all results at a point, exact ones of the run, impacts included.
+        """Derivatives of all results at a point: exact ones of the run, impacts included, else central differences of runs.
+
+        ``means`` says which: ``"exact"``, or ``"differences: "`` and why.
 
         Parameters
         ----------
@@ -133,7 +138,7 @@ class Function:
         ValueError
             If it is not one point.
         AnalysisError
-            If the run or one of the results has no derivatives.
+            If the run fails, or a result is a count or an error of the computation.
 
         Examples
         --------
@@ -146,9 +151,10 @@ class Function:
         point = self._points(x)
         if point.ndim != 1:
             raise ValueError(f"a Jacobian is one of a point, shape ({len(self.names)},), found {point.shape}")
-        _, flat, why = _percuss.function_jacobian(self.study, point.tolist())
+        _, flat, means, why = _percuss.function_jacobian(self.study, point.tolist())
         if why is not None:
             raise _told(why)
+        self.means = means
         return flat.reshape(len(self.results), len(self.names))
 
     @property

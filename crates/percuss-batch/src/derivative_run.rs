@@ -1,12 +1,15 @@
 //! State and stepping of one run with its derivatives.
 
+mod columns;
 mod plastic;
 
+use super::column::{ColumnSample, Found};
 use super::commit::Accept;
 use super::drive::rigid_guides;
 use super::engine::Engine;
 use super::horizon::Horizon;
 use super::impact::Press;
+use super::known_columns::KnownColumns;
 use super::ledger::LaneLedger;
 use super::log::Log;
 use super::newton::LaneNewton;
@@ -46,15 +49,17 @@ pub struct DerivativeRun<'a> {
     offset: Derived,
     /// Projectiles that came near without touching: number, time, gap, shape (such projectiles) \[index of a projectile, s, m\].
     pub misses: Vec<(usize, Derived, Derived)>,
+    /// Numbers taken from the columns of its history.
+    columns: KnownColumns<Derived>,
 }
 
 impl<'a> DerivativeRun<'a> {
-    /// At the start of a run that ends at `end`.
+    /// At the start of a run that ends at `end` and takes samples from its history.
     pub fn new(
-        model: &'a Model,
-        settings: &'a Settings,
+        (model, settings): (&'a Model, &'a Settings),
         numbers: Numbers<Derived>,
         end: Derived,
+        samples: &[ColumnSample],
     ) -> Self {
         let mut engine = Engine::new(numbers);
         engine.apply_loads();
@@ -80,7 +85,13 @@ impl<'a> DerivativeRun<'a> {
             rigid,
             offset,
             misses: Vec::new(),
+            columns: KnownColumns::new(samples, model, offset),
         }
+    }
+
+    /// The samples with the times to which they belong, if the run has them and their derivatives are known, shape (samples).
+    pub fn samples(&self) -> impl Iterator<Item = Option<Found<Derived>>> + '_ {
+        self.columns.found()
     }
 
     /// Runs to the end, or to the horizon of the derivatives.
@@ -90,6 +101,7 @@ impl<'a> DerivativeRun<'a> {
     pub fn run(&mut self) -> Result<(), Horizon> {
         let (gaps, negligible) = (self.gaps_and_rates(), self.negligible());
         self.progress.close_at_rest(gaps.into_iter(), negligible);
+        self.row();
         while !self.progress.is_over() {
             let (gaps, negligible) = (self.gaps_and_rates(), self.negligible());
             self.progress.begin(gaps.into_iter(), negligible);
@@ -189,6 +201,10 @@ impl<'a> DerivativeRun<'a> {
         let (mut seen, steps) = (self.seen(), self.progress.steps);
         let impulse = |k: &usize| self.engine.guides[*k].impulse.value;
         let impulses: Vec<f64> = self.rigid.iter().map(impulse).collect();
+        if self.progress.has_struck(&impulses) {
+            self.row();
+        }
+        let rows = self.progress.rows_with(&impulses);
         self.accept();
         for (seen, gaps) in seen.iter_mut().zip(self.gaps_and_rates()) {
             seen.end = gaps;
@@ -200,6 +216,9 @@ impl<'a> DerivativeRun<'a> {
             self.log.time = until + self.offset;
         }
         (self.offset.value, self.log.time.value) = (self.progress.offset, self.progress.time);
+        if self.progress.rows > rows {
+            self.row();
+        }
         match self.engine.fibres.failing {
             true => Err(self.horizon("where a fibre fails".into())),
             false => Ok(()),

@@ -11,6 +11,7 @@
 
 mod band;
 mod batch;
+mod column;
 mod commit;
 mod constraints;
 mod derivative_run;
@@ -22,6 +23,7 @@ mod grazing;
 mod ground_springs;
 mod horizon;
 mod impact;
+mod known_columns;
 mod lane;
 mod law;
 mod ledger;
@@ -44,8 +46,13 @@ mod yield_log;
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use batch::simulate_batch;
+pub use column::{ColumnSample, Taken, simulate_with_columns};
 pub use detail::Detail;
 pub use grazing::{Grazing, Onset};
 pub use horizon::Horizon;
+pub use known_columns::has_derivatives;
 pub use run::runs_alone;
-pub use sensitivity::{Sensitivities, Undifferentiated, Variation, sensitivities};
+pub use sensitivity::{
+    SampleDerivatives, Sensitivities, Undifferentiated, Variation, sensitivities,
+    sensitivities_with_columns,
+};

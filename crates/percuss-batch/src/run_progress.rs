@@ -160,11 +160,21 @@ impl RunProgress {
         verdict != Verdict::Again
     }
 
+    /// Whether the part solved last is an impact, given the impulses, shape (rigid contacts) \[N s\]: there are rows before and after it.
+    pub fn has_struck(&self, impulses: &[f64]) -> bool {
+        self.contacts.iter().zip(impulses).any(|(c, i)| c.strikes() && *i > 0.0)
+    }
+
+    /// Number of rows with that before an impact in the part solved last, given the impulses, shape (rigid contacts) \[N s\].
+    pub fn rows_with(&self, impulses: &[f64]) -> usize {
+        self.rows + usize::from(self.has_struck(impulses) && self.time > self.row_time)
+    }
+
     /// Accepts the current part with the given contacts and impulses, shape (rigid contacts).
     pub fn accept(&mut self, seen: &[Seen], impulses: &[f64], negligible: Negligible) {
         let h = self.h();
         self.decider.spend(self.is_impact() || self.located.is_some());
-        let strikes = self.contacts.iter().zip(impulses).any(|(c, i)| c.strikes() && *i > 0.0);
+        let strikes = self.has_struck(impulses);
         if strikes {
             self.row();
         }

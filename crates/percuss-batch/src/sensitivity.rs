@@ -6,6 +6,7 @@
 
 use percuss_codes::AnalysisCode;
 
+use super::column::{ColumnSample, Found, FoundSamples, simulate_found};
 use super::derivative_run::{DerivativeRun, Derived, TOGETHER};
 use super::grazing::Grazing;
 use super::horizon::{Horizon, agreeing, align, withdraw, withdraw_plastic};
@@ -13,10 +14,8 @@ use super::numbers::Numbers;
 use super::shape::{BatchShape, numbers};
 use super::summary::{Fixed, Reading, SummaryInput};
 use percuss::Model;
-use percuss::NoRecorder;
 use percuss::Settings;
 use percuss::internals::scalar::Dual;
-use percuss::simulate;
 use percuss::{RunSummary, Termination};
 
 /// A parameter, given by models with its changed values.
@@ -80,6 +79,18 @@ pub struct Sensitivities {
     /// Contacts of the run and near misses, each with the changes of the parameters at which it vanishes or appears,
     /// shape (such contacts).
     pub grazing: Vec<Grazing>,
+    /// Numbers taken from columns of the history, and their derivatives.
+    pub columns: SampleDerivatives,
+}
+
+/// Numbers taken from columns of the history, and their derivatives.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SampleDerivatives {
+    /// The numbers, shape (samples) \[unit of the column\]; NaN where the run has none.
+    pub values: Vec<f64>,
+    /// Derivatives, shape (parameters, samples) \[unit of the column by that of the parameter\]; NaN where they are not known: of section forces,
+    /// reactions and errors, and later than the horizon.
+    pub derivatives: Vec<Vec<f64>>,
 }
 
 /// Runs a model and differentiates its results.
@@ -92,21 +103,41 @@ pub fn sensitivities(
     settings: &Settings,
     variations: &[Variation],
 ) -> Result<Sensitivities, Undifferentiated> {
+    sensitivities_with_columns(model, settings, variations, &[])
+}
+
+/// The same with numbers taken from columns of the history.
+///
+/// # Errors
+/// As [`sensitivities`]; if a column does not exist the run fails.
+pub fn sensitivities_with_columns(
+    model: &Model,
+    settings: &Settings,
+    variations: &[Variation],
+    samples: &[ColumnSample],
+) -> Result<Sensitivities, Undifferentiated> {
     if let Some(fault) = settings.validate(model).first() {
         return Err(fault.to_string().into());
     }
     let base = known(model, settings)?;
     let parameters = slopes(settings, &base, variations)?;
-    let summary = match simulate(model, settings, &mut NoRecorder) {
-        Ok(summary) => summary,
+    let (summary, taken) = match simulate_found(model, settings, samples) {
+        Ok(both) => both,
         Err(faults) => return Err(faults[0].to_string().into()),
     };
     if let Termination::Failed(error) = &summary.termination {
         return Err(Undifferentiated::Failed(error.code(), error.to_string()));
     }
-    let case = Case { model, settings, base, fixed: Fixed::all(model) };
-    let mut found =
-        Sensitivities { summary, derivatives: Vec::new(), horizon: None, grazing: Vec::new() };
+    let value = |one: &Option<Found<f64>>| one.map_or(f64::NAN, |one| one.value);
+    let values = taken.iter().map(value).collect();
+    let case = Case { model, settings, base, fixed: Fixed::all(model), samples, taken };
+    let mut found = Sensitivities {
+        summary,
+        derivatives: Vec::new(),
+        horizon: None,
+        grazing: Vec::new(),
+        columns: SampleDerivatives { values, derivatives: Vec::new() },
+    };
     let none: &[ParameterSlopes] = &[];
     // Without parameters the grazing contacts are still found.
     let chunks: Vec<_> =
@@ -183,7 +214,14 @@ struct Case<'a> {
     base: Numbers<f64>,
     /// Results that depend only on the model, shape (guided projectiles).
     fixed: Vec<Fixed>,
+    /// Numbers taken from columns of the history, shape (samples).
+    samples: &'a [ColumnSample],
+    /// Those of the run, shape (samples) \[s, unit of the column\].
+    taken: FoundSamples,
 }
+
+/// Extremes of a column belong to the same row if their times differ by less than this share of a step.
+const SAME_ROW: f64 = 1e-3;
 
 impl Case<'_> {
     /// Adds the derivatives with respect to up to [`TOGETHER`] parameters.
@@ -196,7 +234,8 @@ impl Case<'_> {
         let numbers = self.base.flat().into_iter().enumerate();
         let numbers: Vec<Derived> = numbers.map(|(i, x)| derived(x, &|p| p.numbers[i])).collect();
         let end = derived(self.settings.end, &|p| p.end);
-        let mut run = DerivativeRun::new(self.model, self.settings, self.base.with(&numbers), end);
+        let numbers = self.base.with(&numbers);
+        let mut run = DerivativeRun::new((self.model, self.settings), numbers, end, self.samples);
         let reached = run.run().err();
         let input = SummaryInput {
             model: self.model,
@@ -232,6 +271,8 @@ impl Case<'_> {
                 derivative.plastic.iter_mut().for_each(withdraw_plastic);
             }
             found.derivatives.push(derivative);
+            let until = horizon.as_ref().map_or(f64::INFINITY, |horizon| horizon.time);
+            found.columns.derivatives.push(self.columns(&run, until, &read));
         }
         let grazing = run.grazing(parameters.len());
         if found.grazing.is_empty() {
@@ -242,5 +283,20 @@ impl Case<'_> {
             }
         }
         found.horizon = horizon;
+    }
+    /// Derivatives of the samples up to a time, shape (samples) \[unit of the column by that of the parameter\].
+    fn columns(
+        &self,
+        run: &DerivativeRun<'_>,
+        until: f64,
+        read: &dyn Fn(Derived) -> f64,
+    ) -> Vec<f64> {
+        let same = |a: f64, b: f64| (a - b).abs() <= SAME_ROW * self.settings.step;
+        let both = run.samples().zip(&self.taken);
+        let derivative = both.map(|(own, run)| {
+            let (own, run) = (own?, (*run)?);
+            (run.time < until && same(own.time, run.time)).then(|| read(own.value))
+        });
+        derivative.map(|one| one.unwrap_or(f64::NAN)).collect()
     }
 }

@@ -46,6 +46,8 @@ pub enum DoubtKind {
     Step,
     /// Correlated residuals.
     Autocorrelation,
+    /// Derivatives that hold on one side alone.
+    OneSided,
 }
 
 impl DoubtKind {
@@ -59,6 +61,7 @@ impl DoubtKind {
             Self::Bound => "bound",
             Self::Step => "step",
             Self::Autocorrelation => "autocorrelation",
+            Self::OneSided => "one_sided",
         }
     }
 }
@@ -89,7 +92,9 @@ pub(crate) struct Evidence<'f> {
     pub channels: &'f [Goodness],
     /// In standard deviations, shape (n_residual) \[-\].
     pub residuals: &'f [f64],
-    /// The same at half the step; none where that fails, shape (n_residual) \[-\].
+    /// What holds on one side alone, in sentences, shape (sentences).
+    pub one_sided: &'f [String],
+    /// Residuals at half the step; none where that fails, shape (n_residual) \[-\].
     pub half: Option<Vec<f64>>,
 }
 
@@ -119,6 +124,7 @@ pub(crate) fn doubts(evidence: &Evidence<'_>) -> Vec<Doubt> {
     add(DoubtKind::Bound, bounds(evidence));
     add(DoubtKind::Step, step(evidence));
     add(DoubtKind::Autocorrelation, autocorrelation(evidence));
+    add(DoubtKind::OneSided, evidence.one_sided.to_vec());
     all
 }
 

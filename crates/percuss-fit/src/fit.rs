@@ -1,7 +1,6 @@
 //! The result of a fit: parameters with their uncertainty, and what it is worth.
 
 use percuss_codes::AnalysisCode;
-use percuss_scenario::fit::FitJacobian;
 
 use crate::covariance::{Covariance, covariance};
 use crate::doubts::{Doubt, Evidence, doubts};
@@ -134,6 +133,7 @@ impl Problem {
             let weight = loss.weight(*residual);
             row.iter_mut().for_each(|x| *x *= weight);
         }
+        let derivation = self.derivation();
         let n = best.coordinates.len();
         let found = covariance(&jacobian, n);
         let freedom = residuals.len().saturating_sub(n);
@@ -153,6 +153,7 @@ impl Problem {
             freedom,
             channels: &channels,
             residuals: &residuals,
+            one_sided: &derivation.one_sided,
             half: half.ok().map(|half| self.residuals_of(&half, &values)),
         };
         let doubts = doubts(&evidence);
@@ -171,7 +172,7 @@ impl Problem {
             correlation: found.correlation,
             condition: found.condition,
             jacobian,
-            derivatives: self.words_of_derivatives(),
+            derivatives: derivation.words,
             residuals,
             cost: best.cost,
             freedom,
@@ -275,12 +276,5 @@ impl Problem {
             }
         }
         Ok(all)
-    }
-
-    fn words_of_derivatives(&self) -> String {
-        match self.derivatives() {
-            FitJacobian::Exact => "exact".into(),
-            FitJacobian::Auto | FitJacobian::Differences => "central differences of runs".into(),
-        }
     }
 }

@@ -1,10 +1,16 @@
 //! Derivatives of the residuals with respect to the free parameters.
 
+use std::sync::PoisonError;
+
+use percuss_codes::AnalysisCode;
+use percuss_scenario::fit::FitJacobian;
+use percuss_study::Means;
 use rayon::prelude::*;
 
 use crate::error::Stop;
+use crate::exact::{RunSlopes, needs_differences};
 use crate::parameter::Adjustable;
-use crate::problem::{Computed, Problem};
+use crate::problem::{Computed, Derivation, Problem};
 use crate::run::{GoesOn, Share};
 
 /// Change of a coordinate to either side. Rounding and tolerances of a run are 1e-9 of a curve and less, so that both errors of the
@@ -69,6 +75,7 @@ impl Problem {
         Ok(rows)
     }
 
+    /// Derivatives of all curves, and how they were found.
     fn slopes(
         &self,
         computed: &[Computed],
@@ -76,9 +83,81 @@ impl Problem {
         goes_on: GoesOn<'_>,
     ) -> Result<Vec<Slope>, Stop> {
         let values = self.values(coordinates);
-        let mut slopes = self.offset_slopes(computed, &values);
-        slopes.extend(self.difference_slopes(computed, coordinates, goes_on)?);
-        Ok(slopes)
+        let tests = self.fitted_tests();
+        let wanted = self.options.jacobian;
+        let refused: Vec<Option<String>> = tests
+            .iter()
+            .map(|k| match wanted {
+                FitJacobian::Differences => Some("requested".to_owned()),
+                _ => needs_differences(&self.tests[*k]).map(str::to_owned),
+            })
+            .collect();
+        let mut found = self.run_derivatives(computed, &values, &refused, goes_on)?;
+        let differenced: Vec<usize> =
+            (0..tests.len()).filter(|place| refused[*place].is_some()).collect();
+        found.0.extend(self.difference_slopes(computed, coordinates, &differenced, goes_on)?);
+        let mut reasons: Vec<String> = refused.into_iter().flatten().collect();
+        reasons.extend(found.1.iter().filter_map(|means| match means {
+            Means::Exact => None,
+            Means::Differences { why } => Some(why.clone()),
+        }));
+        reasons.dedup();
+        if let (FitJacobian::Exact, Some(why)) = (wanted, reasons.first()) {
+            return Err(Stop::failed(AnalysisCode::NoDerivative, why));
+        }
+        let words = match (&reasons[..], wanted) {
+            ([], _) => "exact".to_owned(),
+            (_, FitJacobian::Differences) => "central differences of runs".to_owned(),
+            (reasons, _) => format!("central differences of runs ({})", reasons.join("; ")),
+        };
+        let mut latest = self.found.lock().unwrap_or_else(PoisonError::into_inner);
+        *latest = Derivation { words, one_sided: found.2 };
+        drop(latest);
+        found.0.extend(self.offset_slopes(computed, &values));
+        Ok(found.0)
+    }
+
+    /// Derivatives of the curves of those tests that need no differences, from their runs; how, and what holds on one side alone.
+    fn run_derivatives(
+        &self,
+        computed: &[Computed],
+        values: &[f64],
+        refused: &[Option<String>],
+        goes_on: GoesOn<'_>,
+    ) -> Result<(Vec<Slope>, Vec<Means>, Vec<String>), Stop> {
+        let tests = self.fitted_tests();
+        let free = self.free_places();
+        // Differences that a run needs after all use the threads that other tests leave.
+        let threads = if tests.len() == 1 { self.workers.count() } else { 1 };
+        let varies = |place: &usize| {
+            let test = &self.tests[tests[*place]];
+            refused[*place].is_none()
+                && test.fields.iter().any(|(k, _)| !self.adjustables[*k].fixed)
+        };
+        let places: Vec<usize> = (0..tests.len()).filter(varies).collect();
+        let one = |place: &usize| {
+            if !goes_on() {
+                return Err(Stop::Interrupted);
+            }
+            let test = &self.tests[tests[*place]];
+            self.run_slopes(test, &computed[*place], values, threads).map(|found| (*place, found))
+        };
+        let found: Vec<(usize, RunSlopes)> =
+            self.workers.install(|| places.par_iter().map(one).collect::<Result<_, Stop>>())?;
+        let (mut slopes, mut means, mut one_sided) = (Vec::new(), Vec::new(), Vec::new());
+        for (place, RunSlopes { by, means: how, one_sided: notes }) in found {
+            for (k, mut values_by) in by {
+                let rate = self.adjustables[k].rate(values[k]);
+                values_by.iter_mut().flatten().for_each(|x| *x *= rate);
+                let column = free.iter().position(|one| *one == k);
+                slopes.extend(
+                    column.map(|column| Slope { place: [column, place], values: values_by }),
+                );
+            }
+            means.push(how);
+            one_sided.extend(notes);
+        }
+        Ok((slopes, means, one_sided))
     }
 
     /// Derivatives by offsets: a later start moves a curve to the right.
@@ -100,17 +179,19 @@ impl Problem {
         slopes
     }
 
-    /// Derivatives by numbers of the scenario: central differences of runs, all of them in parallel.
+    /// Derivatives of the curves of some tests by numbers of the scenario: central differences of runs, all of them in parallel.
     fn difference_slopes(
         &self,
         computed: &[Computed],
         coordinates: &[f64],
+        differenced: &[usize],
         goes_on: GoesOn<'_>,
     ) -> Result<Vec<Slope>, Stop> {
         let tests = self.fitted_tests();
         let mut tasks = Vec::new();
         for (column, k) in self.free_places().into_iter().enumerate() {
-            for (place, test) in tests.iter().enumerate() {
+            for place in differenced.iter().copied() {
+                let test = &tests[place];
                 if self.tests[*test].fields.iter().any(|(number, _)| *number == k) {
                     let [low, high] = ends(&self.adjustables[k], coordinates[column]);
                     tasks.push((column, place, low));

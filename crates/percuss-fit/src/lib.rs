@@ -11,6 +11,7 @@ mod covariance;
 mod curve;
 mod doubts;
 mod error;
+mod exact;
 mod fit;
 mod goodness;
 mod jacobian;

@@ -1,10 +1,11 @@
 //! A fit as a problem of least squares: residuals as a function of the free parameters.
 
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 use percuss_codes::RequestCode;
 use percuss_scenario::Scenario;
-use percuss_scenario::fit::{Alignment, FitJacobian, FitOptions};
+use percuss_scenario::fit::{Alignment, FitOptions};
 use percuss_study::Workers;
 use rayon::prelude::*;
 
@@ -32,6 +33,17 @@ pub struct Problem {
     pub(crate) workers: Workers,
     /// Runs so far.
     pub(crate) runs: AtomicU64,
+    /// How the latest derivatives were found.
+    pub(crate) found: Mutex<Derivation>,
+}
+
+/// How derivatives were found.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Derivation {
+    /// In words; empty before the first ones.
+    pub words: String,
+    /// What holds on one side alone, in sentences, shape (sentences).
+    pub one_sided: Vec<String>,
 }
 
 /// The run of a test.
@@ -94,9 +106,9 @@ impl Problem {
         self.runs.load(Ordering::Relaxed)
     }
 
-    /// Where derivatives come from, as requested.
-    pub(crate) fn derivatives(&self) -> FitJacobian {
-        self.options.jacobian
+    /// How the latest derivatives were found.
+    pub(crate) fn derivation(&self) -> Derivation {
+        self.found.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
     /// Tests that take part in the fit, and their numbers.

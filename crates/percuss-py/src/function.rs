@@ -1,6 +1,6 @@
 //! A study as a function, for Python.
 
-use percuss_study::{Jacobian, Study};
+use percuss_study::{Jacobian, Means, Study};
 use pyo3::prelude::*;
 
 use crate::error::study_error;
@@ -107,6 +107,9 @@ pub fn function_values<'py>(
 /// Python is asked for signals after so many points.
 const GROUP: usize = 64;
 
+/// Results, derivatives, how these were found, and why there are none.
+type Found<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, String, Option<String>);
+
 /// Results at a point and their derivatives, or why there are none.
 ///
 /// Parameters
@@ -119,20 +122,20 @@ const GROUP: usize = 64;
 /// Returns
 /// -------
 /// tuple
-///     Results, n_result * n_parameter derivatives row by row, and None; or what is missing and why.
+///     Results, n_result * n_parameter derivatives row by row, "exact" or "differences: " and why, and None; or what is missing and why.
 ///
 /// Examples
 /// --------
 /// >>> study = percuss.function("speed-and-mass.toml").study
-/// >>> values, slopes, why = percuss._percuss.function_jacobian(study, [20.0, 500.0, 2e9])
-/// >>> len(values), len(slopes), why
-/// (3, 9, None)
+/// >>> values, slopes, means, why = percuss._percuss.function_jacobian(study, [20.0, 500.0, 2e9])
+/// >>> len(values), len(slopes), means, why
+/// (3, 9, 'exact', None)
 #[pyfunction]
 pub fn function_jacobian<'py>(
     py: Python<'py>,
     study: &Bound<'py, crate::study::Study>,
     point: Vec<f64>,
-) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyAny>, Option<String>)> {
+) -> PyResult<Found<'py>> {
     let study: &Study = study.get().inner();
     let found = py.detach(|| {
         let mut function = study.function().map_err(|error| study_error(&error))?;
@@ -140,8 +143,12 @@ pub fn function_jacobian<'py>(
     })?;
     let (found, why) = match found {
         Ok(found) => (found, None),
-        Err(why) => (Jacobian { values: Vec::new(), derivatives: Vec::new() }, Some(why)),
+        Err(why) => (
+            Jacobian { values: Vec::new(), derivatives: Vec::new(), means: Means::Exact },
+            Some(why),
+        ),
     };
     let derivatives = found.derivatives.into_iter().flatten().collect::<Vec<f64>>();
-    Ok((array(py, found.values).into_any(), array(py, derivatives).into_any(), why))
+    let means = found.means.to_string();
+    Ok((array(py, found.values).into_any(), array(py, derivatives).into_any(), means, why))
 }

@@ -43,7 +43,7 @@ mod _percuss {
     #[pymodule_export]
     use super::run::run;
     #[pymodule_export]
-    use super::sensitivity::{extrapolated, sensitivity};
+    use super::sensitivity::{column_jacobian, column_values, extrapolated, sensitivity};
     #[pymodule_export]
     use super::shock::{acceleration, shock_spectrum};
     #[pymodule_export]

@@ -7,7 +7,7 @@ use pyo3::types::PyDict;
 
 use crate::error::{analysis_error, scenario_error};
 use crate::ready::Source;
-use crate::structure::shaped;
+use crate::structure::{array, shaped};
 
 /// Values of parameters and results, and the derivatives.
 ///
@@ -47,11 +47,7 @@ pub fn sensitivity<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let ready = source.ready(py)?;
     let found = py.detach(|| percuss_study::sensitivity(&ready.scenario, &parameters, &results));
-    let found = found.map_err(|error| match error {
-        SensitivityError::Faults(faults) => scenario_error(py, &faults),
-        SensitivityError::Refused(reason) => analysis_error(AnalysisCode::NoDerivative, &reason),
-        SensitivityError::Run(code, reason) => analysis_error(code, &reason),
-    })?;
+    let found = found.map_err(|error| raised(py, &error))?;
     let list = |all: &[Differentiated]| -> Vec<(String, f64, String)> {
         all.iter().map(|x| (x.path.clone(), x.value, x.unit.clone())).collect()
     };
@@ -70,6 +66,125 @@ pub fn sensitivity<'py>(
     result.set_item("without", without)?;
     result.set_item("horizon", found.horizon.map(|h| (h.time, h.why)))?;
     Ok(result)
+}
+
+/// The exception for it.
+fn raised(py: Python<'_>, error: &SensitivityError) -> PyErr {
+    match error {
+        SensitivityError::Faults(faults) => scenario_error(py, faults),
+        SensitivityError::Refused(reason) => analysis_error(AnalysisCode::NoDerivative, reason),
+        SensitivityError::Run(code, reason) => analysis_error(*code, reason),
+    }
+}
+
+/// Values of columns at times, linear between the rows of the history.
+///
+/// Parameters
+/// ----------
+/// source : tuple
+///     What `Scenario._source` gives.
+/// columns : list of str
+///     Names of columns.
+/// times : list of float
+///     A time for each of them [s].
+///
+/// Returns
+/// -------
+/// ndarray
+///     The values, in the units of the columns; NaN for times outside the run.
+///
+/// Raises
+/// ------
+/// ScenarioError
+///     If the scenario has faults, or there is no such column.
+/// AnalysisError
+///     If the run fails.
+///
+/// Examples
+/// --------
+/// >>> source = percuss.load("plank.toml")._source()
+/// >>> percuss._percuss.column_values(source, ["projectile.bag.velocity_2"], [0.0])
+/// array([-5.])
+#[pyfunction]
+pub fn column_values<'py>(
+    py: Python<'py>,
+    source: Source,
+    columns: Vec<String>,
+    times: Vec<f64>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let ready = source.ready(py)?;
+    let samples = samples(columns, &times)?;
+    let found = py.detach(|| percuss_study::column_values(&ready.scenario, &samples));
+    Ok(array(py, found.map_err(|error| raised(py, &error))?).into_any())
+}
+
+/// What `column_jacobian` gives: values, derivatives, how they were found, and sentences about one-sided ones.
+type Columns<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, String, Vec<String>);
+
+/// Values of columns at times and their derivatives.
+///
+/// Parameters
+/// ----------
+/// source : tuple
+///     What `Scenario._source` gives.
+/// parameters : list of str
+///     Paths in the scenario.
+/// columns : list of str
+///     Names of columns.
+/// times : list of float
+///     A time for each of them [s].
+/// jobs : int
+///     Threads for differences of runs; 0 for one a core.
+///
+/// Returns
+/// -------
+/// tuple
+///     Values, derivatives (n_value, n_parameter), "exact" or "differences: " and why, and sentences about derivatives that are one-sided.
+///
+/// Raises
+/// ------
+/// ScenarioError
+///     If the scenario has faults, or there is no such column.
+/// AnalysisError
+///     If the run fails.
+///
+/// Examples
+/// --------
+/// >>> source = percuss.load("plank.toml")._source()
+/// >>> by = ["projectile.bag.velocity[1]"]
+/// >>> percuss._percuss.column_jacobian(source, by, ["projectile.bag.velocity_2"], [0.0])
+/// (array([-5.]), array([[1.]]), 'exact', [])
+#[pyfunction]
+#[pyo3(signature = (source, parameters, columns, times, jobs = 1))]
+pub fn column_jacobian<'py>(
+    py: Python<'py>,
+    source: Source,
+    parameters: Vec<String>,
+    columns: Vec<String>,
+    times: Vec<f64>,
+    jobs: usize,
+) -> PyResult<Columns<'py>> {
+    let ready = source.ready(py)?;
+    let samples = samples(columns, &times)?;
+    let found =
+        py.detach(|| percuss_study::column_jacobian(&ready.scenario, &parameters, &samples, jobs));
+    let found = found.map_err(|error| raised(py, &error))?;
+    let shape = [samples.len(), parameters.len()];
+    let derivatives = found.derivatives.into_iter().flatten().collect();
+    let notes = found.one_sided.iter().map(percuss_study::OneSided::text).collect();
+    let values = array(py, found.values).into_any();
+    Ok((values, shaped(py, derivatives, &shape)?.into_any(), found.means.to_string(), notes))
+}
+
+/// A column for each time.
+fn samples(columns: Vec<String>, times: &[f64]) -> PyResult<Vec<percuss_study::ColumnSample>> {
+    if columns.len() != times.len() {
+        let text =
+            format!("{} columns and {} times: one time a column", columns.len(), times.len());
+        return Err(pyo3::exceptions::PyValueError::new_err(text));
+    }
+    let both = columns.into_iter().zip(times);
+    Ok(both.map(|(column, time)| percuss_study::ColumnSample::at(column, *time)).collect())
 }
 
 /// Order, limit and uncertainty of a number on finer and finer steps or meshes.

@@ -2,14 +2,18 @@
 //!
 //! What programs for uncertainty and optimisation ask for. They choose the points; the design of the study plays no part.
 
+use percuss::Settings;
 use percuss_codes::{Code, RequestCode};
-use percuss_output::{SummaryPath, pick};
 
 use crate::detail::detail_for;
 use crate::error::Error;
+use crate::means::{Means, SHARE};
 use crate::parameter::{Input, Parameter, Variation};
 use crate::prepare::Preparer;
-use crate::sensitivity::{SensitivityError, Without, differentiate};
+use crate::result_path::{ResultPath, merged, samples};
+use crate::sensitivity::{
+    DifferentiatedRun, SensitivityError, Without, beyond, differentiate, unknown_derivatives,
+};
 use crate::shard::{GROUP_RUNS, simulate};
 use crate::study::{ResultColumn, Study};
 
@@ -18,7 +22,7 @@ pub struct Function<'s> {
     study: &'s Study,
     preparer: Preparer<'s>,
     /// Of the results, shape (results).
-    paths: Vec<SummaryPath>,
+    paths: Vec<ResultPath>,
 }
 
 /// Results at a point and their derivatives.
@@ -28,6 +32,8 @@ pub struct Jacobian {
     pub values: Vec<f64>,
     /// Derivatives, shape (n_result, n_parameter) \[SI unit of the result by that of the parameter\].
     pub derivatives: Vec<Vec<f64>>,
+    /// How they were found.
+    pub means: Means,
 }
 
 impl Study {
@@ -78,27 +84,28 @@ impl<'s> Function<'s> {
     /// # Errors
     /// Of each point: what is wrong with it, or why its run does not complete, in one line with its code.
     pub fn values(&mut self, points: &[Vec<f64>]) -> Vec<Result<Vec<f64>, String>> {
-        let detail = detail_for(&self.paths);
+        let (detail, samples) = (detail_for(&self.paths), samples(&self.paths));
         let mut all = Vec::with_capacity(points.len());
         for group in points.chunks(GROUP_RUNS) {
             let ready: Vec<_> = group.iter().map(|point| self.prepare(point)).collect();
-            let outcomes = simulate(&ready, detail);
+            let outcomes = simulate(&ready, detail, &samples);
             let picked = outcomes.into_iter().map(|(outcome, status)| {
-                let summary = outcome?;
-                if let percuss::Termination::Failed(error) = &summary.termination {
+                let made = outcome?;
+                if let percuss::Termination::Failed(error) = &made.summary.termination {
                     return Err(Code::from(error.code()).behind(error));
                 }
                 if status != "completed" {
                     return Err(unfit(format!("the run is {status}")));
                 }
-                self.known(pick(&self.paths, &summary))
+                self.known(made.pick(&self.paths))
             });
             all.extend(picked);
         }
         all
     }
 
-    /// Results at a point of shape (n_parameter) and their derivatives: exact ones of the steps that are made, no differences of runs.
+    /// Results at a point of shape (n_parameter) and their derivatives: exact ones of the steps of the run where they are known, else central
+    /// differences of runs; the answer says which.
     ///
     /// # Errors
     /// What is wrong with the point, why its run does not complete, or what has no derivative and why; in one line with its code.
@@ -106,19 +113,96 @@ impl<'s> Function<'s> {
         let inputs = self.inputs(point)?;
         let parameters: Vec<String> =
             self.parameters().iter().map(|p| p.field.path().to_string()).collect();
-        let results: Vec<String> = self.paths.iter().map(|path| path.path().to_string()).collect();
+        let of_summary = self.paths.iter().filter_map(ResultPath::summary);
+        let results: Vec<String> = of_summary.map(|path| path.path().to_string()).collect();
+        let samples = samples(&self.paths);
         let scenario = self.preparer.scenario(&inputs)?;
-        let found =
-            differentiate(scenario, &parameters, &results).map_err(|why| in_one_line(&why))?;
-        let values = self.known(found.values())?;
-        let derivatives = found.derivatives();
-        match found.without(&derivatives).first() {
-            None => Ok(Jacobian { values, derivatives }),
-            Some(Without { result, parameter, why }) => {
-                Err(Code::from(percuss_codes::AnalysisCode::NoDerivative)
-                    .behind(format!("`{result}` has no derivative by `{parameter}`: {why}")))
+        match differentiate(scenario, &parameters, &results, &samples) {
+            Ok(found) => self.complete(point, &found),
+            Err(SensitivityError::Refused(why)) => self.differences(point, why),
+            // A value that cannot change to one side may be differenced to the other.
+            Err(SensitivityError::Faults(faults)) => {
+                let why = crate::prepare::in_one_line(&faults);
+                self.differences(point, why.clone()).map_err(|_| why)
+            }
+            Err(why) => Err(in_one_line(&why)),
+        }
+    }
+
+    /// Exact derivatives, and differences of those results that have none.
+    fn complete(&mut self, point: &[f64], found: &DifferentiatedRun) -> Result<Jacobian, String> {
+        let (own, columns) = (found.derivatives(), found.columns());
+        let values = self.known(merged(&self.paths, &found.values(), &columns.values))?;
+        let without = found.without(&own);
+        if let Some(Without { result, parameter, why, .. }) = without.iter().find(|w| w.never) {
+            return Err(Code::from(percuss_codes::AnalysisCode::NoDerivative)
+                .behind(format!("`{result}` has no derivative by `{parameter}`: {why}")));
+        }
+        let mut derivatives = merged(&self.paths, &own, &columns.derivatives);
+        let lacks = |row: &Vec<f64>| row.iter().any(|slope| slope.is_nan());
+        let Some(first) = derivatives.iter().position(lacks) else {
+            return Ok(Jacobian { values, derivatives, means: Means::Exact });
+        };
+        let result = &self.results()[first];
+        let why = match (without.first(), columns.horizon) {
+            (Some(without), _) => without.why.clone(),
+            (None, Some(horizon)) => beyond(&horizon),
+            (None, None) => unknown_derivatives(result.path.path()),
+        };
+        let why = format!("`{}`: {why}", result.name);
+        let other = self.differences(point, why)?;
+        for (row, other) in derivatives.iter_mut().zip(other.derivatives) {
+            if lacks(row) {
+                *row = other;
             }
         }
+        Ok(Jacobian { values, derivatives, means: other.means })
+    }
+
+    /// Central differences of runs; where a parameter cannot change to one side, differences to the other.
+    fn differences(&mut self, point: &[f64], why: String) -> Result<Jacobian, String> {
+        let change = |x: f64| SHARE * if x == 0.0 { 1.0 } else { x.abs() };
+        let mut points = vec![point.to_vec()];
+        for (k, x) in point.iter().enumerate() {
+            for sign in [-1.0, 1.0] {
+                let mut moved = point.to_vec();
+                moved[k] = x + sign * change(*x);
+                points.push(moved);
+            }
+        }
+        self.refuse_settings(&points)?;
+        let mut found = self.values(&points).into_iter();
+        let values = found.next().unwrap_or_else(|| Err(unfit("no run".into())))?;
+        let sides: Vec<_> = found.collect();
+        let mut derivatives = vec![Vec::new(); values.len()];
+        for (both, x) in sides.chunks(2).zip(point) {
+            let [below, above] = both else { continue };
+            let (below, above, count) = match (below, above) {
+                (Ok(below), Ok(above)) => (below, above, 2.0),
+                (Err(_), Ok(above)) => (&values, above, 1.0),
+                (Ok(below), Err(_)) => (below, &values, 1.0),
+                (Err(why), Err(_)) => return Err(why.clone()),
+            };
+            for (row, (low, high)) in derivatives.iter_mut().zip(below.iter().zip(above)) {
+                row.push((high - low) / (count * change(*x)));
+            }
+        }
+        Ok(Jacobian { values, derivatives, means: Means::Differences { why } })
+    }
+
+    /// Refuses parameters that are settings of the computation, given the point and points beside it: their effect on a result is its error.
+    fn refuse_settings(&mut self, points: &[Vec<f64>]) -> Result<(), String> {
+        let own = self.prepare(&points[0])?.settings;
+        for (k, point) in points[1..].iter().enumerate() {
+            let Ok(other) = self.prepare(point) else { continue };
+            if (Settings { end: own.end, ..other.settings }) != own {
+                let path = self.parameters()[k / 2].field.path();
+                return Err(Code::from(percuss_codes::AnalysisCode::NoDerivative).behind(format!(
+                    "`{path}` is a setting of the computation, whose effect on a result is an error"
+                )));
+            }
+        }
+        Ok(())
     }
 
     fn prepare(&mut self, point: &[f64]) -> Result<percuss_scenario::Compiled, String> {

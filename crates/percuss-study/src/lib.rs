@@ -61,6 +61,7 @@
 
 pub mod analysis;
 mod column;
+mod columns;
 mod converge;
 mod design;
 mod detail;
@@ -69,12 +70,14 @@ mod error;
 mod folder;
 mod function;
 mod indices;
+mod means;
 mod merge;
 mod parameter;
 mod parquet;
 mod prepare;
 mod report;
 mod resolve;
+mod result_path;
 mod seal;
 mod sensitivity;
 mod shard;
@@ -83,6 +86,7 @@ mod sweep;
 mod workers;
 
 pub use column::{Column, Role, Table, Values};
+pub use columns::{ColumnJacobian, column_jacobian, column_values};
 pub use converge::{
     Cheapest, ConvergeError, Converged, Convergence, Extrapolation, Ladder, Refined, Sequence,
     converge, extrapolate,
@@ -93,10 +97,13 @@ pub use error::Error;
 pub use folder::{Folder, KEPT, REPORT, RESULTS};
 pub use function::{Function, Jacobian};
 pub use indices::{INDICES, indices, indices_parquet};
+pub use means::Means;
 pub use merge::merge;
 pub use parameter::{Input, Parameter, Variation};
+pub use percuss_batch::{ColumnSample, Taken};
 pub use prepare::{Invalid, in_one_line};
 pub use report::report;
+pub use result_path::{ColumnPath, ResultPath};
 pub use sensitivity::{
     Differentiated, OneSided, Sensitivity, SensitivityError, Without, beyond, sensitivity,
 };

@@ -5,14 +5,17 @@ mod variation;
 
 use std::path::Path;
 
-use percuss::{Fault, NoRecorder, RunSummary};
+use percuss::{Channel, Fault, NoRecorder, RunSummary};
+use percuss_batch::{ColumnSample, Taken};
 use percuss_output::SummaryPath;
-use percuss_scenario::study::StudyContent;
+use percuss_scenario::study::{ColumnResult, StudyContent, WantedResult};
 use percuss_scenario::{Diagnostics, FileAccess, Scenario, StudyFile, one_of};
 
 use self::design::design;
 use self::variation::parameter;
+use crate::columns::{columns_of, unknown_column};
 use crate::parameter::Parameter;
+use crate::result_path::{ColumnPath, ResultPath};
 use crate::study::{ResultColumn, Study};
 
 /// Names that columns of every study have.
@@ -74,6 +77,7 @@ fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
         return Err(Diagnostics::of_file(file.name(), "no base scenario", "`base`"));
     };
     let compiled = scenario.compile()?;
+    let channels = columns_of(&compiled).map_err(|faults| scenario.diagnostics(faults))?;
     let mut settings = compiled.settings;
     settings.end = settings.step;
     let sample = percuss::simulate(&compiled.model, &settings, &mut NoRecorder)
@@ -89,11 +93,19 @@ fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
     }
     let mut results = Vec::new();
     for named in &file.content.results {
-        match result(&named.table, &sample) {
-            Ok(path) => results.push(ResultColumn { name: named.name.clone(), path }),
-            Err((found, expected)) => {
-                faults.push(Fault::new(format!("results.{}", named.name), found, expected));
-            }
+        let header = format!("results.{}", named.name);
+        match &named.table {
+            WantedResult::Path(path) => match result(path, &sample) {
+                Ok(path) => {
+                    let path = ResultPath::Summary(path);
+                    results.push(ResultColumn { name: named.name.clone(), path });
+                }
+                Err((found, expected)) => faults.push(Fault::new(header, found, expected)),
+            },
+            WantedResult::Column(column) => match of_column(&named.name, column, &channels) {
+                Ok(all) => results.extend(all),
+                Err(fault) => faults.push(Fault { path: format!("{header}.column"), ..fault }),
+            },
         }
     }
     faults.extend(twice_set(&parameters));
@@ -104,6 +116,31 @@ fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
     content.base = None;
     content.scenario = Some(scenario_text(&scenario));
     Ok(Study::new(content, scenario, parameters, results, design))
+}
+
+/// Results taken from a column: one for each time or window.
+fn of_column(
+    name: &str,
+    wanted: &ColumnResult,
+    channels: &[Channel],
+) -> Result<Vec<ResultColumn>, Fault> {
+    let Some(channel) = channels.iter().find(|channel| channel.name == wanted.column) else {
+        return Err(unknown_column(&wanted.column, channels));
+    };
+    let times = wanted.at.iter().flatten().map(|time| Taken::At(*time));
+    let windows = [
+        wanted.max.map(|[from, to]| Taken::Largest { from, to }),
+        wanted.min.map(|[from, to]| Taken::Smallest { from, to }),
+    ];
+    let taken: Vec<Taken> = times.chain(windows.into_iter().flatten()).collect();
+    let several = taken.len() > 1;
+    let one = |(k, taken): (usize, Taken)| {
+        let sample = ColumnSample { column: wanted.column.clone(), taken };
+        let name = if several { format!("{name}[{k}]") } else { name.to_string() };
+        let path = ResultPath::Column(ColumnPath::new(sample, channel.unit));
+        ResultColumn { name, path }
+    };
+    Ok(taken.into_iter().enumerate().map(one).collect())
 }
 
 /// Parameters that set the same value, or one a part of what the other sets: the last would win.

@@ -2,10 +2,9 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use percuss::{Fault, Model, RunSummary, Settings, Termination};
-use percuss_batch::{Detail, simulate_batch};
+use percuss::{Fault, Model, Settings, Termination};
+use percuss_batch::{ColumnSample, Detail};
 use percuss_codes::{AnalysisCode, Code};
-use percuss_output::{SummaryPath, pick};
 use percuss_scenario::{Compiled, in_one_line};
 
 use crate::column::{Table, Values};
@@ -14,6 +13,7 @@ use crate::error::Error;
 use crate::parameter::Input;
 use crate::parquet;
 use crate::prepare::Preparer;
+use crate::result_path::{Made, ResultPath, make, samples};
 use crate::study::Study;
 
 /// Runs given to the solver together.
@@ -31,7 +31,7 @@ pub struct Shard {
 /// A run before it has its row.
 pub(crate) type Ready = Result<Compiled, String>;
 /// What became of a run: its summary, or why there is none and whether the scenario is to blame.
-pub(crate) type Outcome = Result<RunSummary, String>;
+pub(crate) type Outcome = Result<Made, String>;
 
 impl Study {
     /// Does the runs of a shard, one after the other; the same bits wherever and whenever it is called.
@@ -43,8 +43,8 @@ impl Study {
     pub fn run_shard_while(&self, index: u64, goes_on: &dyn Fn() -> bool) -> Option<Shard> {
         let mut shard = Shard::empty(self, index);
         let mut preparer = Preparer::new(self);
-        let paths: Vec<SummaryPath> = self.results.iter().map(|r| r.path.clone()).collect();
-        let detail = detail_for(&paths);
+        let paths: Vec<ResultPath> = self.results.iter().map(|r| r.path.clone()).collect();
+        let (detail, samples) = (detail_for(&paths), samples(&paths));
         let runs: Vec<u64> = self.runs_of(index).collect();
         for group in runs.chunks(GROUP_RUNS) {
             if !goes_on() {
@@ -52,7 +52,7 @@ impl Study {
             }
             let inputs: Vec<Vec<Input<'_>>> = group.iter().map(|run| self.inputs(*run)).collect();
             let ready: Vec<Ready> = inputs.iter().map(|inputs| preparer.prepare(inputs)).collect();
-            let outcomes = simulate(&ready, detail);
+            let outcomes = simulate(&ready, detail, &samples);
             for ((run, inputs), outcome) in group.iter().zip(&inputs).zip(outcomes) {
                 shard.push(*run, inputs, outcome, &paths);
             }
@@ -62,19 +62,23 @@ impl Study {
 }
 
 /// Simulates those that are ready; the others keep their reasons.
-pub(crate) fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
+pub(crate) fn simulate(
+    ready: &[Ready],
+    detail: Detail,
+    samples: &[ColumnSample],
+) -> Vec<(Outcome, &'static str)> {
     let sound: Vec<&Compiled> = ready.iter().filter_map(|run| run.as_ref().ok()).collect();
-    let solve = |given: &Given<'_>| simulate_batch(given, detail);
+    let solve = |given: &Given<'_>| make(given, detail, samples);
     let mut done = batch(&sound, &solve).into_iter();
     let outcome = |run: &Ready| match run {
         Err(reason) => (Err(reason.clone()), "invalid"),
         Ok(_) => match done.next() {
-            Some(Ok(summary)) => {
-                let status = match summary.termination {
+            Some(Ok(made)) => {
+                let status = match made.summary.termination {
                     Termination::Completed => "completed",
                     _ => "failed",
                 };
-                (Ok(summary), status)
+                (Ok(made), status)
             }
             Some(Err((reason, status))) => (Err(reason), status),
             None => (Err(broken("no result")), "failed"),
@@ -85,13 +89,13 @@ pub(crate) fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'stati
 
 /// Models and settings, and what a solver makes of them.
 type Given<'g> = [(&'g Model, &'g Settings)];
-type Solved = Vec<Result<RunSummary, Vec<Fault>>>;
+type Solved = Vec<Result<Made, Vec<Fault>>>;
 
 /// Simulates all; if the solver breaks down on one of them, each alone, so that only that one is lost.
 fn batch(
     runs: &[&Compiled],
     solve: &dyn Fn(&Given<'_>) -> Solved,
-) -> Vec<Result<RunSummary, (String, &'static str)>> {
+) -> Vec<Result<Made, (String, &'static str)>> {
     let given: Vec<(&Model, &Settings)> = runs.iter().map(|c| (&c.model, &c.settings)).collect();
     let told = |faults: Vec<Fault>| {
         (faults.iter().map(in_one_line).collect::<Vec<_>>().join("; "), "invalid")
@@ -121,7 +125,7 @@ impl Shard {
         run: u64,
         inputs: &[Input<'_>],
         (outcome, status): (Outcome, &str),
-        paths: &[SummaryPath],
+        paths: &[ResultPath],
     ) {
         let mut row = Row(self.table.values.iter_mut());
         row.whole(i64::try_from(run).unwrap_or(i64::MAX));
@@ -131,16 +135,17 @@ impl Shard {
                 Input::Word(word) => row.text(word_of(word)),
             }
         }
-        let summary = outcome.as_ref().ok();
+        let made = outcome.as_ref().ok();
+        let summary = made.map(|made| &made.summary);
         // What a run that failed has reached on its way is not a result.
-        match summary.filter(|_| status == "completed") {
-            Some(summary) => pick(paths, summary).into_iter().for_each(|x| row.number(x)),
+        match made.filter(|_| status == "completed") {
+            Some(made) => made.pick(paths).into_iter().for_each(|x| row.number(x)),
             None => paths.iter().for_each(|_| row.number(f64::NAN)),
         }
         row.text(status.to_string());
         row.text(match &outcome {
             Err(reason) => reason.clone(),
-            Ok(summary) => match &summary.termination {
+            Ok(made) => match &made.summary.termination {
                 Termination::Failed(error) => Code::from(error.code()).behind(error),
                 _ => String::new(),
             },
@@ -240,10 +245,10 @@ mod tests {
         let breaks = |settings: &Settings| settings.end > 1.5e-3;
         let solve = |given: &Given<'_>| {
             assert!(!given.iter().any(|(_, settings)| breaks(settings)), "meant");
-            simulate_batch(given, Detail::Full)
+            make(given, Detail::Full, &[])
         };
         let done = batch(&compiled.each_ref(), &solve);
-        assert!(done[0].as_ref().is_ok_and(|run| run.steps == 10));
+        assert!(done[0].as_ref().is_ok_and(|run| run.summary.steps == 10));
         let (reason, status) = done[1].as_ref().err().cloned().unwrap_or_default();
         assert_eq!((reason.as_str(), status), ("internal error in the solver [E114]", "failed"));
         assert_eq!(AnalysisCode::Broken.code(), "E114");

@@ -1,6 +1,5 @@
 //! A study: everything that its runs follow from.
 
-use percuss_output::SummaryPath;
 use percuss_scenario::Scenario;
 use percuss_scenario::study::StudyContent;
 use sha2::{Digest, Sha256};
@@ -8,6 +7,7 @@ use sha2::{Digest, Sha256};
 use crate::column::{Column, Role, Values};
 use crate::design::{Design, Kind};
 use crate::parameter::{Input, Parameter, Variation};
+use crate::result_path::ResultPath;
 
 /// Runs of a shard at most.
 const SHARD_RUNS: u64 = 256;
@@ -35,12 +35,12 @@ pub struct Study {
 }
 
 /// A result wanted.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ResultColumn {
     /// The user's name for it.
     pub name: String,
-    /// Where it stands in a summary.
-    pub path: SummaryPath,
+    /// Where it stands in a summary, or the column it is taken from.
+    pub path: ResultPath,
 }
 
 impl Study {

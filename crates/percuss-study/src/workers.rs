@@ -22,6 +22,11 @@ impl Workers {
         pool.map(Self).map_err(|e| Error::system(format!("no threads can be started: {e}")))
     }
 
+    /// Number of threads.
+    pub fn count(&self) -> usize {
+        self.0.current_num_threads()
+    }
+
     /// Does some work, whose parallel parts use these threads.
     pub fn install<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
         self.0.install(work)

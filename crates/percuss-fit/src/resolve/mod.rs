@@ -4,6 +4,7 @@ mod numbers;
 mod records;
 
 use std::collections::BTreeMap;
+use std::sync::Mutex;
 use std::sync::atomic::AtomicU64;
 
 use percuss::{Channel as HistoryColumn, Fault, MemoryRecorder, simulate};
@@ -90,6 +91,7 @@ impl Problem {
             sigma_unknown,
             workers,
             runs: AtomicU64::new(0),
+            found: Mutex::default(),
         };
         let mut faults = Vec::new();
         for (k, read) in reads.iter().enumerate() {

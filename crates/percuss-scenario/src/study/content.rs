@@ -1,6 +1,7 @@
 //! What a study file contains.
 
-use super::given::{Anything, Given, NamedTexts, Whole};
+use super::given::{Anything, Given, Whole};
+use super::wanted::{WantedResult, WantedResults};
 use crate::format::{Count, Flag, List, Maybe, Pair, Text};
 use crate::measure::Ratio;
 use crate::node::{Body, Reader};
@@ -26,8 +27,8 @@ table! {
         parameter: Vec<Named<Parameter>> as Collection<Parameter>,
         /// Sampling design.
         design: Design as Single<Design>,
-        /// Results, by name: paths into summary.json, such as "contact.mass.peak_force.value".
-        results: Vec<Named<String>> as NamedTexts,
+        /// Results, by name: paths into summary.json, such as "contact.mass.peak_force.value", or numbers taken from a column of the history.
+        results: Vec<Named<WantedResult>> as WantedResults,
     }
     either base | scenario
     then settle_study

@@ -3,11 +3,8 @@
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
 
-use crate::code::FaultCode;
 use crate::format::{Format, Inline};
-use crate::node::{Body, Node, Reader};
-use crate::table::{Named, is_name};
-use crate::write::{self, Writer};
+use crate::node::{Node, Reader};
 
 /// A value in the form of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -88,67 +85,5 @@ impl Format for Whole {
 impl Inline for Whole {
     fn text(value: &u64) -> Option<String> {
         Some(value.to_string())
-    }
-}
-
-/// Texts with names of the user's: `[results]`.
-pub(crate) struct NamedTexts;
-
-impl Format for NamedTexts {
-    type Value = Vec<Named<String>>;
-
-    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value> {
-        let Some(body) = Body::of(node) else {
-            reader.wrong(node, node.found(), Self::expected());
-            return None;
-        };
-        let mut all = Vec::new();
-        for (name, span) in body.keys() {
-            let Some(node) = body.get(name) else { continue };
-            if !is_name(name) {
-                let found = format!("the name {name:?}");
-                let expected = "a name of letters, digits, `_` and `-`";
-                reader.misplaced_as(FaultCode::InvalidName, &node.path, span, (found, expected));
-            }
-            match node.value.as_str() {
-                Some(text) => all.push(Named { name: name.to_string(), table: text.to_string() }),
-                None => {
-                    let expected =
-                        "a path into summary.json, such as \"contact.mass.peak_force.value\"";
-                    reader.wrong(&node, node.found(), expected);
-                    reader.tainted.insert(node.path.clone());
-                }
-            }
-        }
-        Some(all)
-    }
-
-    fn placeholder() -> Self::Value {
-        Vec::new()
-    }
-
-    fn expected() -> String {
-        "a table of names of your own, each with a path into summary.json".into()
-    }
-
-    fn missing(key: &str) -> (String, String) {
-        (format!("no [{key}]"), Self::expected())
-    }
-
-    fn schema() -> Json {
-        json!({ "type": "object", "additionalProperties": { "type": "string" } })
-    }
-}
-
-impl crate::format::Written for NamedTexts {
-    fn write(value: &Self::Value, key: &str, out: &mut Writer) {
-        out.header(key, None);
-        for one in value {
-            out.line(&write::key(&one.name), &write::text(&one.table), "");
-        }
-    }
-
-    fn default_text(_: &Self::Value) -> Option<String> {
-        None
     }
 }

@@ -5,6 +5,7 @@
 
 mod content;
 mod given;
+mod wanted;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -19,6 +20,7 @@ pub use content::{
 };
 pub use given::Given;
 pub(crate) use given::{Anything, Whole};
+pub use wanted::{ColumnResult, WantedResult};
 
 use crate::code::{FaultCode, of_path};
 use crate::diagnostic::{Diagnostic, Diagnostics};

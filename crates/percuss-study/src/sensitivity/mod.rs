@@ -4,7 +4,10 @@ mod differentiated;
 mod one_sided;
 
 use percuss::{Fault, Settings};
-use percuss_batch::{Horizon, Sensitivities, Undifferentiated, sensitivities};
+use percuss_batch::{
+    ColumnSample, Horizon, Sensitivities, Undifferentiated, sensitivities,
+    sensitivities_with_columns,
+};
 use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick, pick_derivatives, summary_paths};
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
@@ -70,6 +73,8 @@ pub struct Without {
     pub parameter: String,
     /// Why.
     pub why: String,
+    /// Whether differences of runs would not help: of counts, and of errors of the computation.
+    pub never: bool,
 }
 
 /// Why there are no derivatives.
@@ -108,7 +113,7 @@ pub fn sensitivity(
     parameters: &[String],
     results: &[String],
 ) -> Result<Sensitivity, SensitivityError> {
-    let one = differentiate(scenario, parameters, results)?;
+    let one = differentiate(scenario, parameters, results, &[])?;
     let derivatives = one.derivatives();
     let without = one.without(&derivatives);
     // What nobody asked for is told with its reason; only results that were named are missed.
@@ -155,31 +160,24 @@ pub(crate) struct DifferentiatedRun {
     found: Sensitivities,
 }
 
-/// Runs a scenario and differentiates it; arguments and errors are those of [`sensitivity`].
+/// Runs a scenario and differentiates it, with numbers taken from columns of the history; other arguments and errors are those of [`sensitivity`].
 pub(crate) fn differentiate(
     scenario: &Scenario,
     parameters: &[String],
     results: &[String],
+    samples: &[ColumnSample],
 ) -> Result<DifferentiatedRun, SensitivityError> {
     let compiled = scenario.compile()?;
+    let (differentiated, variations) = vary_all(scenario, parameters)?;
     let mut faults = Vec::new();
-    let mut differentiated = Vec::new();
-    let mut variations = Vec::new();
-    for path in parameters {
-        match vary(scenario, path) {
-            Ok((parameter, variation)) => {
-                differentiated.push(parameter);
-                variations.push(variation);
-            }
-            Err(fault) => faults.push(fault),
-        }
-    }
-    if !faults.is_empty() {
-        return Err(scenario.diagnostics(faults).into());
-    }
-    let found = sensitivities(&compiled.model, &compiled.settings, &variations)?;
+    let (model, settings) = (&compiled.model, &compiled.settings);
+    let found = sensitivities_with_columns(model, settings, &variations, samples)?;
     let mut paths = Vec::new();
-    for path in wanted(results, &found.summary) {
+    let wanted = match samples {
+        [] => wanted(results, &found.summary),
+        _ => results.to_vec(),
+    };
+    for path in wanted {
         match result(&path, &found.summary) {
             Ok(path) if path.is_of_forces() => {
                 return Err(SensitivityError::Refused(format!(
@@ -197,6 +195,57 @@ pub(crate) fn differentiate(
     Ok(DifferentiatedRun { compiled, parameters: differentiated, variations, paths, found })
 }
 
+/// Numbers taken from columns of the history, and their exact derivatives.
+pub(crate) struct ExactColumns {
+    /// The numbers, shape (samples) \[SI unit of the column\].
+    pub values: Vec<f64>,
+    /// Derivatives, shape (samples, parameters) \[SI unit of the column by that of the parameter\]; NaN where there are none.
+    pub derivatives: Vec<Vec<f64>>,
+    /// Contacts, and yielding, that a small change of a parameter adds or removes, shape (such events).
+    pub one_sided: Vec<OneSided>,
+    /// Time up to which derivatives are valid, if it is before the end.
+    pub horizon: Option<Horizon>,
+}
+
+/// Numbers taken from columns of the history, and their exact derivatives; NaN where there are none. Errors are those of [`sensitivity`].
+pub(crate) fn exact_columns(
+    scenario: &Scenario,
+    parameters: &[String],
+    samples: &[ColumnSample],
+) -> Result<ExactColumns, SensitivityError> {
+    differentiate(scenario, parameters, &[], samples).map(|one| one.columns())
+}
+
+fn exact(found: &Sensitivities, parameters: &[Differentiated]) -> ExactColumns {
+    let (values, by) = (found.columns.values.clone(), &found.columns.derivatives);
+    let row = |k: usize| by.iter().map(|column| column[k]).collect();
+    let derivatives = (0..values.len()).map(row).collect();
+    let one_sided = one_sided(&found.grazing, parameters);
+    ExactColumns { values, derivatives, one_sided, horizon: found.horizon.clone() }
+}
+
+/// The parameters, and how each of them is varied.
+fn vary_all(
+    scenario: &Scenario,
+    parameters: &[String],
+) -> Result<(Vec<Differentiated>, Vec<percuss_batch::Variation>), Diagnostics> {
+    let (mut differentiated, mut variations) = (Vec::new(), Vec::new());
+    let mut faults = Vec::new();
+    for path in parameters {
+        match vary(scenario, path) {
+            Ok((parameter, variation)) => {
+                differentiated.push(parameter);
+                variations.push(variation);
+            }
+            Err(fault) => faults.push(fault),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(scenario.diagnostics(faults));
+    }
+    Ok((differentiated, variations))
+}
+
 impl DifferentiatedRun {
     /// Results, shape (n_result), in SI units.
     pub fn values(&self) -> Vec<f64> {
@@ -206,6 +255,12 @@ impl DifferentiatedRun {
     /// Their derivatives, shape (n_result, n_parameter); NaN where there is none.
     pub fn derivatives(&self) -> Vec<Vec<f64>> {
         derivatives(&self.paths, &self.found)
+    }
+
+    /// Numbers taken from columns, and their derivatives, shape (samples), each of shape (n_parameter) \[SI unit of the column by that of the
+    /// parameter\]; NaN where there is none.
+    pub fn columns(&self) -> ExactColumns {
+        exact(&self.found, &self.parameters)
     }
 
     /// The derivatives that there are not, and why.
@@ -230,6 +285,7 @@ fn without(
                 result: path.path().into(),
                 parameter: parameter.path.clone(),
                 why: why(path, *value, found),
+                never: path.is_count(&found.summary) || path.is_of_errors(),
             });
         }
     }
@@ -261,6 +317,11 @@ fn why(path: &SummaryPath, value: f64, found: &Sensitivities) -> String {
 /// What it means that derivatives do not reach to the end of the run, in words.
 pub fn beyond(horizon: &Horizon) -> String {
     format!("derivatives are available up to t = {:.6e} s, {}", horizon.time, horizon.why)
+}
+
+/// Why a column has no derivatives.
+pub(crate) fn unknown_derivatives(column: &str) -> String {
+    format!("derivatives are not available for the column `{column}`")
 }
 
 /// Derivatives of the results at these paths, shape (n_result, n_parameter).
