@@ -41,9 +41,13 @@ pub struct Standing {
 /// A folder or file that cannot be read.
 pub fn samples(repository: &Path) -> io::Result<Vec<Sample>> {
     let mut paths = Vec::new();
-    for folder in
-        ["scenarios", "scenarios/paper", "scenarios/studies", "scenarios/fits", "docs/book/examples"]
-    {
+    for folder in [
+        "scenarios",
+        "scenarios/paper",
+        "scenarios/studies",
+        "scenarios/fits",
+        "docs/book/examples",
+    ] {
         paths.extend(files(&repository.join(folder), "toml")?);
     }
     let named = |path: PathBuf| {

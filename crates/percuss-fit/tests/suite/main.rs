@@ -4,4 +4,5 @@ mod common;
 mod doubts;
 mod faults;
 mod found;
+mod published;
 mod twin;
