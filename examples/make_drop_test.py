@@ -1,4 +1,4 @@
-"""Makes the records of ``scenarios/fits`` anew: runs of the hammer with other values than its file has, and noise.
+"""Makes the records of ``scenarios/fits`` again: runs of the hammer with other values than its file has, and noise.
 
     python examples/make_drop_test.py
 

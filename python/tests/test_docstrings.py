@@ -18,7 +18,7 @@ from percuss import _fields, _percuss, _plot, _scene, _structure
 
 REACHED = (_plot.Plots, _fields.Fields, _scene.SceneBeam, _scene.Curve, _scene.Contact, _structure.Shapes, _structure.Beams)
 """Classes that nobody imports, and everybody gets from a result."""
-MADE = (percuss.Scenario, percuss.Potential, percuss.Function, percuss.Study)
+MADE = (percuss.Scenario, percuss.Potential, percuss.Function, percuss.Measured, percuss.Study)
 """Classes whose objects users make themselves."""
 CALLED = ("__call__", "__getitem__")
 """Special methods that do more than their names say."""

@@ -64,10 +64,11 @@ impl Channel {
 pub(crate) struct Test {
     pub name: String,
     pub scenario: Scenario,
-    /// Adjustable numbers and where they stand, shape (numbers).
+    /// Adjustable numbers and where they stand, shape (numbers) \[index of a number\].
     pub fields: Vec<(usize, Field)>,
     /// Times of the record that are compared, shape (n_sample) \[s\].
     pub time: Vec<f64>,
+    /// Its channels, shape (channels).
     pub channels: Vec<Channel>,
     pub align: Alignment,
     /// Time of the record at which the run starts, where it is given.

@@ -16,7 +16,7 @@ use crate::problem::{Computed, Problem};
 
 /// Derivatives of the curves of a test.
 pub(crate) struct RunSlopes {
-    /// Places of parameters among all, and derivatives of the computed values by their values, shape (parameters; channels, n_sample)
+    /// Places of parameters among all, and derivatives of the computed values by their values, shape (parameters, channels, n_sample)
     /// \[unit of the channel by that of the parameter\].
     pub by: Vec<(usize, Vec<Vec<f64>>)>,
     /// How they were found.

@@ -19,10 +19,40 @@ const CHANGE: f64 = 1e-4;
 
 /// Derivatives of the curves of a test with respect to one parameter.
 struct Slope {
-    /// Its parameter among the free ones, and its test among the fitted ones.
+    /// Its parameter among the free ones, and its test among the fitted ones, shape (2) \[index of a parameter, index of a test\].
     place: [usize; 2],
     /// Derivatives of the computed values by the coordinate, shape (channels, n_sample) \[unit of the channel\].
     values: Vec<Vec<f64>>,
+}
+
+/// Derivatives from runs.
+#[derive(Default)]
+struct RunDerivatives {
+    /// Of curves, shape (parameters of tests).
+    slopes: Vec<Slope>,
+    /// How they were found, shape (tests).
+    means: Vec<Means>,
+    /// Tests without, and why, shape (tests) \[index of a test\].
+    without: Vec<(usize, String)>,
+    /// What is valid on one side alone, in sentences, shape (sentences).
+    one_sided: Vec<String>,
+}
+
+impl RunDerivatives {
+    /// Why there are differences, each reason once.
+    fn reasons(&self) -> Vec<String> {
+        let differences = self.means.iter().filter_map(|means| match means {
+            Means::Exact => None,
+            Means::Differences { why } => Some(why),
+        });
+        let mut all: Vec<String> = Vec::new();
+        for why in self.without.iter().map(|(_, why)| why).chain(differences) {
+            if !all.contains(why) {
+                all.push(why.clone());
+            }
+        }
+        all
+    }
 }
 
 impl Problem {
@@ -75,7 +105,7 @@ impl Problem {
         Ok(rows)
     }
 
-    /// Derivatives of all curves, and how they were found.
+    /// Derivatives of all curves; how they were found is noted.
     fn slopes(
         &self,
         computed: &[Computed],
@@ -85,54 +115,49 @@ impl Problem {
         let values = self.values(coordinates);
         let tests = self.fitted_tests();
         let wanted = self.options.jacobian;
-        let refused: Vec<Option<String>> = tests
-            .iter()
-            .map(|k| match wanted {
-                FitJacobian::Differences => Some("requested".to_owned()),
-                _ => needs_differences(&self.tests[*k]).map(str::to_owned),
-            })
-            .collect();
-        let mut found = self.run_derivatives(computed, &values, &refused, goes_on)?;
-        let differenced: Vec<usize> =
-            (0..tests.len()).filter(|place| refused[*place].is_some()).collect();
-        found.0.extend(self.difference_slopes(computed, coordinates, &differenced, goes_on)?);
-        let mut reasons: Vec<String> = refused.into_iter().flatten().collect();
-        reasons.extend(found.1.iter().filter_map(|means| match means {
-            Means::Exact => None,
-            Means::Differences { why } => Some(why.clone()),
-        }));
-        reasons.dedup();
-        if let (FitJacobian::Exact, Some(why)) = (wanted, reasons.first()) {
+        let mut found = RunDerivatives::default();
+        for (place, k) in tests.iter().enumerate() {
+            let why = match wanted {
+                FitJacobian::Differences => Some("requested"),
+                _ => needs_differences(&self.tests[*k]),
+            };
+            found.without.extend(why.map(|why| (place, why.to_owned())));
+        }
+        self.run_derivatives(&mut found, computed, &values, goes_on)?;
+        if let (FitJacobian::Exact, Some(why)) = (wanted, found.reasons().first()) {
             return Err(Stop::failed(AnalysisCode::NoDerivative, why));
         }
-        let words = match (&reasons[..], wanted) {
+        let words = match (&found.reasons()[..], wanted) {
             ([], _) => "exact".to_owned(),
             (_, FitJacobian::Differences) => "central differences of runs".to_owned(),
             (reasons, _) => format!("central differences of runs ({})", reasons.join("; ")),
         };
-        let mut latest = self.found.lock().unwrap_or_else(PoisonError::into_inner);
-        *latest = Derivation { words, one_sided: found.2 };
-        drop(latest);
-        found.0.extend(self.offset_slopes(computed, &values));
-        Ok(found.0)
+        let RunDerivatives { mut slopes, without, one_sided, .. } = found;
+        *self.found.lock().unwrap_or_else(PoisonError::into_inner) =
+            Derivation { words, one_sided };
+        let places: Vec<usize> = without.into_iter().map(|(place, _)| place).collect();
+        slopes.extend(self.difference_slopes(computed, coordinates, &places, goes_on)?);
+        slopes.extend(self.offset_slopes(computed, &values));
+        Ok(slopes)
     }
 
-    /// Derivatives of the curves of those tests that need no differences, from their runs; how, and what holds on one side alone.
+    /// Derivatives of the curves of those tests that need no differences, from their runs. Where a run has none after all, and differences
+    /// are allowed, they are to be differences.
     fn run_derivatives(
         &self,
+        found: &mut RunDerivatives,
         computed: &[Computed],
         values: &[f64],
-        refused: &[Option<String>],
         goes_on: GoesOn<'_>,
-    ) -> Result<(Vec<Slope>, Vec<Means>, Vec<String>), Stop> {
+    ) -> Result<(), Stop> {
         let tests = self.fitted_tests();
         let free = self.free_places();
         // Differences that a run needs after all use the threads that other tests leave.
         let threads = if tests.len() == 1 { self.workers.count() } else { 1 };
         let varies = |place: &usize| {
-            let test = &self.tests[tests[*place]];
-            refused[*place].is_none()
-                && test.fields.iter().any(|(k, _)| !self.adjustables[*k].fixed)
+            let fields = &self.tests[tests[*place]].fields;
+            let known = !found.without.iter().any(|(other, _)| other == place);
+            known && fields.iter().any(|(k, _)| !self.adjustables[*k].fixed)
         };
         let places: Vec<usize> = (0..tests.len()).filter(varies).collect();
         let one = |place: &usize| {
@@ -140,24 +165,31 @@ impl Problem {
                 return Err(Stop::Interrupted);
             }
             let test = &self.tests[tests[*place]];
-            self.run_slopes(test, &computed[*place], values, threads).map(|found| (*place, found))
+            self.run_slopes(test, &computed[*place], values, threads)
         };
-        let found: Vec<(usize, RunSlopes)> =
-            self.workers.install(|| places.par_iter().map(one).collect::<Result<_, Stop>>())?;
-        let (mut slopes, mut means, mut one_sided) = (Vec::new(), Vec::new(), Vec::new());
-        for (place, RunSlopes { by, means: how, one_sided: notes }) in found {
+        let all: Vec<Result<RunSlopes, Stop>> =
+            self.workers.install(|| places.par_iter().map(one).collect());
+        for (place, one) in places.into_iter().zip(all) {
+            let RunSlopes { by, means, one_sided } = match one {
+                Ok(one) => one,
+                Err(Stop::Failed(why)) if self.options.jacobian == FitJacobian::Auto => {
+                    found.without.push((place, why));
+                    continue;
+                }
+                Err(stop) => return Err(stop),
+            };
             for (k, mut values_by) in by {
                 let rate = self.adjustables[k].rate(values[k]);
                 values_by.iter_mut().flatten().for_each(|x| *x *= rate);
                 let column = free.iter().position(|one| *one == k);
-                slopes.extend(
-                    column.map(|column| Slope { place: [column, place], values: values_by }),
-                );
+                let slope =
+                    column.map(|column| Slope { place: [column, place], values: values_by });
+                found.slopes.extend(slope);
             }
-            means.push(how);
-            one_sided.extend(notes);
+            found.means.push(means);
+            found.one_sided.extend(one_sided);
         }
-        Ok((slopes, means, one_sided))
+        Ok(())
     }
 
     /// Derivatives by offsets: a later start moves a curve to the right.

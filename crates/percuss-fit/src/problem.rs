@@ -25,6 +25,7 @@ pub struct Problem {
     pub(crate) options: FitOptions,
     /// Parameters and offsets, fixed ones included, shape (parameters).
     pub(crate) adjustables: Vec<Adjustable>,
+    /// Tests, those that are held out included, shape (tests).
     pub(crate) tests: Vec<Test>,
     /// The scenario without what differs in tests.
     pub(crate) base: Scenario,

@@ -40,7 +40,9 @@ pub struct Minimum {
 /// The problem as the optimiser sees it.
 struct Descent<'p> {
     problem: &'p Problem,
+    /// Smallest coordinates, shape (free parameters) \[-\].
     lower: Vec<f64>,
+    /// Largest coordinates, shape (free parameters) \[-\].
     upper: Vec<f64>,
     goes_on: GoesOn<'p>,
     /// The latest runs and their point: derivatives are wanted where residuals were.

@@ -103,7 +103,8 @@ impl Scenario {
         let name = self.source.name.as_str();
         let changes: Vec<String> = changes.iter().map(|(p, v)| format!("{p}={v}")).collect();
         let text = apply_overrides(&self.source.text, name, &changes)?;
-        read(&text, name)
+        let given = std::sync::Arc::clone(&self.given);
+        Ok(Self { given, ..read(&text, name)? })
     }
 
     /// The scenario as one text that names no other files: as it was read where it names none, else with their values and

@@ -1,6 +1,8 @@
 //! What speaks against a result is told.
 
-use crate::common::{FIT, SCENARIO, desk, fitted, parameter, problem, record};
+use std::fmt::Write;
+
+use crate::common::{FIT, Noise, SCENARIO, desk, fitted, history, parameter, problem, put, record};
 
 fn kinds(fit: &percuss_fit::Fit) -> Vec<&'static str> {
     fit.doubts.iter().map(|doubt| doubt.kind.name()).collect()
@@ -85,4 +87,57 @@ fn a_profile_has_its_least_cost_at_the_minimum() {
         );
     }
     assert!(problem.profile(&fit, "nothing", 4, &|| true).expect("no runs").is_none());
+}
+
+/// A ball on the floor: its restitution moves every later impact, so that the cost of a late part of the record has many minima.
+const BALL: &str = r#"
+[projectile.ball]
+kind = "rigid"
+contact = "surface"
+mass = 1
+radius = "1 cm"
+position = [0, "51 cm"]
+velocity = [0, 0]
+restitution = 0.8
+strikes = "floor"
+[obstacle.floor]
+kind = "half-plane"
+point = [0, 0]
+normal = [0, 1]
+[load.weight]
+kind = "gravity"
+acceleration = [0, -9.81]
+[time]
+end = "2 s"
+step = "5 ms"
+"#;
+
+#[test]
+fn many_minima_are_told_with_the_starting_points_that_reach_the_best() {
+    let run = history(BALL);
+    let (time, height) = (run.column("time"), run.column("projectile.ball.position_2"));
+    let (time, height) = (time.expect("times"), height.expect("heights"));
+    let mut noise = Noise::new(3);
+    let mut text = "t [s],y [m]\n".to_owned();
+    for k in 0..40 {
+        let t = 1.2 + 0.02 * f64::from(k);
+        let next = time.partition_point(|row| *row <= t).clamp(1, time.len() - 1);
+        let share = (t - time[next - 1]) / (time[next] - time[next - 1]);
+        let y = height[next - 1] + share * (height[next] - height[next - 1]);
+        writeln!(text, "{t:?},{:?}", y + 0.1 * noise.next()).expect("a String");
+    }
+    let desk = tempfile::tempdir().expect("a folder");
+    put(desk.path(), "ball.toml", BALL);
+    put(desk.path(), "ball.csv", &text);
+    let fit = "base = \"ball.toml\"\n[fit]\nstarts = 12\n[parameter.e]\npath = \"projectile.ball.restitution\"\nstart = 0.7\n\
+               bounds = [0.5, 0.97]\n[test.late]\ndata = \"ball.csv\"\ntime = \"t\"\n[test.late.channel.y]\n\
+               column = \"projectile.ball.position_2\"\nsigma = \"10 cm\"\n";
+    let fit = fitted(desk.path(), fit).expect("a fit");
+    // SciPy finds 0.8018 with a cost of 17.22, and 0.742 with 23.48.
+    assert!((parameter(&fit, "e").value - 0.8018).abs() < 2e-3, "{}", parameter(&fit, "e").value);
+    let doubt = fit.doubts.iter().find(|doubt| doubt.kind.name() == "minima").expect("minima");
+    assert!(doubt.text.contains("of 12 starting points reach the best minimum"), "{}", doubt.text);
+    // One starting point far from it finds another, and cannot know.
+    let costs: Vec<f64> = fit.minima.iter().map(|one| one.cost).collect();
+    assert!(costs.iter().any(|cost| *cost > 1.2 * fit.cost), "{costs:?}");
 }

@@ -4,6 +4,7 @@
 //! scenario to say.
 
 mod content;
+mod dimension;
 mod record;
 
 use std::collections::BTreeSet;
@@ -28,6 +29,7 @@ use crate::study::Given;
 use crate::table::Part;
 use crate::units;
 use crate::write::Writer;
+use dimension::dimension;
 
 /// A file of a fit that has been read, with the faults found so far.
 #[derive(Clone, Debug)]
@@ -159,14 +161,6 @@ impl Given {
                 expected,
             )),
         }
-    }
-}
-
-/// Dimension of an SI unit as channels spell it.
-fn dimension(unit: &str) -> units::Dimension {
-    match unit {
-        "" | "1" => units::Dimension::default(),
-        _ => units::parse(&format!("1 {unit}")).map(|one| one.dimension).unwrap_or_default(),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::dimension;
+use super::dimension::dimension;
 use crate::csv::cells;
 use crate::header::{parts, value};
 use crate::measure;
