@@ -7,10 +7,7 @@ from collections.abc import Callable, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any, NamedTuple, Union
 
-import numpy as np
-
 from . import _percuss
-from ._columns import nearest
 from ._errors import AnalysisError, InputError, coded
 from ._load import Scenarios, changes_of, scenario_of
 from ._plot import pyplot
@@ -26,16 +23,16 @@ Quantity = Union[str, Callable[[Result], float]]
 
 
 class Convergence(NamedTuple):
-    """A quantity under refinement of the step, or of the mesh.
+    """A quantity under refinement of the step, of the mesh, of the fibres, or of all of them.
 
     Attributes
     ----------
     refined : str
-        ``step`` or ``mesh``.
+        ``step``, ``mesh``, ``fibres`` or ``together``.
     quantity : str
         What was looked at.
     factors : tuple of int
-        How many times finer than given: 1, 2, 4.
+        How many times finer than given: 1, 2, 4, 8.
     values : tuple of float
         The quantity there [its SI unit]; a largest magnitude with the sign that the finest run gives.
     order : float or None
@@ -52,7 +49,7 @@ class Convergence(NamedTuple):
     --------
     >>> found = percuss.converge("plank.toml", "contact.bag.peak_force.value", refine=["step"])
     >>> found["step"].factors, round(found["step"].order, 1), round(found["step"].limit)
-    ((1, 2, 4), 2.0, 2561)
+    ((1, 2, 4, 8), 2.0, 2561)
     """
 
     refined: str
@@ -180,22 +177,24 @@ def converge(
     scenario: Scenarios,
     quantity: Quantity | None = None,
     refine: Sequence[str] = ("step", "mesh"),
-    levels: int = 3,
+    levels: int = 4,
     progress: bool | None = None,
     **overrides: Any,
 ) -> Convergences:
-    """Repeats a run with halved steps and with doubled meshes: observed order, limit, error of the given settings.
+    """Repeats a run with halved steps, doubled meshes and doubled fibres: observed order, limit, error of the given settings.
+
+    ``percuss converge`` computes the same, with as many levels: orders are those of the three finest of them.
 
     Parameters
     ----------
     scenario : str, path, mapping or Scenario
         What is run.
     quantity : str or callable, optional
-        Name of a column, of which the largest magnitude over time is taken; a path in the summary, such as
-        ``"contact.mass.peak_force.value"``; or a function of the :class:`Result`. By default the largest displacement of the
-        point that moves most.
+        A path in the summary, such as ``"contact.mass.peak_force.value"``; name of a column, of which the value of largest
+        magnitude in the rows of the history is taken; or a function of the :class:`Result`. By default the largest displacement
+        of the point that moves most.
     refine : sequence of str
-        ``"step"``, ``"mesh"`` or both.
+        ``"step"``, ``"mesh"``, ``"fibres"`` (where sections yield) or ``"together"``; of a function of the result the first two.
     levels : int
         Runs of each, 3 or more: an order needs three values.
     progress : bool, optional
@@ -206,12 +205,12 @@ def converge(
     Returns
     -------
     Convergences
-        By ``"step"`` and ``"mesh"``.
+        By what is refined.
 
     Raises
     ------
     InputError
-        If ``levels`` are fewer than 3, or the scenario chooses its steps itself (``time.accuracy``).
+        If ``levels`` are fewer than 3, the scenario chooses its steps itself (``time.accuracy``), or the finest runs would cost too much.
     ValueError
         If ``refine`` names something else, or no quantity is given and no point recorded.
     KeyError
@@ -229,31 +228,48 @@ def converge(
     """
     if levels < 3:
         raise coded(InputError, f"levels={levels}: expected 3 or more, an order needs three values", "E311")
-    unknown = [word for word in refine if word not in ("step", "mesh")]
-    if unknown:
-        raise ValueError(f'refine: {unknown[0]!r}, expected "step" or "mesh"')
+    known = ("step", "mesh") if callable(quantity) else ("step", "mesh", "fibres", "together")
+    unknown = [word for word in refine if word not in known]
+    if isinstance(refine, str) or unknown:
+        found = refine if isinstance(refine, str) else unknown[0]
+        raise ValueError(f"refine: {found!r}, expected a list of {', '.join(known)}")
     given = scenario_of(scenario)
+    if callable(quantity):
+        return _of_function(given, quantity, refine, levels, progress, overrides)
+    with Progress(progress, 1, "runs", "converge") as bar:
+        source = given._source(changes_of(overrides))
+        name, sequences = _percuss.converged(source, quantity, list(refine), levels, bar.to)
+    out = Convergences()
+    for word, values, order, limit, uncertainty in sequences:
+        factors = tuple(2**k for k in range(len(values)))
+        out[word] = Convergence(word, name, factors, tuple(values), order, limit, values[0] - limit, uncertainty)
+    return out
+
+
+def _of_function(
+    given: Scenario,
+    quantity: Callable[[Result], float],
+    refine: Sequence[str],
+    levels: int,
+    progress: bool | None,
+    overrides: dict[str, Any],
+) -> Convergences:
+    """The same of a function of the result, which only Python can call."""
     base = Scenario(_written(given, overrides), given.name)
     base._given = given._source(changes_of(overrides))[3]
     if "step" in refine and "time.accuracy" in base:
         text = "time.accuracy chooses steps as it goes, and what is halved here is one that is given: give a time.step"
         raise coded(InputError, text, "E311")
     factors = tuple(2**k for k in range(levels))
-    runs = 1 + len(refine) * (levels - 1)
-    with Progress(progress, runs, "runs", "converge") as bar:
-        first = _completed(base)
-        what = quantity or _most_moved(first)
-        out = Convergences()
+    out = Convergences()
+    with Progress(progress, 1 + len(refine) * (levels - 1), "runs", "converge") as bar:
+        first = float(quantity(_completed(base)))
         for n, word in enumerate(refine):
-            values = [_value(first, what)]
+            values = [first]
             for k, factor in enumerate(factors[1:]):
-                values.append(_value(_completed(_finer(base, word, factor)), what))
+                values.append(float(quantity(_completed(_finer(base, word, factor)))))
                 bar.to(2 + n * (levels - 1) + k)
-            name = what if isinstance(what, str) else getattr(what, "__name__", "quantity")
-            # One home for orders and limits: `percuss converge` prints the same.
-            if _is_largest(first, what):
-                # Which direction wins may change from level to level, and is chance.
-                values = [math.copysign(value, values[-1]) for value in values]
+            name = getattr(quantity, "__name__", "quantity")
             order, limit, uncertainty = _percuss.extrapolated(values)
             out[word] = Convergence(word, name, factors, tuple(values), order, limit, values[0] - limit, uncertainty)
     return out
@@ -285,34 +301,3 @@ def _finer(base: Scenario, word: str, factor: int) -> Scenario:
         if "element_length" in beam:
             fine[f"beam.{name}.element_length"] = beam["element_length"] / factor
     return fine
-
-
-def _value(result: Result, what: Quantity) -> float:
-    if callable(what):
-        return float(what(result))
-    if what in result:
-        column = result[what]
-        return float(column[np.abs(column).argmax()])
-    found: Any = result.summary
-    rest = what
-    while rest and isinstance(found, dict):
-        # Names of points have dots in them.
-        fit = [key for key in found if rest == key or rest.startswith(f"{key}.")]
-        if not fit:
-            break
-        key = max(fit, key=len)
-        found, rest = found[key], rest[len(key) + 1 :]
-    if rest or not isinstance(found, (int, float)):
-        raise KeyError(f"{what!r} is neither a column nor a number of the summary{nearest(what, result.columns)}")
-    return float(found)
-
-
-def _is_largest(result: Result, what: Quantity) -> bool:
-    return isinstance(what, str) and (what in result or "_max." in what)
-
-
-def _most_moved(result: Result) -> str:
-    names = [n for n in result.columns if n.startswith("point.") and ".displacement_" in n]
-    if not names:
-        raise ValueError('no point is recorded: give a quantity, or record.points = ["beam.mid"]')
-    return max(names, key=lambda name: float(np.abs(result[name]).max()))

@@ -1,12 +1,18 @@
 """Modes, equilibrium, convergence."""
 
+import json
 import math
+import subprocess
+import sysconfig
+from pathlib import Path
 
 import numpy as np
 import percuss
 import pytest
 
 from conftest import SCENARIOS
+
+COMMAND = Path(sysconfig.get_path("scripts")) / "percuss"
 
 
 def test_modes_of_a_clamped_beam_are_those_of_the_closed_form(elastic):
@@ -39,7 +45,7 @@ def test_halved_steps_show_the_order_of_the_scheme(elastic):
         return float(result["projectile.mass.position_2"][-1])
 
     found = percuss.converge(elastic, place, refine=["step"], time__step="2e-4 s", time__end="60 ms")["step"]
-    assert found.factors == (1, 2, 4) and found.order == pytest.approx(2.0, abs=0.05)
+    assert found.factors == (1, 2, 4, 8) and found.order == pytest.approx(2.0, abs=0.05)
     assert abs(found.values[-1] - found.limit) < abs(found.values[0] - found.limit)
 
 
@@ -53,6 +59,26 @@ def test_finer_meshes_and_paths_into_the_summary(elastic):
         percuss.converge(elastic, "contact.mass.peak", time__step="5e-4 s")
     with pytest.raises(ValueError, match="levels"):
         percuss.converge(elastic, levels=2)
+
+
+def test_orders_are_those_of_the_command(elastic, tmp_path):
+    elastic["time.step"] = "5e-4 s"
+    path = tmp_path / "elastic.toml"
+    elastic.save(path)
+    places = ["contact.mass.peak_force.value", "point.girder.mid.displacement_2"]
+    words = ["step", "mesh", "together"]
+    command = [COMMAND, "converge", str(path), "--json", "--quiet", "-r", places[0], "-r", places[1]]
+    told = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    # Rows lie at the same instants on all levels where a column is asked for, which these results do not depend on.
+    for place, printed in zip(places, told["results"]):
+        found = percuss.converge(elastic, place, refine=words)
+        for word in words:
+            assert list(found[word].values) == [abs(x) * np.sign(found[word].limit) for x in printed[word]["values"]]
+            assert found[word].order == printed[word]["order"]
+    default = percuss.converge(elastic)["step"]
+    assert default.quantity.startswith("point.girder.mid.displacement_max.")
+    with pytest.raises(ValueError, match="a list of"):
+        percuss.converge(elastic, refine="step")
 
 
 def test_every_scenario_of_the_project_loads_in_python():

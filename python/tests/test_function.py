@@ -160,3 +160,28 @@ def test_ctrl_c_ends_the_command_of_the_wheel(elastic, tmp_path):
     assert running.wait(30) == 130
     assert b"Traceback" not in running.stderr.read()
     assert (tmp_path / "runs" / "long" / "summary.json").exists()
+
+
+def test_columns_are_results_with_derivatives(study):
+    study["results"] = {
+        "force": {"column": "contact.mass.force", "at": ["5 ms", "7.5 ms"]},
+        "rise": {"column": "point.girder.mid.displacement_2", "max": [0, "20 ms"]},
+    }
+    f = percuss.function(study)
+    assert f.results == ("force[0]", "force[1]", "rise") and f.means is None
+    x = f.middle
+    values, jacobian = f(x), f.jacobian(x)
+    assert f.means == "exact"
+    for k in range(len(x)):
+        h = np.zeros_like(x)
+        h[k] = 1e-5 * x[k]
+        difference = (f(x + h) - f(x - h)) / (2 * h[k])
+        assert difference == pytest.approx(jacobian[:, k], rel=1e-4, abs=1e-5 * np.abs(values / x[k]).max())
+
+
+def test_derivatives_that_are_not_exact_are_differences_and_say_so(study):
+    study["results"] = {"moment": {"column": "section.girder.mid.moment", "at": "5 ms"}}
+    f = percuss.function(study)
+    jacobian = f.jacobian(f.middle)
+    assert f.means.startswith("differences: ") and "section.girder.mid.moment" in f.means
+    assert np.isfinite(jacobian).all() and jacobian.any()

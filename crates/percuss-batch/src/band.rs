@@ -5,7 +5,7 @@
 
 use percuss::internals::linalg::block::{Block, apply, less_applied, mul, sub_mul};
 use percuss::internals::linalg::gauss_jordan;
-use percuss::internals::scalar::Number;
+use percuss::internals::scalar::{Number, array};
 
 /// A block-tridiagonal matrix, or its factors.
 #[derive(Clone, Debug)]
@@ -65,15 +65,15 @@ impl<S: Number> Band<S> {
         let Some(first) = x.first() else { return };
         let mut carried = *first;
         // Values that pass from one row to the next stay in registers.
-        x[0] = apply(&self.diag[0], &carried);
+        x[0] = factor_applied(&self.diag[0], &carried);
         for i in 1..x.len() {
-            carried = less_applied(x[i], &self.lower[i - 1], &carried);
-            x[i] = apply(&self.diag[i], &carried);
+            carried = less_factor_applied(x[i], &self.lower[i - 1], &carried);
+            x[i] = factor_applied(&self.diag[i], &carried);
         }
         let last = x.len() - 1;
         carried = x[last];
         for i in (0..last).rev() {
-            carried = less_applied(x[i], &self.upper[i], &carried);
+            carried = less_factor_applied(x[i], &self.upper[i], &carried);
             x[i] = carried;
         }
     }
@@ -92,4 +92,30 @@ impl<S: Number> Band<S> {
             }
         }
     }
+}
+
+/// `a x` for a block of the factors, which has no derivatives.
+#[inline(always)]
+fn factor_applied<S: Number>(a: &Block<S>, x: &[S; 4]) -> [S; 4] {
+    if !S::DERIVES {
+        return apply(a, x);
+    }
+    array(|i| {
+        let [a0, a1, a2, a3] = a[i];
+        x[0] * a0.lane(0) + x[1] * a1.lane(0) + x[2] * a2.lane(0) + x[3] * a3.lane(0)
+    })
+}
+
+/// `x - a y`, likewise.
+#[inline(always)]
+fn less_factor_applied<S: Number>(mut x: [S; 4], a: &Block<S>, y: &[S; 4]) -> [S; 4] {
+    if !S::DERIVES {
+        return less_applied(x, a, y);
+    }
+    for k in 0..4 {
+        for i in 0..4 {
+            x[i] = x[i] - y[k] * a[i][k].lane(0);
+        }
+    }
+    x
 }

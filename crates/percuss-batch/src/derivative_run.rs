@@ -16,6 +16,7 @@ use super::newton::LaneNewton;
 use super::numbers::Numbers;
 use super::rigid_log::RigidLog;
 use super::run_progress::{RunProgress, scales};
+use super::value_solver::{SolvesValues, value_solver};
 use percuss::Model;
 use percuss::internals::contact::impact::gives_energy;
 use percuss::internals::run::decider::{IMPACT_INTERVAL, Negligible, RunScales};
@@ -38,7 +39,10 @@ pub struct DerivativeRun<'a> {
     pub engine: Engine<Derived>,
     pub ledger: LaneLedger<Derived>,
     pub log: Log<Derived>,
+    /// Corrections and factorisations of the run.
     pub search: LaneNewton<Derived>,
+    /// Solver of the values of a step, and of the factors for its derivatives.
+    values: Box<dyn SolvesValues<Derived>>,
     /// Time and contacts of the run, from its values without derivatives.
     pub progress: RunProgress,
     /// Rigid projectiles, shape (rigid contacts) \[index of a projectile\].
@@ -63,8 +67,7 @@ impl<'a> DerivativeRun<'a> {
     ) -> Self {
         let mut engine = Engine::new(numbers);
         engine.apply_loads();
-        let mut search = LaneNewton::idle(engine.h);
-        search.set_run(0, true);
+        let (values, search) = (value_solver(&engine.numbers), LaneNewton::idle(engine.h));
         let (ledger, log) = (LaneLedger::open(&engine), Log::new(&engine));
         let rigid: Vec<usize> = rigid_guides(&engine.numbers).collect();
         let restitution = |k: &usize| engine.numbers.guides[*k].restitution.value;
@@ -81,6 +84,7 @@ impl<'a> DerivativeRun<'a> {
             ledger,
             log,
             search,
+            values,
             progress,
             rigid,
             offset,
@@ -234,11 +238,13 @@ impl<'a> DerivativeRun<'a> {
         self.progress.solver_steps += 1;
         self.engine.h = h;
         self.engine.constraints.impulsive = self.progress.is_impact();
-        self.engine.solve(&self.ledger, &mut self.search);
-        match self.search.failed {
-            true => Err(self.horizon("where the step has to be cut".into())),
-            false => Ok(()),
+        if !self.values.solve(&mut self.engine, &self.ledger) {
+            return Err(self.horizon("where the step has to be cut".into()));
         }
+        self.engine.follow();
+        let effort = self.values.effort().map(|count| h.constant(count));
+        [self.search.iterations, self.search.factorizations] = effort;
+        Ok(())
     }
 
     /// Horizon if an impulse would increase the energy: Moreau's law replaces the law of the contact there.

@@ -40,6 +40,7 @@ mod sections;
 mod sensitivity;
 mod shape;
 mod summary;
+mod value_solver;
 mod yield_log;
 
 /// Version and a hash of the sources of this crate, as [`percuss::BUILD`] is of those that it builds on.

@@ -71,9 +71,6 @@ impl<S: Number> Engine<S> {
             (assemble, seen) = (false, false);
         }
         search.failed = search.failed | search.seeking;
-        if S::DERIVES {
-            self.follow();
-        }
     }
 
     /// Ends the iteration of lanes for which the last correction is predicted to leave a negligible residual. Only contact forces, since contacts
@@ -81,7 +78,7 @@ impl<S: Number> Engine<S> {
     /// balances, and do not change while other lanes iterate: a run is independent of the other lanes.
     #[inline(always)]
     fn end_ahead(&mut self, search: &mut LaneNewton<S>, took: S::Mask, momentum: S, reach: S) {
-        if S::DERIVES || !(took & search.foreseen).any() {
+        if !(took & search.foreseen).any() {
             return;
         }
         // This uses the factors of the correction and comes before the evaluation of contacts.
@@ -120,12 +117,17 @@ impl<S: Number> Engine<S> {
         search.renewed(self.h);
     }
 
-    /// Derivatives follow the values with the tangent at the solution: one linear step, or several with rigid joints.
-    fn follow(&mut self) {
+    /// Factors the tangent at the solution of the step.
+    pub fn renew_at_solution(&mut self, search: &mut LaneNewton<S>) {
         self.evaluate::<true>();
-        self.factor();
-        std::mem::swap(&mut self.factors, &mut self.tangent);
-        self.guides.iter_mut().for_each(|g| g.factored = g.assembled);
+        search.renew = search.live;
+        self.renew(search);
+    }
+
+    /// Derivatives follow the values of the solution with the factors of the tangent there, which have no derivatives: one linear step, or several
+    /// with rigid joints. The unbalanced forces vanish, so that those of the factors would have no effect.
+    pub fn follow(&mut self) {
+        self.evaluate::<false>();
         let all = !self.settled;
         self.factor_constraints(all);
         self.forget_answer();

@@ -256,15 +256,15 @@ pub struct Converge {
     /// Scenario file, or - for standard input
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
-    /// Number of the summary, such as contact.mass.peak_force.value; repeatable [default: peaks, velocities at the end,
-    /// impulses, largest section forces]
+    /// Number of the summary, such as contact.mass.peak_force.value, or column of the history, of which the value of largest
+    /// magnitude is taken; repeatable [default: peaks, velocities at the end, impulses, largest section forces]
     #[arg(long, short, value_name = "PATH")]
     pub result: Vec<String>,
     /// Accuracy for which the cheapest settings are sought, such as "1 %" or 0.01
     #[arg(long, value_name = "SHARE", value_parser = accuracy)]
     pub accuracy: Option<f64>,
     /// Refinement levels; each halves the step or doubles the elements
-    #[arg(long, value_name = "N", default_value = "4", value_parser = clap::value_parser!(u8).range(3..=8))]
+    #[arg(long, value_name = "N", default_value_t = percuss_study::Ladder::LEVELS as u8, value_parser = clap::value_parser!(u8).range(3..=8))]
     pub levels: u8,
     /// Change a value of the scenario, such as beam.girder.elements=20; repeatable
     #[arg(long, value_name = "PATH=VALUE")]

@@ -3,6 +3,7 @@
 
 mod analyses;
 mod command;
+mod converge;
 mod directory;
 mod edit;
 mod error;
@@ -28,6 +29,8 @@ mod _percuss {
     use super::analyses::{modes, statics};
     #[pymodule_export]
     use super::command::command;
+    #[pymodule_export]
+    use super::converge::converged;
     #[pymodule_export]
     use super::edit::{remove, set};
     #[pymodule_export]

@@ -335,6 +335,53 @@ step = 2e-4
         }
     }
 
+    /// A result each for the times of a column, with derivatives; those without exact ones are differenced, and the answer says so.
+    #[test]
+    fn columns_are_results_with_derivatives() {
+        let of = |results: &str| {
+            let head = STUDY.split("[results]").next().expect("a study");
+            let text = format!("{head}[results]\n{results}");
+            Study::from_toml(&text, "study.toml").unwrap_or_else(|faults| panic!("{faults}"))
+        };
+        let column = "{ column = \"contact.p.force\", at = [\"5 ms\", \"7.3 ms\"] }";
+        let study = of(&format!("F = {column}\nexit = \"projectile.p.velocity_final[1]\""));
+        let names: Vec<&str> = study.results().iter().map(|r| r.name.as_str()).collect();
+        assert_eq!(names, ["F[0]", "F[1]", "exit"]);
+        assert_eq!(study.results()[0].path.unit(), "N");
+        let again = Study::from_toml(&study.to_toml(), "study.toml").expect("the same study");
+        assert_eq!(again.fingerprint(), study.fingerprint());
+        let at = [12.0, 90.0];
+        let found = study.function().expect("numbers").jacobian(&at).expect("derivatives");
+        assert_eq!(found.means, Means::Exact);
+        let run = study.function().expect("numbers").values(&[at.to_vec()]);
+        assert_eq!(run[0].as_ref(), Ok(&found.values));
+
+        let moment = "M = { column = \"section.b.end.moment\", max = [0, \"20 ms\"] }\n";
+        let both = of(&format!("{moment}F = {column}\nexit = \"projectile.p.velocity_final[1]\""));
+        let mixed = both.function().expect("numbers").jacobian(&at).expect("derivatives");
+        let Means::Differences { why } = &mixed.means else { panic!("{:?}", mixed.means) };
+        assert!(why.contains("section.b.end.moment"), "{why}");
+        assert_eq!(mixed.derivatives[1..], found.derivatives[..], "exact where they are known");
+        assert!(mixed.derivatives[0].iter().all(|slope| slope.is_finite()));
+    }
+
+    #[test]
+    fn faults_of_column_results_name_their_place() {
+        let refused = |results: &str| {
+            let head = STUDY.split("[results]").next().expect("a study");
+            let text = format!("{head}[results]\n{results}");
+            Study::from_toml(&text, "study.toml").expect_err("a fault").to_string()
+        };
+        let unknown = refused("F = { column = \"contact.p.forces\", at = 0.01 }");
+        assert!(unknown.contains("contact.p.force"), "{unknown}");
+        let both = refused("F = { column = \"contact.p.force\", at = 0.01, max = [0, 0.01] }");
+        assert!(both.contains("one of the two"), "{both}");
+        let window = refused("F = { column = \"contact.p.force\", max = [0.02, 0.01] }");
+        assert!(window.contains("its start, then its end"), "{window}");
+        let nothing = refused("F = { column = \"contact.p.force\" }");
+        assert!(nothing.contains("no time"), "{nothing}");
+    }
+
     #[test]
     fn points_outside_a_study_are_refused() {
         let study = study();

@@ -98,13 +98,12 @@ impl<S: Number> LaneNewton<S> {
         self.convergence = ConvergenceMonitor::new(energy);
         (self.seeking, self.failed) = (self.live, no);
         if !self.by_parts {
-            // Derivatives need the tangent at the solution in any case.
-            let steady = if S::DERIVES { no } else { h.equals(self.size) };
+            let steady = h.equals(self.size);
             self.ahead = S::choose(steady, h.constant(1.0), h.constant(0.0));
         }
         let before = std::mem::replace(&mut self.size, h);
         self.served += h.constant(1.0);
-        let due = if S::DERIVES { !no } else { self.service.at_most(self.served) };
+        let due = self.service.at_most(self.served);
         self.renew = self.live & (due | !self.fits(h));
         let most = h.constant(if self.by_parts { MOST_SERVICE_APART } else { MOST_SERVICE });
         let longer = self.service + h.constant(1.0);

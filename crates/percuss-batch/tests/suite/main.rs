@@ -1,5 +1,6 @@
 //! All integration tests of the crate in one program: linking one for each file takes gigabytes and minutes.
 
+mod columns;
 #[path = "../../../percuss/tests/suite/common/mod.rs"]
 mod common;
 mod crushing;

@@ -17,6 +17,7 @@ pub fn run(arguments: &Converge) -> Result<Status, Failure> {
     interrupt::end_between_steps();
     let ladder = Ladder {
         results: arguments.result.clone(),
+        refine: Vec::new(),
         levels: usize::from(arguments.levels),
         accuracy: arguments.accuracy,
     };

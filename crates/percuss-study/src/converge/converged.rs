@@ -74,6 +74,14 @@ impl From<Diagnostics> for ConvergeError {
     }
 }
 
+impl Sequence {
+    /// Values as they are compared, coarsest first: what is largest in magnitude has the sign of the limit, shape (levels)
+    /// \[unit of the result\].
+    pub fn compared(&self) -> &[f64] {
+        &self.compared
+    }
+}
+
 impl Converged {
     /// Why there is no limit, in words.
     pub(super) fn unknown(&self) -> &str {

@@ -5,6 +5,7 @@ mod cheapest;
 mod converged;
 mod meaning;
 mod results;
+mod run;
 mod rungs;
 mod sequence;
 
@@ -12,24 +13,34 @@ pub use cheapest::Cheapest;
 pub use converged::{ConvergeError, Converged, Refined, Sequence};
 pub use sequence::{Extrapolation, extrapolate};
 
-use percuss::{Fault, Flow, Model, Recorder, RunSummary, Settings, Simulation, Termination};
+use percuss::{Fault, Model, RunSummary, Settings, Simulation, Termination};
 use percuss_codes::AnalysisCode;
-use percuss_output::{SummaryPath, pick};
 use percuss_scenario::Scenario;
 
+use crate::columns::columns_of;
+
 use meaning::Meaning;
-use results::{compared, paths};
+use results::{Looked, compared, pick_all, results};
+use run::Ear;
 use rungs::{Rung, Rungs};
 
 /// What to look at, and how far.
 #[derive(Clone, Debug)]
 pub struct Ladder {
-    /// Paths in the summary; the usual results if there are none, shape (paths).
+    /// Paths in the summary, or columns of the history, of which the value of largest magnitude is taken; the usual results if there are none,
+    /// shape (results).
     pub results: Vec<String>,
+    /// What is refined; everything if nothing is named, shape (refinements).
+    pub refine: Vec<Refined>,
     /// Levels, each twice as fine as the one before, the given settings first; three at least.
     pub levels: usize,
     /// Relative accuracy for which the cheapest settings are wanted.
     pub accuracy: Option<f64>,
+}
+
+impl Ladder {
+    /// Levels if no number is given: with one level more than an order needs, limits of neighbouring levels can be compared.
+    pub const LEVELS: usize = 4;
 }
 
 /// How the results of a scenario converge.
@@ -45,19 +56,6 @@ pub struct Convergence {
     pub results: Vec<Converged>,
     /// The cheapest settings for the accuracy wanted, if one is.
     pub cheapest: Option<Cheapest>,
-}
-
-/// Listens for the wish to stop, and records nothing.
-struct Ear<'a>(&'a dyn Fn() -> bool);
-
-impl Recorder for Ear<'_> {
-    fn wants_rows(&self) -> bool {
-        false
-    }
-
-    fn progress(&mut self, _time: f64) -> Flow {
-        if (self.0)() { Flow::Continue } else { Flow::Stop }
-    }
 }
 
 /// Runs a scenario, then with halved steps, doubled meshes and, where sections yield, doubled fibres, level after level: each alone, and all
@@ -82,12 +80,17 @@ pub fn converge(
         let why = "`time.accuracy` chooses steps as it goes, and what is halved here is one that is given: give a `time.step`";
         return Err(ConvergeError::Refused(why.into()));
     }
-    let rungs = Rungs::of(scenario, base, settings, ladder.levels)?;
+    let rungs = Rungs::of(scenario, base, settings, ladder.levels)?.only(&ladder.refine);
     tell(0, rungs.runs());
-    let first = completed(base, settings, goes_on)?;
-    let rungs = rungs.after(&first);
-    let paths = paths(scenario, &ladder.results, &first)?;
-    let given = pick(&paths, &first);
+    let channels = columns_of(&compiled)
+        .map_err(|faults| ConvergeError::Faults(scenario.diagnostics(faults)))?;
+    let columns: Vec<&str> = ladder.results.iter().map(String::as_str).collect();
+    let columns: Vec<&str> =
+        columns.into_iter().filter(|name| channels.iter().any(|c| c.name == *name)).collect();
+    let (first, largest) = completed(base, settings, &columns, goes_on)?;
+    let rungs = rungs.after(&first).only(&ladder.refine);
+    let paths = results(scenario, &ladder.results, &first, &channels)?;
+    let given = pick_all(&paths, &first, &largest);
     let mut done = 0;
     let mut climb = |all: &[Rung]| -> Result<Vec<Vec<f64>>, ConvergeError> {
         let mut values = vec![given.clone()];
@@ -95,8 +98,13 @@ pub fn converge(
             done += 1;
             tell(done, rungs.runs());
             let model = rung.model(scenario)?;
-            let finer = Settings { step: settings.step / f64::from(rung.step), ..*settings };
-            values.push(pick(&paths, &completed(&model, &finer, goes_on)?));
+            // Columns are compared in rows at the same instants.
+            let rows = if columns.is_empty() { 1 } else { rung.step as usize };
+            let record_every = settings.record_every * rows;
+            let step = settings.step / f64::from(rung.step);
+            let finer = Settings { step, record_every, ..*settings };
+            let (summary, largest) = completed(&model, &finer, &columns, goes_on)?;
+            values.push(pick_all(&paths, &summary, &largest));
         }
         Ok(values)
     };
@@ -109,7 +117,7 @@ pub fn converge(
         .enumerate()
         .map(|(k, path)| {
             let of = |runs: &Vec<Vec<f64>>| runs.iter().map(|run| run[k]).collect();
-            let meaning = Meaning { path: path.path(), model: base, summary: &first };
+            let meaning = Meaning { path: &path.name, model: base, summary: &first };
             converged(path, &meaning, alone.each_ref().map(of), of(&together))
         })
         .collect();
@@ -123,7 +131,7 @@ pub fn converge(
 
 /// A result from its values on finer steps, meshes and fibres, and on all of them at once.
 fn converged(
-    path: &SummaryPath,
+    path: &Looked,
     meaning: &Meaning<'_>,
     [step, mesh, fibres]: [Vec<f64>; 3],
     together: Vec<f64>,
@@ -145,15 +153,17 @@ fn converged(
         true => (f64::NAN, f64::NAN),
         false => (together.found.limit, together.found.uncertainty),
     };
-    let (path, unit) = (path.path().into(), path.unit().into());
+    let (path, unit) = (path.name.clone(), path.unit.into());
     Converged { path, unit, value, limit, uncertainty, step, mesh, fibres, together }
 }
 
+/// The summary of a run that completes, and the values of largest magnitude of columns, shape (columns) \[unit of the column\].
 fn completed(
     model: &Model,
     settings: &Settings,
+    columns: &[&str],
     goes_on: &dyn Fn() -> bool,
-) -> Result<RunSummary, ConvergeError> {
+) -> Result<(RunSummary, Vec<f64>), ConvergeError> {
     if !goes_on() {
         return Err(ConvergeError::Interrupted);
     }
@@ -161,9 +171,10 @@ fn completed(
         let texts: Vec<String> = faults.iter().map(ToString::to_string).collect();
         ConvergeError::Refused(texts.join("; "))
     };
-    let summary = Simulation::new(model, settings).map_err(told)?.run(&mut Ear(goes_on));
+    let mut ear = Ear::new(goes_on, columns);
+    let summary = Simulation::new(model, settings).map_err(told)?.run(&mut ear);
     match &summary.termination {
-        Termination::Completed => Ok(summary),
+        Termination::Completed => Ok((summary, ear.largest)),
         Termination::Interrupted { .. } => Err(ConvergeError::Interrupted),
         Termination::Failed(error) => {
             let (step, elements) = (settings.step, model.element_count());

@@ -1,6 +1,6 @@
 //! What is looked at while step and mesh are refined.
 
-use percuss::{Fault, RunSummary};
+use percuss::{Channel, Fault, RunSummary};
 use percuss_output::{SummaryPath, pick, summary_paths};
 use percuss_scenario::Scenario;
 
@@ -22,13 +22,28 @@ const USUAL: [&str; 11] = [
     ".rotation",
 ];
 
+/// A result: a number of the summary, or the value of largest magnitude of a column.
+pub(super) struct Looked {
+    /// Path in the summary, or name of the column.
+    pub name: String,
+    pub unit: &'static str,
+    /// The path; none of a column.
+    path: Option<SummaryPath>,
+}
+
 /// The results asked for, or the usual ones.
-pub(super) fn paths(
+pub(super) fn results(
     scenario: &Scenario,
     wanted: &[String],
     summary: &RunSummary,
-) -> Result<Vec<SummaryPath>, ConvergeError> {
+    channels: &[Channel],
+) -> Result<Vec<Looked>, ConvergeError> {
     let mut faults = Vec::new();
+    let of_summary = |path: SummaryPath| Looked {
+        name: path.path().into(),
+        unit: path.unit(),
+        path: Some(path),
+    };
     let mut find = |path: &str| match result(path, summary) {
         Ok(path) => Some(path),
         Err((found, expected)) => {
@@ -36,7 +51,7 @@ pub(super) fn paths(
             None
         }
     };
-    let found: Vec<SummaryPath> = if wanted.is_empty() {
+    let found: Vec<Looked> = if wanted.is_empty() {
         let all = summary_paths(summary).into_iter().map(|one| one.path);
         // Which interval or hinge is the first may change with the mesh.
         let listed =
@@ -44,9 +59,14 @@ pub(super) fn paths(
         let usual = |path: &String| USUAL.iter().any(|end| path.ends_with(end)) && !listed(path);
         let all = all.filter(usual).filter_map(|path| find(&path));
         // What is zero but for round-off says nothing.
-        all.filter(|path| pick(std::slice::from_ref(path), summary)[0].abs() > 1e-12).collect()
+        let all = all.filter(|path| pick(std::slice::from_ref(path), summary)[0].abs() > 1e-12);
+        all.map(of_summary).collect()
     } else {
-        wanted.iter().filter_map(|path| find(path)).collect()
+        let one = |name: &String| match channels.iter().find(|channel| channel.name == *name) {
+            Some(channel) => Some(Looked { name: name.clone(), unit: channel.unit, path: None }),
+            None => find(name).map(of_summary),
+        };
+        wanted.iter().filter_map(one).collect()
     };
     if !faults.is_empty() {
         return Err(scenario.diagnostics(faults).into());
@@ -58,10 +78,21 @@ pub(super) fn paths(
     Ok(found)
 }
 
+/// The results of a run, from its summary and its columns, in their order, shape (results).
+pub(super) fn pick_all(all: &[Looked], summary: &RunSummary, columns: &[f64]) -> Vec<f64> {
+    let paths: Vec<SummaryPath> = all.iter().filter_map(|one| one.path.clone()).collect();
+    let (mut numbers, mut columns) = (pick(&paths, summary).into_iter(), columns.iter().copied());
+    let next = |one: &Looked| match one.path {
+        Some(_) => numbers.next(),
+        None => columns.next(),
+    };
+    all.iter().filter_map(next).collect()
+}
+
 /// Values as they are compared. What is largest in magnitude may be so in either direction, at two supports say, and which of them wins is
 /// chance: magnitudes are compared, with the sign that the finest run gives.
-pub(super) fn compared(path: &SummaryPath, values: &[f64], finest: f64) -> Vec<f64> {
-    match path.path().contains("_max.") {
+pub(super) fn compared(one: &Looked, values: &[f64], finest: f64) -> Vec<f64> {
+    match one.path.is_none() || one.name.contains("_max.") {
         true => values.iter().map(|value| value.abs().copysign(finest)).collect(),
         false => values.to_vec(),
     }

@@ -3,7 +3,7 @@
 use percuss::{Fault, Model, RunSummary, Section, Settings};
 use percuss_scenario::Scenario;
 
-use super::converged::ConvergeError;
+use super::converged::{ConvergeError, Refined};
 
 /// Products of steps and elements that one run may have; about a quarter of an hour.
 const MOST_WORK: f64 = 5e8;
@@ -94,6 +94,21 @@ impl Rungs {
         // One change tells no order; refined with step and mesh they count all the same.
         self.fibres = if alone.len() + 1 < LEAST_TOGETHER { Vec::new() } else { alone };
         self.settle_together(true);
+        self
+    }
+
+    /// Only those of the given refinements; all if there are none.
+    pub fn only(mut self, refine: &[Refined]) -> Self {
+        for (rungs, what) in [
+            (&mut self.step, Refined::Step),
+            (&mut self.mesh, Refined::Mesh),
+            (&mut self.fibres, Refined::Fibres),
+            (&mut self.together, Refined::Together),
+        ] {
+            if !refine.is_empty() && !refine.contains(&what) {
+                rungs.clear();
+            }
+        }
         self
     }
 

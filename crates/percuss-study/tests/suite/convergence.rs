@@ -7,7 +7,7 @@ const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/");
 
 fn ladder(results: &[&str], accuracy: Option<f64>) -> Ladder {
     let results = results.iter().map(ToString::to_string).collect();
-    Ladder { results, levels: 4, accuracy }
+    Ladder { results, refine: Vec::new(), levels: 4, accuracy }
 }
 
 fn of(file: &str, changes: &[&str], ladder: &Ladder) -> percuss_study::Convergence {

@@ -189,7 +189,7 @@ fn limits_lie_within_their_uncertainty() {
     for seed in 0..scenes {
         let scene = scene(seed);
         let scenario = read(&scene.text, "scene.toml").unwrap_or_else(|faults| panic!("{faults}"));
-        let ladder = Ladder { results: Vec::new(), levels: 4, accuracy: None };
+        let ladder = Ladder { results: Vec::new(), refine: Vec::new(), levels: 4, accuracy: None };
         let found = converge(&scenario, &ladder, &|| true, &|_, _| {});
         let found = found.unwrap_or_else(|why| panic!("{why:?}\n{}", scene.text));
         let results: Vec<_> = found.results.iter().filter(|one| !one.limit.is_nan()).collect();

@@ -99,7 +99,7 @@ fn units_of_what_yields_are_told() {
 fn convergence_looks_at_what_stays_and_not_at_numbered_hinges() {
     let text = BASE.replace("velocity = [0, 1]", "velocity = [0, 8]");
     let scenario = percuss_scenario::read(&text, "base").expect("sound");
-    let ladder = Ladder { results: Vec::new(), levels: 3, accuracy: None };
+    let ladder = Ladder { results: Vec::new(), refine: Vec::new(), levels: 3, accuracy: None };
     let found = converge(&scenario, &ladder, &|| true, &|_, _| {}).expect("levels");
     let paths: Vec<&str> = found.results.iter().map(|one| one.path.as_str()).collect();
     for wanted in ["plastic.b.permanent_set", "plastic.b.rotation"] {
