@@ -1,6 +1,7 @@
 //! From the file of a fit to its problem: paths found, values in SI units, records read, every fault told at once.
 
 mod numbers;
+mod offsets;
 mod records;
 
 use std::collections::BTreeMap;
@@ -12,18 +13,12 @@ use percuss_scenario::fit::{Alignment, FitContent, FitTest, Record};
 use percuss_scenario::{Diagnostics, FitFile, Named, Scenario, load_whole, read_whole};
 use percuss_study::Workers;
 
-use crate::align::{Origin, onset};
 use crate::channel::Test;
-use crate::curve::Curve;
 use crate::error::FitError;
-use crate::parameter::Adjustable;
 use crate::problem::Problem;
-use crate::run::{GoesOn, Share};
+use crate::run::GoesOn;
 use numbers::numbers;
-use records::{Read, record};
-
-/// Half the width of the bounds of a fitted offset, as a share of the run or of the record, whichever is shorter.
-const OFFSET: f64 = 0.1;
+use records::record;
 
 /// What a program hands over instead of naming it in the file.
 #[derive(Debug, Default)]
@@ -100,88 +95,6 @@ impl Problem {
         faults.extend(problem.enough(content));
         file.settle(faults)?;
         Ok(problem)
-    }
-
-    /// Chooses the offset of a test, and the times that are compared.
-    fn align(
-        &mut self,
-        k: usize,
-        read: &Read,
-        given: &FitTest,
-        faults: &mut Vec<Fault>,
-        goes_on: GoesOn<'_>,
-    ) -> Result<(), FitError> {
-        let values: Vec<f64> = self.adjustables.iter().map(|one| one.start).collect();
-        let test = &self.tests[k];
-        let (name, hold_out) = (test.name.clone(), test.hold_out);
-        let end = self.scenario(test, &values)?.compile()?.settings.end;
-        let by_onset = given.align == Alignment::Onset
-            || given.align == Alignment::Fit && (given.offset.is_none() || hold_out);
-        if by_onset {
-            let first = Curve { time: read.all.clone(), values: read.first.clone() };
-            let computed = self.compute(test, &values, Share::Whole, goes_on)?;
-            let computed = computed.curves.first();
-            let computed = computed.and_then(|curve| onset(curve, Origin::Computed));
-            let both = (onset(&first, Origin::Measured), computed);
-            let (Some(measured), Some(computed)) = both else {
-                let found = match both.0 {
-                    None => "a record whose first channel is constant",
-                    Some(_) => "a run at the starting values whose first channel is constant",
-                };
-                let expected =
-                    "a first channel that leaves its initial value, or `align = \"none\"`";
-                faults.push(Fault::new(format!("test.{name}.align"), found, expected));
-                return Ok(());
-            };
-            self.tests[k].onset = Some(measured);
-            self.tests[k].offset = measured - computed;
-        }
-        let mut earliest = self.tests[k].offset;
-        if given.align == Alignment::Fit && !hold_out {
-            let length = read.all.last().unwrap_or(&0.0) - read.all.first().unwrap_or(&0.0);
-            let room = OFFSET * length.min(end);
-            let start = self.tests[k].offset;
-            let bounds = given.offset_bounds.unwrap_or([start - room, start + room]);
-            if !(bounds[0] < bounds[1] && (bounds[0]..=bounds[1]).contains(&start)) {
-                let found =
-                    format!("bounds from {} to {} s around {start:.6e} s", bounds[0], bounds[1]);
-                let expected =
-                    "a smaller offset, then a larger one, with the first guess between them";
-                faults.push(Fault::new(format!("test.{name}.offset_bounds"), found, expected));
-            }
-            earliest = bounds[0];
-            self.tests[k].fitted_offset = Some(self.adjustables.len());
-            self.adjustables.push(Adjustable {
-                name: format!("{name}.offset"),
-                unit: "s".into(),
-                paths: Vec::new(),
-                start,
-                bounds,
-                logarithmic: false,
-                fixed: false,
-                prior: None,
-            });
-        }
-        let last = given.to.unwrap_or(f64::INFINITY).min(end + earliest);
-        let first = given.from.unwrap_or(f64::NEG_INFINITY);
-        let keep: Vec<usize> =
-            (0..read.all.len()).filter(|i| (first..=last).contains(&read.all[*i])).collect();
-        let test = &mut self.tests[k];
-        test.time = keep.iter().map(|i| read.all[*i]).collect();
-        for channel in &mut test.channels {
-            channel.measured = keep.iter().map(|i| channel.measured[*i]).collect();
-        }
-        if test.time.len() < 2 {
-            let found = format!(
-                "a record from {:.6e} to {:.6e} s, of which {} times lie within the run (from {earliest:.6e} s of the record, {end:.6e} s long)",
-                read.all[0],
-                read.all[read.all.len() - 1],
-                test.time.len()
-            );
-            let expected = "a record that overlaps the run: see `offset`, `align`, `from` and `to`, and `time.end` of the scenario";
-            faults.push(Fault::new(format!("test.{name}.data"), found, expected));
-        }
-        Ok(())
     }
 
     /// Whether there are values enough for the parameters.

@@ -180,3 +180,63 @@ pub fn is_fit(text: &str) -> bool {
     let (root, _) = DeTable::parse_recoverable(text);
     root.get_ref().get("fit").is_some()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FIT: &str = r#"
+title = "a drop"
+base = "drop.toml"
+[fit]
+loss = "huber"
+[parameter.k]
+path = "projectile.bag.stiffness"
+bounds = ["1 kN/m", 2e6]
+prior = { mean = "5 kN/m", deviation = 100 }
+[test.one]
+data = "one.csv"
+align = "fit"
+[test.one.channel.F]
+column = "contact.bag.force"
+sigma = "5 N"
+cfc = 600
+[test.two]
+data = "two.csv"
+offset = "3 ms"
+[test.two.channel.F]
+column = "contact.bag.force"
+[test.two.channel.a]
+column = "point.tip.acceleration_2"
+"#;
+
+    #[test]
+    fn a_fit_that_is_written_is_read_with_the_same_content() {
+        let read = |text: &str| {
+            let file = FitFile::read_with(text, "fit.toml", FileAccess::OwnFolder);
+            let file = file.unwrap_or_else(|faults| panic!("{faults}"));
+            file.settle(Vec::new()).unwrap_or_else(|faults| panic!("{faults}"));
+            file.content
+        };
+        let content = read(FIT);
+        let written = content.to_toml();
+        assert!(written.contains("[test.two.channel.a]"), "{written}");
+        assert_eq!(read(&written), content);
+        assert!(is_fit(FIT) && !crate::is_study(FIT));
+    }
+
+    #[test]
+    fn deviations_have_the_unit_of_their_channel() {
+        let given = |toml: &str| Given { toml: toml.into() };
+        assert_eq!(given("\"5 kN\"").in_unit("N"), Ok(5e3));
+        assert_eq!(given("0.02").in_unit("m"), Ok(0.02));
+        assert_eq!(given("\"3 kg*m/s\"").in_unit("N*s"), Ok(3.0));
+        let wrong = given("\"5 kN\"").in_unit("m");
+        assert!(
+            wrong.is_err_and(
+                |(found, expected)| found.contains("a force") && expected.contains("5 m")
+            )
+        );
+        assert!(given("\"much\"").in_unit("m").is_err());
+    }
+}
