@@ -4,7 +4,7 @@ use percuss_codes::AnalysisCode;
 
 use crate::covariance::{Covariance, covariance};
 use crate::doubts::{Doubt, Evidence, doubts};
-use crate::error::FitError;
+use crate::error::{FitError, Stop};
 use crate::goodness::{Goodness, goodness};
 use crate::loss::Loss;
 use crate::problem::{Computed, Problem};
@@ -141,7 +141,11 @@ impl Problem {
         let reduced = squares / freedom.max(1) as f64;
         let scale = if self.sigma_unknown { reduced } else { 1.0 };
         let channels = self.channels(&computed, scale, freedom);
-        let half = self.compute_all(&self.fitted_tests(), &values, Share::Half, goes_on);
+        let half = match self.compute_all(&self.fitted_tests(), &values, Share::Half, goes_on) {
+            Ok(half) => Some(self.residuals_of(&half, &values)),
+            Err(Stop::Failed(_)) => None,
+            Err(Stop::Interrupted) => return Err(FitError::Interrupted),
+        };
         let evidence = Evidence {
             problem: self,
             best: &best,
@@ -154,7 +158,7 @@ impl Problem {
             channels: &channels,
             residuals: &residuals,
             one_sided: &derivation.one_sided,
-            half: half.ok().map(|half| self.residuals_of(&half, &values)),
+            half,
         };
         let doubts = doubts(&evidence);
         let places = self.free_places();
