@@ -30,6 +30,7 @@ from ._errors import (
     ScenarioError,
     StudyError,
 )
+from ._fit import Fit, FitParameter, FitProfile, Measured, fit
 from ._function import Function, function
 from ._given import Potential
 from ._load import check, load
@@ -57,8 +58,12 @@ __all__ = [
     "FailedRunWarning",
     "Fault",
     "FileError",
+    "Fit",
+    "FitParameter",
+    "FitProfile",
     "Function",
     "InputError",
+    "Measured",
     "MissingError",
     "MissingRunError",
     "Modes",
@@ -77,6 +82,7 @@ __all__ = [
     "__version__",
     "check",
     "converge",
+    "fit",
     "function",
     "load",
     "modes",

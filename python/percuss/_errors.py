@@ -267,7 +267,7 @@ class StudyError(PercussError, RuntimeError):
 
 
 class PercussWarning(UserWarning):
-    """A warning: of the audit of a finished run, or one of the subclasses.
+    """A warning: of the audit of a finished run, of a fit, or one of the subclasses.
 
     Attributes
     ----------

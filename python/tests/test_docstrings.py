@@ -20,7 +20,7 @@ REACHED = (
     _plot.Plots, _fields.Fields, _scene.SceneBeam, _scene.Curve, _scene.Contact, _structure.Shapes, _structure.Beams, _view.TableView, _view.ListView,
 )  # fmt: skip
 """Classes that nobody imports, and everybody gets from a result or a scenario."""
-MADE = (percuss.Scenario, percuss.Potential, percuss.Function, percuss.Study)
+MADE = (percuss.Scenario, percuss.Potential, percuss.Function, percuss.Measured, percuss.Study)
 """Classes whose objects users make themselves."""
 CALLED = ("__call__", "__getitem__")
 """Special methods that do more than their names say."""

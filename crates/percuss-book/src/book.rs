@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use percuss_codes::Code;
-use percuss_scenario::{reference, study_reference};
+use percuss_scenario::{fit_reference, reference, study_reference};
 
 use crate::code_pages::{self, Provocations};
 use crate::desk::Desk;
@@ -64,6 +64,7 @@ pub fn build(of: &Sources) -> io::Result<Vec<String>> {
     let samples = samples(&of.repository)?;
     let mut pages = reference_pages("scenario", &reference(), &samples);
     pages.extend(reference_pages("study", &study_reference(), &samples));
+    pages.extend(reference_pages("fit", &fit_reference(), &samples));
     pages.push(code_pages::index());
     let provocations = Provocations::load(&docs.join("book/codes.toml"))?;
     for code in Code::all() {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use percuss_scenario::{BodyReference, Stands, TableReference, templates};
+use percuss_scenario::{BodyReference, Stands, TableReference, is_fit, is_study, templates};
 use toml_edit::{DocumentMut, Item, TableLike};
 
 /// A file whose lines may be shown.
@@ -41,7 +41,13 @@ pub struct Standing {
 /// A folder or file that cannot be read.
 pub fn samples(repository: &Path) -> io::Result<Vec<Sample>> {
     let mut paths = Vec::new();
-    for folder in ["scenarios", "scenarios/paper", "scenarios/studies", "docs/book/examples"] {
+    for folder in [
+        "scenarios",
+        "scenarios/paper",
+        "scenarios/studies",
+        "scenarios/fits",
+        "docs/book/examples",
+    ] {
         paths.extend(files(&repository.join(folder), "toml")?);
     }
     let named = |path: PathBuf| {
@@ -73,7 +79,14 @@ pub(crate) fn files(folder: &Path, extension: &str) -> io::Result<Vec<PathBuf>> 
 pub fn standings(sample: &Sample, format: &[TableReference]) -> Vec<Standing> {
     let Ok(document) = sample.text.parse::<DocumentMut>() else { return Vec::new() };
     let mut walk = Walk { sample, format, found: Vec::new() };
-    if let Some(file) = format.iter().find(|table| table.stands == Stands::File) {
+    let file = format.iter().find(|table| table.stands == Stands::File);
+    // Kinds of files share words for other things.
+    let meant = match is_fit(&sample.text) {
+        true => "FitContent",
+        false if is_study(&sample.text) => "StudyContent",
+        false => "Content",
+    };
+    if let Some(file) = file.filter(|file| file.name == meant) {
         walk.table(file, document.as_table(), "", String::new());
     }
     walk.found

@@ -10,8 +10,8 @@ use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use percuss_codes::Code;
 
 use self::closing::{
-    BEGIN, BOOK, COMPLETIONS, CONVERGE, EXIT_STATUS, EXPORT, MODES, SENSITIVITY, STATIC, SWEEP,
-    VERIFY,
+    BEGIN, BOOK, COMPLETIONS, CONVERGE, EXIT_STATUS, EXPORT, FIT, MODES, SENSITIVITY, STATIC,
+    SWEEP, VERIFY,
 };
 use crate::commands::explain::topic::{Topic, topic};
 use crate::coupling_arguments::{Completions, EVAL, Eval, Man, SERVE, Serve};
@@ -58,6 +58,9 @@ pub enum Command {
     /// Convergence study in step and mesh: observed orders, extrapolated limits with uncertainty, cheapest settings for an accuracy
     #[command(after_help = format!("{CONVERGE}\n\n{EXIT_STATUS}"))]
     Converge(Converge),
+    /// Find parameters of a scenario from measured curves, with standard errors and warnings
+    #[command(after_help = format!("{FIT}\n\n{EXIT_STATUS}"))]
+    Fit(FitArguments),
     /// Explain the code of a warning (W002) or an error (E006), or a table, key or word of scenario and study files; without a topic,
     /// list codes and tables
     Explain(Explain),
@@ -140,6 +143,26 @@ pub struct Sweep {
     pub quiet: bool,
 }
 
+/// Arguments of `fit`.
+#[derive(Args, Debug)]
+pub struct FitArguments {
+    /// File of the fit, with [fit], parameters and tests
+    #[arg(value_hint = ValueHint::FilePath)]
+    pub file: PathBuf,
+    /// Output directory; an earlier fit in it is replaced [default: runs/ and the name of FILE with -fit]
+    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
+    pub out: Option<PathBuf>,
+    /// Threads [default: one per core]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
+    pub jobs: Option<u32>,
+    /// Print fit.json to standard output instead of the report
+    #[arg(long)]
+    pub json: bool,
+    /// Print nothing unless something is wrong
+    #[arg(long, short)]
+    pub quiet: bool,
+}
+
 /// Every `of`-th part of something, from `part` on, counted from 1.
 #[derive(Clone, Copy, Debug)]
 pub struct Share {
@@ -181,6 +204,9 @@ pub struct Schema {
     /// Schema of study files instead of scenario files
     #[arg(long)]
     pub study: bool,
+    /// Schema of files of fits instead of scenario files
+    #[arg(long, conflicts_with = "study")]
+    pub fit: bool,
 }
 
 /// Arguments of `static`.

@@ -18,8 +18,13 @@ pub struct GoingOn {
 }
 
 impl GoingOn {
-    /// From now on; `stage` is what is done first. Where no thread can be had nothing is said.
+    /// Checks from now on; `stage` is what is done first. Where no thread can be had nothing is said.
     pub fn new(stage: &'static str) -> Self {
+        Self::of("checking", stage)
+    }
+
+    /// The same of other work, by its name.
+    pub fn of(work: &'static str, stage: &'static str) -> Self {
         let (end, ended) = channel::<()>();
         let shared = Arc::new(Mutex::new(stage));
         let seen = Arc::clone(&shared);
@@ -28,7 +33,7 @@ impl GoingOn {
             while ended.recv_timeout(wait) == Err(RecvTimeoutError::Timeout) {
                 let stage = *seen.lock().unwrap_or_else(PoisonError::into_inner);
                 let seconds = begun.elapsed().as_secs();
-                terminal::tell(&format!("still checking after {seconds} s: {stage}"));
+                terminal::tell(&format!("still {work} after {seconds} s: {stage}"));
                 wait = begun.elapsed();
             }
         };

@@ -49,6 +49,7 @@ pub fn command<T: Into<OsString> + Clone>(line: impl IntoIterator<Item = T>) -> 
         Command::Sweep(arguments) => commands::sweep::run(&arguments),
         Command::Sensitivity(arguments) => commands::sensitivity::run(&arguments),
         Command::Converge(arguments) => commands::converge::run(&arguments),
+        Command::Fit(arguments) => commands::fit::run(&arguments),
         Command::Explain(arguments) => commands::explain::run(&arguments),
         Command::Book(arguments) => commands::book::run(&arguments),
         Command::Schema(arguments) => commands::schema::run(&arguments),

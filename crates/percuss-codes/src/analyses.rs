@@ -68,5 +68,9 @@ catalogue! {
             "A part fails at the given load factor: fibres at their `failure_strain`, a spring or hinge at its failure extension, or a \
              joint at its `strength`. The remaining structure has no equilibrium at that factor. Reduce the load, strengthen the part, \
              or simulate the failure with `percuss run` and `start = \"reference\"`.";
+        /// Runs of a fit that lead to no minimum.
+        NoFit = "E116", "no fit",
+            "No starting point of a fit leads to a minimum: its run fails, or ends early. The message has the reason. Start from values with \
+             which `percuss run` completes, and narrow the bounds to such values.";
     }
 }

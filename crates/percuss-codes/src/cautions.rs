@@ -74,6 +74,11 @@ catalogue! {
         Changed = "W118", "file modified during the command",
             "A file that the command replaces was modified after percuss wrote it, or was created while the command ran. The new file \
              is in its place, and the other one is kept beside it as `NAME.changed-1`.";
+        /// Something that speaks against the result of a fit.
+        Fit = "W119", "questionable fit",
+            "Something speaks against the values found by a fit: residuals far above their standard deviation, parameters that the data \
+             cannot tell apart, several minima of similar cost, a parameter at its bound, an error of the step as large as that of the \
+             measurement, or correlated residuals. The message says which, and what would help. Standard errors may not hold.";
     }
 }
 

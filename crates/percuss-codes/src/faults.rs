@@ -83,10 +83,10 @@ catalogue! {
         Damping = "E020", "invalid damping",
             "Modal damping ratios are from 0 to below 1; the message names the valid values of other keys. A mechanism, a structure \
              whose parts move relative to each other without strain, has no modal damping.";
-        /// A study: its parameters, design or results.
-        Study = "E021", "invalid study",
-            "A study varies values of its base scenario by a sampling design, and selects results by paths into summary.json. The \
-             message names the key and the valid values.";
+        /// A study or a fit: its parameters, design, results or tests.
+        Study = "E021", "invalid study or fit",
+            "A study varies values of its base scenario by a sampling design, and selects results by paths into summary.json; a fit names \
+             parameters, and tests with their records. The message names the key and the valid values.";
         /// An equilibrium path or modes.
         Analysis = "E022", "invalid path or modes settings",
             "An equilibrium path needs a first load factor above zero, at least one point, and an end that is not zero; the number of \

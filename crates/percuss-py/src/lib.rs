@@ -8,6 +8,7 @@ mod directory;
 mod edit;
 mod error;
 mod fields;
+mod fit;
 mod function;
 mod given;
 mod open;
@@ -34,6 +35,8 @@ mod _percuss {
     use super::edit::{remove, set, steps};
     #[pymodule_export]
     use super::fields::{export, instant, scene_page, state, story};
+    #[pymodule_export]
+    use super::fit::{FitProblem, NativeFit};
     #[pymodule_export]
     use super::function::{
         function_jacobian, function_layout, function_places, function_points, function_values,

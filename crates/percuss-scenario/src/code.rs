@@ -21,7 +21,7 @@ pub(crate) fn of_path(path: &str) -> FaultCode {
         "initial" => FaultCode::Initial,
         "damping" => FaultCode::Damping,
         "path" | "modes" => FaultCode::Analysis,
-        "parameter" | "values" | "design" | "results" | "base" => FaultCode::Study,
+        "parameter" | "values" | "design" | "results" | "base" | "fit" | "test" => FaultCode::Study,
         _ => FaultCode::Setting,
     }
 }

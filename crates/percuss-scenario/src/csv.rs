@@ -146,7 +146,7 @@ fn shown(cell: &str) -> String {
 }
 
 /// Between semicolons, tabs, commas or blanks, the first of these that the line has.
-fn cells(line: &str) -> Vec<&str> {
+pub(crate) fn cells(line: &str) -> Vec<&str> {
     let separator = [';', '\t', ','].into_iter().find(|s| line.contains(*s));
     match separator {
         Some(separator) => line.split(separator).map(|c| c.trim().trim_matches('"')).collect(),

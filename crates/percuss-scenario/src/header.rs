@@ -72,7 +72,7 @@ impl Column {
 }
 
 /// Name and unit of a header: `time [ms]`, `time (ms)`, `time / ms`, `time in ms`, `time_ms`.
-fn parts(header: &str) -> (&str, Option<&str>) {
+pub(crate) fn parts(header: &str) -> (&str, Option<&str>) {
     let header = header.trim();
     for [open, close] in [["[", "]"], ["(", ")"]] {
         if let Some((name, rest)) = header.split_once(open)

@@ -25,6 +25,7 @@ mod csv;
 mod diagnostic;
 mod edit;
 mod files;
+pub mod fit;
 mod foreign;
 mod format;
 mod given;
@@ -67,13 +68,15 @@ pub use content::Content;
 pub use diagnostic::{Diagnostic, Diagnostics};
 pub use edit::Adds;
 pub use files::{FileAccess, read_bytes, read_in_time};
+pub use fit::{FitFile, fit_schema, is_fit};
 pub use given::Given;
 pub use layout::Stands;
 pub use overrides::{apply_changes, apply_overrides, known_steps, remove_value};
 pub use point::{Anchor, Point};
 pub use reading::{load, load_whole, load_with, read, read_whole, read_with};
 pub use reference::{
-    BodyReference, KeyReference, KindsReference, TableReference, reference, schema, study_reference,
+    BodyReference, KeyReference, KindsReference, TableReference, fit_reference, reference, schema,
+    study_reference,
 };
 pub use scenario::Scenario;
 pub use study::{StudyFile, is_study, study_schema};

@@ -1,6 +1,7 @@
 //! The reference of the file formats, from the declarations that also read them.
 
 use crate::content::Content;
+use crate::fit::FitContent;
 use serde_json::{Value as Json, json};
 
 use crate::layout::{Described, Inner, Key, Kinds, Layout, Stands, Variant};
@@ -78,6 +79,11 @@ pub fn reference() -> Vec<TableReference> {
 /// Every table of study files.
 pub fn study_reference() -> Vec<TableReference> {
     collect(StudyContent::layout(), "StudyContent")
+}
+
+/// Every table of files of fits.
+pub fn fit_reference() -> Vec<TableReference> {
+    collect(FitContent::layout(), "FitContent")
 }
 
 fn collect(file: Layout, name: &'static str) -> Vec<TableReference> {

@@ -311,7 +311,7 @@ impl<T: Declared> Written for Collection<T> {
     fn write(value: &Self::Value, key: &str, out: &mut Writer) {
         for one in value {
             out.header(key, Some(&one.name));
-            one.table.write(out);
+            out.inside(|out| one.table.write(out));
         }
     }
 

@@ -115,7 +115,8 @@ impl Scenario {
         let changes: Vec<(String, String)> =
             changes.iter().map(|(p, v)| ((*p).into(), (*v).into())).collect();
         let text = apply_changes(&self.source.text, [name, name], &changes, Adds::Fixed)?;
-        read(&text, name)
+        let given = std::sync::Arc::clone(&self.given);
+        Ok(Self { given, ..read(&text, name)? })
     }
 
     /// The scenario as one text that names no other files: as it was read where it names none, else with their values and

@@ -6,6 +6,10 @@ pub(crate) struct Writer {
     text: String,
     /// Header of the table begun; written with its first key.
     header: Option<String>,
+    /// Path of the latest header.
+    path: String,
+    /// Path of the table that headers stand in, with a dot behind it; empty at the root.
+    within: String,
     /// `key = value` one by one, for a table in braces, shape (keys).
     inline: Option<Vec<String>>,
 }
@@ -33,7 +37,16 @@ impl Writer {
     /// `[kind]` or `[kind.name]`.
     pub fn header(&mut self, kind: &str, name: Option<&str>) {
         let name = name.map(|n| format!(".{}", key(n))).unwrap_or_default();
-        self.header = Some(format!("{kind}{name}"));
+        self.path = format!("{}{kind}{name}", self.within);
+        self.header = Some(self.path.clone());
+    }
+
+    /// Writes what stands in the table of the latest header: headers within it begin with its path.
+    pub fn inside(&mut self, write: impl FnOnce(&mut Self)) {
+        let within = format!("{}.", self.path);
+        let outer = std::mem::replace(&mut self.within, within);
+        write(self);
+        self.within = outer;
     }
 
     /// The file, or the table in braces.

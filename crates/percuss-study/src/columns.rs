@@ -10,7 +10,7 @@ use crate::means::{Means, SHARE};
 use crate::sensitivity::{
     ExactColumns, OneSided, SensitivityError, beyond, exact_columns, unknown_derivatives,
 };
-use crate::sweep::pool;
+use crate::workers::Workers;
 
 /// Numbers taken from columns, and their derivatives.
 #[derive(Clone, Debug, PartialEq)]
@@ -132,7 +132,7 @@ fn differenced(
     let run = |one: &Option<&Compiled>| one.map(|one| values(scenario, one, samples)).transpose();
     let found: Vec<_> = match threads {
         1 => runs.iter().map(run).collect::<Result<_, _>>(),
-        _ => pool(threads)
+        _ => Workers::new(threads)
             .map_err(|error| SensitivityError::Refused(error.to_string()))?
             .install(|| runs.par_iter().map(run).collect::<Result<_, _>>()),
     }?;

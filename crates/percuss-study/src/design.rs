@@ -191,6 +191,12 @@ impl Design {
     }
 }
 
+/// Points of a Latin hypercube: shares from 0 to 1, shape (points, dimension) \[-\]; the same for the same seed.
+pub fn latin_hypercube(points: usize, dimension: usize, seed: u64) -> Vec<Vec<f64>> {
+    let design = Design::new(Kind::LatinHypercube, points as u64, dimension, seed);
+    (0..points as u64).map(|k| design.point(k)).collect()
+}
+
 /// The parts of each range, put in another order such that they are correlated: ranks follow those of Gaussian scores with the
 /// correlation L L'.
 ///

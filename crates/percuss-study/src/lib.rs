@@ -83,6 +83,7 @@ mod sensitivity;
 mod shard;
 mod study;
 mod sweep;
+mod workers;
 
 pub use column::{Column, Role, Table, Values};
 pub use columns::{ColumnJacobian, column_jacobian, column_values};
@@ -90,6 +91,7 @@ pub use converge::{
     Cheapest, ConvergeError, Converged, Convergence, Extrapolation, Ladder, Refined, Sequence,
     converge, extrapolate,
 };
+pub use design::latin_hypercube;
 pub use distribution::{Distribution, Gauss, Truncation};
 pub use error::Error;
 pub use folder::{Folder, KEPT, REPORT, RESULTS};
@@ -100,7 +102,7 @@ pub use merge::merge;
 pub use parameter::{Input, Parameter, Variation};
 pub use parquet::read_table;
 pub use percuss_batch::{ColumnSample, Taken};
-pub use prepare::Invalid;
+pub use prepare::{Invalid, in_one_line};
 pub use report::report;
 pub use result_path::{ColumnPath, ResultPath};
 pub use sensitivity::{
@@ -109,3 +111,4 @@ pub use sensitivity::{
 pub use shard::Shard;
 pub use study::{ResultColumn, Study};
 pub use sweep::{Done, Progress, sweep};
+pub use workers::Workers;

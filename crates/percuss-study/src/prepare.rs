@@ -150,7 +150,7 @@ fn with_words(study: &Study, inputs: &[Input<'_>]) -> Result<Scenario, String> {
 }
 
 /// Faults with their codes, without their places: the text they lie in is not the user's file.
-pub(crate) fn in_one_line(diagnostics: &Diagnostics) -> String {
+pub fn in_one_line(diagnostics: &Diagnostics) -> String {
     let one = |d: &percuss_scenario::Diagnostic| {
         let path = if d.path.is_empty() { String::new() } else { format!("{}: ", d.path) };
         Code::from(d.code).behind(format!("{path}found {}, expected {}", d.message, d.help))

@@ -8,10 +8,7 @@ use rayon::prelude::*;
 use crate::error::Error;
 use crate::folder::Folder;
 use crate::study::Study;
-
-/// Stack of a thread \[bytes\]: runs side by side lie on it, and programs that are not optimised keep every number in between. What is
-/// not used costs nothing.
-const STACK: usize = 64 << 20;
+use crate::workers::Workers;
 
 /// How far a sweep is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,20 +45,7 @@ pub fn sweep(
     jobs: usize,
     tell: &(dyn Fn(Progress) -> bool + Sync),
 ) -> Result<Done, Error> {
-    let pool = pool(jobs)?;
-    pool.install(|| in_pool(study, folder, wanted, tell))
-}
-
-/// Threads for runs, so many or, with 0, one for each core.
-///
-/// # Errors
-/// If none can be started.
-pub(crate) fn pool(jobs: usize) -> Result<rayon::ThreadPool, Error> {
-    let of = |jobs| rayon::ThreadPoolBuilder::new().num_threads(jobs).stack_size(STACK);
-    // Where so many threads are not to be had one is enough, and in the end this one.
-    let pool = of(jobs).build().or_else(|_| of(1).build());
-    let pool = pool.or_else(|_| of(1).use_current_thread().build());
-    pool.map_err(|e| Error::system(format!("no threads can be started: {e}")))
+    Workers::new(jobs)?.install(|| in_pool(study, folder, wanted, tell))
 }
 
 fn in_pool(

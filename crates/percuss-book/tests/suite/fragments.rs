@@ -4,7 +4,7 @@ use std::path::Path;
 
 use percuss::RunSummary;
 use percuss_book::{Fence, Part, authored, parts};
-use percuss_scenario::{Diagnostics, StudyFile, is_study, read};
+use percuss_scenario::{Diagnostics, FileAccess, FitFile, StudyFile, is_fit, is_study, read};
 
 use crate::repository;
 
@@ -25,7 +25,10 @@ fn blocks(language: &str) -> Vec<(String, Fence)> {
 fn faults(text: &str) -> Vec<String> {
     let told =
         |found: Diagnostics| -> Vec<String> { found.coded().lines().map(str::to_string).collect() };
-    let found = if is_study(text) || text.contains("[[correlation]]") {
+    let found = if is_fit(text) {
+        let fit = FitFile::read_with(text, "fit.toml", FileAccess::OwnFolder);
+        fit.and_then(|fit| fit.settle(Vec::new())).err().map(told)
+    } else if is_study(text) || text.contains("[[correlation]]") {
         StudyFile::read(text, "study.toml").err().map(told)
     } else {
         match read(text, "scenario.toml") {

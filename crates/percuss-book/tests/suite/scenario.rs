@@ -2,7 +2,8 @@
 
 use percuss_book::{missing_examples, reference_pages, samples};
 use percuss_scenario::{
-    BodyReference, StudyFile, TableReference, is_study, read, reference, study_reference,
+    BodyReference, FileAccess, FitFile, StudyFile, TableReference, fit_reference, is_fit, is_study,
+    read, reference, study_reference,
 };
 
 use crate::repository;
@@ -28,7 +29,8 @@ fn silent(body: &BodyReference, at: &str, found: &mut Vec<String>) {
 #[test]
 fn every_table_kind_and_key_says_what_it_means() {
     let mut found = Vec::new();
-    for TableReference { name, body, .. } in reference().iter().chain(&study_reference()) {
+    let others = [study_reference(), fit_reference()].concat();
+    for TableReference { name, body, .. } in reference().iter().chain(&others) {
         if body.about.trim().is_empty() {
             found.push((*name).to_string());
         }
@@ -42,6 +44,7 @@ fn every_key_stands_in_an_example() {
     let samples = samples(repository()).unwrap();
     let mut missing = missing_examples(&reference(), &samples);
     missing.extend(missing_examples(&study_reference(), &samples));
+    missing.extend(missing_examples(&fit_reference(), &samples));
     let wanted = "keys without an example; add them to a file in docs/book/examples";
     assert!(missing.is_empty(), "{wanted}:\n{}", missing.join("\n"));
 }
@@ -50,6 +53,12 @@ fn every_key_stands_in_an_example() {
 fn every_example_is_read_without_a_fault() {
     for sample in samples(repository()).unwrap() {
         let path = repository().join(&sample.name);
+        if is_fit(&sample.text) {
+            let name = path.display().to_string();
+            let fit = FitFile::read_with(&sample.text, &name, FileAccess::OwnFolder);
+            fit.and_then(|fit| fit.settle(Vec::new())).unwrap_or_else(|e| panic!("{e}"));
+            continue;
+        }
         if is_study(&sample.text) {
             let study = StudyFile::read(&sample.text, &path.display().to_string());
             study.and_then(|s| s.settle(Vec::new())).unwrap_or_else(|e| panic!("{e}"));

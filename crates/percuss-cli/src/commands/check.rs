@@ -34,6 +34,9 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
         }
         return study(arguments);
     }
+    if text.as_deref().is_ok_and(percuss_scenario::is_fit) {
+        return super::fit::check(&arguments.file);
+    }
     let going_on = GoingOn::new("the file and its model");
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     let name = scenario::name(&arguments.file);

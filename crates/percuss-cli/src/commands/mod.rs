@@ -8,6 +8,7 @@ pub mod converge;
 pub mod eval;
 pub mod explain;
 pub mod export;
+pub mod fit;
 pub mod man;
 pub mod modes;
 pub mod new;

@@ -4,11 +4,12 @@ use crate::arguments::Schema;
 use crate::outcome::{Failure, Status};
 use crate::terminal;
 
-/// Prints the JSON Schema of scenario files or of study files.
+/// Prints the JSON Schema of scenario files, of study files or of files of fits.
 pub fn run(arguments: &Schema) -> Result<Status, Failure> {
-    let schema = match arguments.study {
-        true => percuss_scenario::study_schema(),
-        false => percuss_scenario::schema(),
+    let schema = match (arguments.study, arguments.fit) {
+        (true, _) => percuss_scenario::study_schema(),
+        (_, true) => percuss_scenario::fit_schema(),
+        (false, false) => percuss_scenario::schema(),
     };
     terminal::print(&format!("{schema:#}\n"))?;
     Ok(Status::Done)

@@ -14,6 +14,7 @@ mod couplings;
 mod disk_faults;
 mod explain;
 mod export;
+mod fit;
 mod interrupt;
 mod links;
 mod long_tables;

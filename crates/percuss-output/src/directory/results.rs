@@ -13,6 +13,8 @@ pub enum Results {
     Path,
     /// Files of a run for another program.
     Export,
+    /// Parameters found from measurements.
+    Fit,
 }
 
 impl Results {
@@ -24,6 +26,7 @@ impl Results {
             Self::Static => "static",
             Self::Path => "path",
             Self::Export => "export",
+            Self::Fit => "fit",
         }
     }
 
@@ -35,6 +38,7 @@ impl Results {
             Self::Static => "a directory of a static equilibrium",
             Self::Path => "a directory of an equilibrium path",
             Self::Export => "a directory of exported files",
+            Self::Fit => "the directory of a fit",
         }
     }
 }

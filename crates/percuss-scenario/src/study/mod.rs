@@ -15,10 +15,12 @@ use percuss::Fault;
 use serde_json::{Value as Json, json};
 use toml::de::DeTable;
 
+pub(crate) use content::Spaced;
 pub use content::{
     Correlation, Design, Distribution, Parameter, Range, Sampling, Spacing, StudyContent,
 };
 pub use given::Given;
+pub(crate) use given::{Anything, Whole};
 pub use wanted::{ColumnResult, WantedResult};
 
 use crate::code::{FaultCode, of_path};
@@ -172,7 +174,7 @@ pub fn study_schema() -> Json {
     schema
 }
 
-/// Whether a text is meant to be a study and not a scenario: it names a base or parameters.
+/// Whether a text is meant to be a study and not a scenario or a fit: it names a base or parameters.
 pub fn is_study(text: &str) -> bool {
     const KEYS: [&str; 3] = ["base", "parameter", "design"];
     // Most scenarios are known by this, without being parsed; a key in quotes may be spelt with escapes.
@@ -181,5 +183,6 @@ pub fn is_study(text: &str) -> bool {
     }
     let (root, _) = DeTable::parse_recoverable(text);
     let root = root.get_ref();
-    KEYS.iter().any(|key| root.get(*key).is_some()) && root.get("beam").is_none()
+    let another = ["beam", "fit"].iter().any(|key| root.get(*key).is_some());
+    KEYS.iter().any(|key| root.get(*key).is_some()) && !another
 }

@@ -129,7 +129,7 @@ fn paths(table: &TableReference, key: &str) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use percuss_scenario::{reference, study_reference};
+    use percuss_scenario::{fit_reference, reference, study_reference};
 
     fn keys(table: &TableReference, body: &BodyReference, all: &mut Vec<String>) {
         all.extend(body.keys.iter().flat_map(|key| paths(table, key.name)));
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn every_table_key_and_kind_is_found() {
-        for format in [reference(), study_reference()] {
+        for format in [reference(), study_reference(), fit_reference()] {
             let mut all = Vec::new();
             for table in &format {
                 let places = table.places.iter().filter(|place| !place.is_empty());

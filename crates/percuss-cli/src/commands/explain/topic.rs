@@ -2,7 +2,7 @@
 
 use percuss_codes::{Code, Group};
 use percuss_scenario::content::SteelProfile;
-use percuss_scenario::{Stands, TableReference, reference, study_reference};
+use percuss_scenario::{Stands, TableReference, fit_reference, reference, study_reference};
 
 use super::print::{self, paragraph, title};
 
@@ -27,7 +27,8 @@ pub fn topic(name: &str) -> Result<Topic, String> {
         let text = print::text(&reference(), "section.profile", "").unwrap_or_default();
         return Ok(Topic { text });
     }
-    let formats = [(reference(), ""), (study_reference(), " of a study")];
+    let formats =
+        [(reference(), ""), (study_reference(), " of a study"), (fit_reference(), " of a fit")];
     let texts = formats.iter().filter_map(|(format, of)| print::text(format, name, of));
     match texts.collect::<Vec<_>>().join("\n") {
         text if text.is_empty() => {
@@ -46,6 +47,7 @@ pub fn list() -> String {
     let mut all: Vec<String> = Code::groups().iter().map(of_group).collect();
     all.push(of_format("Tables of scenario files", &reference()));
     all.push(of_format("Tables of study files", &study_reference()));
+    all.push(of_format("Tables of files of fits", &fit_reference()));
     all.join("\n")
 }
 

@@ -1,0 +1,87 @@
+//! `percuss fit`.
+
+use std::path::Path;
+
+use percuss_codes::Caution;
+use percuss_fit::{Fit, FitError, Problem, Supplied, fit_text, fit_value, write_fit};
+use percuss_output::{Extent, Results};
+use percuss_scenario::FitFile;
+
+use crate::arguments::FitArguments;
+use crate::going_on::GoingOn;
+use crate::interrupt;
+use crate::number::count;
+use crate::outcome::{Failure, Status};
+use crate::{scenario, terminal};
+
+/// Finds parameters of a scenario from measured curves.
+pub fn run(arguments: &FitArguments) -> Result<Status, Failure> {
+    let file = FitFile::load_with(&arguments.file, scenario::access())?;
+    let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, "-fit"));
+    let directory = interrupt::directory(Results::Fit, &out)?;
+    let jobs = arguments.jobs.map_or(0, |jobs| jobs as usize);
+    let fit = match found(&file, jobs, arguments.quiet) {
+        Ok(fit) => fit,
+        Err(error) => return refused(error),
+    };
+    write_fit(directory.path(), &fit)
+        .map_err(|(path, error)| Failure::system(&path, "write", &error))?;
+    interrupt::commit(directory, Extent::Complete)?;
+    if arguments.json {
+        terminal::print(&format!("{:#}\n", fit_value(&fit)))?;
+    } else if !arguments.quiet {
+        terminal::print(&fit_text(&Fit { doubts: Vec::new(), ..fit.clone() }))?;
+        terminal::tell(&format!("results  {}", out.display()));
+    }
+    fit.doubts.iter().for_each(|doubt| terminal::warning(Caution::Fit, &doubt.text));
+    Ok(if fit.success { Status::Done } else { Status::GaveUp })
+}
+
+/// Validates the file of a fit, and prints what it contains. Tests that are aligned by their onset are run once.
+pub fn check(path: &Path) -> Result<Status, Failure> {
+    let file = FitFile::load_with(path, scenario::access())?;
+    let goes_on = || true;
+    match Problem::new(&file, &Supplied::default(), 0, &goes_on) {
+        Ok(problem) => {
+            let (free, values) = (problem.free().count(), problem.residual_count());
+            let counts = [count(free, "free parameter"), count(file.content.test.len(), "test")];
+            let text = format!(
+                "{}: no errors; {}, {}\n",
+                scenario::name(path),
+                counts.join(", "),
+                count(values, "residual")
+            );
+            terminal::print(&text)?;
+            Ok(Status::Done)
+        }
+        Err(error) => refused(error),
+    }
+}
+
+/// Tells why there is no fit.
+fn refused(error: FitError) -> Result<Status, Failure> {
+    match error {
+        FitError::Faults(faults) => Err(Failure::Faults { faults, changed: false }),
+        FitError::Run(code, why) => {
+            terminal::error(code, &why);
+            Ok(Status::GaveUp)
+        }
+        FitError::Interrupted => {
+            terminal::warning(Caution::Interrupted, "interrupted; nothing is written");
+            Ok(Status::Interrupted)
+        }
+        FitError::System(error) => Err(error.into()),
+    }
+}
+
+fn found(file: &FitFile, jobs: usize, quiet: bool) -> Result<Fit, FitError> {
+    interrupt::end_between_steps();
+    let goes_on = || !interrupt::requested();
+    let saying = (!quiet).then(|| GoingOn::of("fitting", "runs at the starting values"));
+    let stage = |stage| saying.iter().for_each(|one| one.stage(stage));
+    let problem = Problem::new(file, &Supplied::default(), jobs, &goes_on)?;
+    stage("minima from the starting points");
+    let minima = problem.minima(&goes_on)?;
+    stage("runs for the diagnosis");
+    problem.diagnose(minima, &goes_on)
+}

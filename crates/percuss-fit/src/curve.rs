@@ -1,0 +1,117 @@
+//! Curves over time: interpolated, filtered, differentiated.
+
+use percuss_output::shock::{Cfc, ShockError, Signal, filtered};
+
+/// An even sampling has at most so many samples a row.
+const SAMPLES_A_ROW: f64 = 8.0;
+/// Steps that differ by less than this share are equal.
+const EQUAL: f64 = 1e-6;
+
+/// A curve over time.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Curve {
+    /// Times, not decreasing, shape (n_row) \[s\].
+    pub time: Vec<f64>,
+    /// Values, shape (n_row) \[unit of the channel\].
+    pub values: Vec<f64>,
+}
+
+impl Curve {
+    /// The value at a time, linear between rows; before the first and behind the last row that of the row.
+    pub fn at(&self, time: f64) -> f64 {
+        let next = self.time.partition_point(|t| *t <= time);
+        let last = self.time.len().saturating_sub(1);
+        if next == 0 {
+            return self.values.first().copied().unwrap_or(f64::NAN);
+        }
+        if next > last {
+            return self.values[last];
+        }
+        let (from, to) = (self.time[next - 1], self.time[next]);
+        let share = (time - from) / (to - from);
+        self.values[next - 1] + share * (self.values[next] - self.values[next - 1])
+    }
+
+    /// The derivative of [`Curve::at`] by time; at a row, the one behind it.
+    pub fn rate(&self, time: f64) -> f64 {
+        let next = self.time.partition_point(|t| *t <= time);
+        if next == 0 || next >= self.time.len() {
+            return 0.0;
+        }
+        let step = self.time[next] - self.time[next - 1];
+        (self.values[next] - self.values[next - 1]) / step
+    }
+
+    /// Median distance of rows \[s\], not much below their mean one.
+    fn spacing(&self) -> f64 {
+        let mut steps: Vec<f64> = self.time.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        steps.retain(|step| *step > 0.0);
+        steps.sort_by(f64::total_cmp);
+        let mean = self.length() / steps.len().max(1) as f64;
+        steps.get(steps.len() / 2).map_or(1.0, |median| median.max(mean / SAMPLES_A_ROW))
+    }
+
+    fn length(&self) -> f64 {
+        match self.time[..] {
+            [first, .., last] => last - first,
+            _ => 0.0,
+        }
+    }
+
+    /// The curve in a channel frequency class, evenly sampled.
+    ///
+    /// # Errors
+    /// If its rows are too far apart for the class.
+    pub fn filtered(&self, class: Cfc) -> Result<Self, ShockError> {
+        let step = self.spacing();
+        let count = (self.length() / step).round().max(1.0) as usize;
+        let step = self.length() / count as f64;
+        let start = self.time.first().copied().unwrap_or(0.0);
+        let values = (0..=count).map(|k| self.at(start + step * k as f64)).collect();
+        let signal = filtered(&Signal { start, step, values, resampled: true }, class)?;
+        let even = (signal.step - step).abs() <= EQUAL * step;
+        debug_assert!(even, "a filter keeps the sampling");
+        Ok(Self { time: signal.times().collect(), values: signal.values })
+    }
+
+    /// The mean rate of change over each step, at the middle of it: an acceleration from a velocity.
+    ///
+    /// # Errors
+    /// As [`Signal::from_velocity`].
+    pub fn derivative(&self) -> Result<Self, ShockError> {
+        let signal = Signal::from_velocity(&self.time, &self.values)?;
+        Ok(Self { time: signal.times().collect(), values: signal.values })
+    }
+
+    /// Values at times of a record, which begins `offset` before the curve.
+    pub fn sampled(&self, times: &[f64], offset: f64) -> Vec<f64> {
+        times.iter().map(|t| self.at(t - offset)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_linear_between_rows_and_held_beyond() {
+        let curve = Curve { time: vec![0.0, 1.0, 1.0, 3.0], values: vec![1.0, 2.0, 4.0, 0.0] };
+        let found: Vec<f64> = [-1.0, 0.5, 1.0, 2.0, 5.0].map(|t| curve.at(t)).into();
+        assert_eq!(found, [1.0, 1.5, 4.0, 2.0, 0.0]);
+        assert_eq!(curve.sampled(&[2.5], 2.0), [1.5]);
+    }
+
+    #[test]
+    fn a_slow_curve_passes_a_filter_unchanged() {
+        let time: Vec<f64> = (0..2001).map(|k| 1e-4 * f64::from(k)).collect();
+        let wave = |t: &f64| (20.0 * t).sin();
+        let curve = Curve { values: time.iter().map(wave).collect(), time };
+        let out = curve.filtered(Cfc::Class60).expect("fine enough");
+        // 3 Hz in a class of 100 Hz: the amplitude is down by (3 / 125)^4.
+        let off = (out.at(0.1) - wave(&0.1)).abs();
+        assert!(off < 1e-6, "{off}");
+        let rate = curve.rate(0.1) - 20.0 * f64::cos(2.0);
+        // A difference over a row of 0.1 ms: half of that times the second derivative, 400.
+        assert!(rate.abs() < 0.03, "{rate}");
+    }
+}

@@ -1,0 +1,198 @@
+//! From the file of a fit to its problem: paths found, values in SI units, records read, every fault told at once.
+
+mod numbers;
+mod offsets;
+mod records;
+
+use std::collections::BTreeMap;
+use std::sync::Mutex;
+use std::sync::atomic::AtomicU64;
+
+use percuss::{Channel as HistoryColumn, Fault, MemoryRecorder, simulate};
+use percuss_scenario::fit::{Alignment, FitContent, FitTest, Record};
+use percuss_scenario::{Diagnostics, FitFile, Named, Scenario, load_whole, read_whole};
+use percuss_study::Workers;
+
+use crate::channel::Test;
+use crate::error::FitError;
+use crate::problem::Problem;
+use crate::run::GoesOn;
+use numbers::numbers;
+use records::record;
+
+/// What a program hands over instead of naming it in the file.
+#[derive(Debug, Default)]
+pub struct Supplied {
+    /// The scenario.
+    pub base: Option<Scenario>,
+    /// Scenarios of tests by the names of these.
+    pub scenarios: BTreeMap<String, Scenario>,
+    /// Records by the names of their tests.
+    pub records: BTreeMap<String, Record>,
+}
+
+impl Problem {
+    /// The problem of a file, whose runs use `jobs` threads, 0 for one a core. Makes a run of each test that is aligned by its onset.
+    ///
+    /// # Errors
+    /// Every fault of the file, its scenarios and records; a run that fails at the starting values; the wish to stop.
+    pub fn new(
+        file: &FitFile,
+        supplied: &Supplied,
+        jobs: usize,
+        goes_on: GoesOn<'_>,
+    ) -> Result<Self, FitError> {
+        let workers = Workers::new(jobs)?;
+        let base = base(file, supplied)?;
+        base.compile()?;
+        let mut faults = whole(&file.content);
+        let content = &file.content;
+        let scenarios = scenarios(&base, content, supplied, &mut faults)?;
+        let (adjustables, fields) = numbers(content, &scenarios, &mut faults);
+        let mut tests = Vec::new();
+        let mut reads = Vec::new();
+        for ((named, scenario), fields) in content.test.iter().zip(&scenarios).zip(fields) {
+            if file.is_tainted(&format!("test.{}.data", named.name)) {
+                continue;
+            }
+            let columns = columns(scenario)?;
+            let of = (named, columns.as_slice());
+            let found = record(file.folder(), of, supplied.records.get(&named.name), &mut faults);
+            let Some((read, channels)) = found else { continue };
+            let FitTest { align, offset, hold_out, .. } = named.table;
+            tests.push(Test {
+                name: named.name.clone(),
+                scenario: scenario.clone(),
+                fields,
+                time: read.time.clone(),
+                channels,
+                align,
+                offset: offset.unwrap_or(0.0),
+                fitted_offset: None,
+                onset: None,
+                hold_out,
+            });
+            reads.push(read);
+        }
+        let given = content.test.iter().flat_map(|test| &test.table.channel);
+        let sigma_unknown = given.clone().all(|channel| channel.table.sigma.is_none());
+        file.settle(faults)?;
+        let mut problem = Self {
+            title: content.title.clone(),
+            options: content.fit.clone(),
+            adjustables,
+            tests,
+            base,
+            sigma_unknown,
+            workers,
+            runs: AtomicU64::new(0),
+            found: Mutex::default(),
+        };
+        let mut faults = Vec::new();
+        for (k, read) in reads.iter().enumerate() {
+            problem.align(k, read, &content.test[k].table, &mut faults, goes_on)?;
+        }
+        faults.extend(problem.enough(content));
+        file.settle(faults)?;
+        Ok(problem)
+    }
+
+    /// Whether there are values enough for the parameters.
+    fn enough(&self, content: &FitContent) -> Option<Fault> {
+        let (values, free) = (self.residual_count(), self.free().count());
+        if free == 0 {
+            let expected = "a parameter that is not fixed";
+            return Some(Fault::new("parameter", "no free parameter", expected));
+        }
+        let few = values < free && !content.test.is_empty();
+        few.then(|| {
+            let found = format!("{values} measured values for {free} parameters");
+            Fault::new("test", found, "as many measured values as parameters, or more")
+        })
+    }
+}
+
+/// What the file lacks as a whole.
+fn whole(content: &FitContent) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    if content.parameter.is_empty() && !content.test.iter().any(|t| t.table.align == Alignment::Fit)
+    {
+        faults.push(Fault::new("parameter", "no parameter", "at least one [parameter.NAME]"));
+    }
+    if !content.test.iter().any(|test| !test.table.hold_out) {
+        let found = if content.test.is_empty() { "no test" } else { "only tests with `hold_out`" };
+        faults.push(Fault::new("test", found, "at least one [test.NAME] that is fitted"));
+    }
+    if content.fit.loss_scale <= 0.0 {
+        let found = content.fit.loss_scale.to_string();
+        faults.push(Fault::new(
+            "fit.loss_scale",
+            found,
+            "a number of standard deviations above zero",
+        ));
+    }
+    faults
+}
+
+/// The scenario without what differs in tests.
+fn base(file: &FitFile, supplied: &Supplied) -> Result<Scenario, FitError> {
+    if let Some(scenario) = &supplied.base {
+        return Ok(scenario.clone());
+    }
+    let content = &file.content;
+    if let Some(text) = &content.scenario {
+        let name = format!("scenario in {}", file.name());
+        return Ok(read_whole(text, &name, file.access())?);
+    }
+    let example = "the path of a scenario, such as \"drop.toml\"";
+    let named = content.base.as_deref().filter(|path| !path.is_empty());
+    let named = named.filter(|_| !file.is_tainted("base"));
+    let Some(path) = named else {
+        file.settle(vec![Fault::new("base", "no `base`", example)])?;
+        return Err(Diagnostics::of_file(file.name(), "no scenario", example).into());
+    };
+    let full = file.folder().join(path);
+    if !full.is_file() {
+        let found = format!("{path:?}, where there is no file");
+        file.settle(vec![Fault::new("base", found, example)])?;
+    }
+    Ok(load_whole(full, file.access())?)
+}
+
+/// The scenario of each test.
+fn scenarios(
+    base: &Scenario,
+    content: &FitContent,
+    supplied: &Supplied,
+    faults: &mut Vec<Fault>,
+) -> Result<Vec<Scenario>, FitError> {
+    let mut all = Vec::new();
+    for Named { name, table } in &content.test {
+        let own = supplied.scenarios.get(name).unwrap_or(base);
+        let split = |change: &String| {
+            let (path, value) = change.split_once('=')?;
+            Some((path.trim().to_owned(), value.trim().to_owned()))
+        };
+        let changes: Vec<Option<(String, String)>> = table.set.iter().map(split).collect();
+        if changes.iter().any(Option::is_none) {
+            let expected = "changes such as \"projectile.bag.velocity[1]=-3\"";
+            faults.push(Fault::new(format!("test.{name}.set"), "a text without `=`", expected));
+        }
+        let changes: Vec<(String, String)> = changes.into_iter().flatten().collect();
+        let pairs: Vec<(&str, &str)> =
+            changes.iter().map(|(path, value)| (path.as_str(), value.as_str())).collect();
+        all.push(if pairs.is_empty() { own.clone() } else { own.anew(&pairs)? });
+    }
+    Ok(all)
+}
+
+/// Columns of the history of a scenario.
+fn columns(scenario: &Scenario) -> Result<Vec<HistoryColumn>, FitError> {
+    let compiled = scenario.compile()?;
+    let mut settings = compiled.settings;
+    settings.end = settings.step;
+    let mut recorder = MemoryRecorder::default();
+    simulate(&compiled.model, &settings, &mut recorder)
+        .map_err(|faults| scenario.diagnostics(faults))?;
+    Ok(recorder.channels)
+}

@@ -1,0 +1,140 @@
+//! Records of tests: their times, and their channels in SI units, filtered.
+
+use std::path::Path;
+
+use percuss::{Channel as HistoryColumn, Fault};
+use percuss_output::shock::Cfc;
+use percuss_scenario::fit::{FitChannel, FitTest, Record};
+use percuss_scenario::{Named, one_of};
+
+use crate::channel::{Channel, Column};
+use crate::curve::Curve;
+
+/// Share of the range of a channel that stands for its standard deviation while that is not known.
+const UNKNOWN: f64 = 0.01;
+
+/// A record as it was read.
+#[derive(Debug)]
+pub(super) struct Read {
+    /// Its times, shape (n_row) \[s\].
+    pub all: Vec<f64>,
+    /// The same, as they are compared at first, shape (n_row) \[s\].
+    pub time: Vec<f64>,
+    /// Values of its first channel, shape (n_row) \[unit of the channel\].
+    pub first: Vec<f64>,
+}
+
+/// Reads the record of a test; nothing where it has faults, which are told.
+pub(super) fn record(
+    folder: &Path,
+    (named, columns): (&Named<FitTest>, &[HistoryColumn]),
+    supplied: Option<&Record>,
+    faults: &mut Vec<Fault>,
+) -> Option<(Read, Vec<Channel>)> {
+    let Named { name, table } = named;
+    let header = format!("test.{name}");
+    let read = match supplied {
+        Some(record) => Ok(record.clone()),
+        None => Record::read(&folder.join(&table.data)),
+    };
+    let mut tell = |key: &str, (found, expected): (String, String)| {
+        faults.push(Fault::new(format!("{header}.{key}"), found, expected));
+    };
+    let record = read.map_err(|fault| tell("data", fault)).ok()?;
+    let time = record.column(&table.time).and_then(|column| column.in_unit("s"));
+    let time = time.map_err(|fault| tell("time", fault)).ok()?;
+    if let Some(k) = time.windows(2).position(|pair| pair[1] <= pair[0]) {
+        let found = format!("times that do not increase (row {})", k + 2);
+        tell("time", (found, "times that increase from row to row".into()));
+        return None;
+    }
+    if time.len() < 3 {
+        let found = format!("a record of {} rows", time.len());
+        tell("data", (found, "three rows or more".into()));
+        return None;
+    }
+    if table.channel.is_empty() {
+        let expected = format!("at least one [{header}.channel.NAME]");
+        tell("channel", ("no channel".into(), expected));
+        return None;
+    }
+    let given = table.channel.iter().filter(|one| one.table.sigma.is_some()).count();
+    let mut channels = Vec::new();
+    for one in &table.channel {
+        let key = format!("channel.{}", one.name);
+        if one.table.sigma.is_none() && given > 0 {
+            let expected = "`sigma` for every channel, or for none".to_owned();
+            tell(
+                &format!("{key}.sigma"),
+                ("no `sigma` beside channels that have one".into(), expected),
+            );
+        }
+        match channel(one, &time, &record, columns) {
+            Ok(channel) => channels.push(channel),
+            Err((inner, fault)) => tell(&format!("{key}.{inner}"), fault),
+        }
+    }
+    let first = channels.first()?.measured.clone();
+    let complete = channels.len() == table.channel.len();
+    complete.then(|| (Read { all: time.clone(), time, first }, channels))
+}
+
+/// Key at fault, what was found and what would be right.
+type Wrong = (&'static str, (String, String));
+
+fn channel(
+    named: &Named<FitChannel>,
+    time: &[f64],
+    record: &Record,
+    columns: &[HistoryColumn],
+) -> Result<Channel, Wrong> {
+    let given = &named.table;
+    let column = Column::of(&given.column);
+    let Some(recorded) = columns.iter().find(|one| one.name == column.recorded) else {
+        let found = format!("`{}`, which is no column of the run", given.column);
+        let expected = one_of(&given.column, columns.iter().map(|one| one.name.as_str()));
+        return Err(("column", (found, expected)));
+    };
+    let unit = match (column.differentiated, recorded.unit) {
+        (true, "m/s") => "m/s^2",
+        (_, unit) => unit,
+    };
+    let data = given.data.as_deref().unwrap_or(&named.name);
+    let measured = record.column(data).and_then(|column| column.in_unit(unit));
+    let measured = measured.map_err(|fault| ("data", fault))?;
+    let mut values: Vec<f64> = measured.iter().map(|x| given.factor * x).collect();
+    let class = given.cfc.map(|number| {
+        let class = u32::try_from(number).ok().and_then(Cfc::of);
+        class.ok_or_else(|| ("cfc", (number.to_string(), "60, 180, 600 or 1000".to_owned())))
+    });
+    let class = class.transpose()?;
+    if let Some(class) = class {
+        let curve = Curve { time: time.to_vec(), values };
+        let coarse = |error: percuss_output::shock::ShockError| {
+            let expected = "a record with more samples per second, or a lower class".to_owned();
+            ("cfc", (format!("a record too coarse for it ({error})"), expected))
+        };
+        values = curve.filtered(class).map_err(coarse)?.sampled(time, 0.0);
+    }
+    let sigma = match &given.sigma {
+        Some(sigma) => sigma.in_unit(unit).map_err(|fault| ("sigma", fault))?,
+        None => {
+            let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+            UNKNOWN * if high > low { high - low } else { 1.0 }
+        }
+    };
+    if sigma <= 0.0 {
+        let expected = "a standard deviation above zero".to_owned();
+        return Err(("sigma", (sigma.to_string(), expected)));
+    }
+    Ok(Channel {
+        name: named.name.clone(),
+        column_name: given.column.clone(),
+        column,
+        unit: unit.into(),
+        sigma,
+        class,
+        measured: values,
+    })
+}

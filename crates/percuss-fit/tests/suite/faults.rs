@@ -1,0 +1,106 @@
+//! Bad input is told with its place, what was found and what would be right.
+
+use percuss_fit::FitError;
+
+use crate::common::{FIT, SCENARIO, desk, problem, record};
+
+fn told(text: &str) -> String {
+    let desk = desk(&record(SCENARIO, 0, 1.0));
+    match problem(desk.path(), text) {
+        Err(FitError::Faults(faults)) => {
+            faults.all().iter().map(|one| format!("{one}\n")).collect()
+        }
+        Err(error) => panic!("{error:?}"),
+        Ok(_) => panic!("no fault in {text}"),
+    }
+}
+
+#[test]
+fn each_fault_names_its_place() {
+    for (from, to, place, found) in [
+        (
+            "path = \"projectile.hammer.stiffness\"",
+            "path = \"projectile.hammer.stifness\"",
+            "parameter.stiffness.path",
+            "stifness",
+        ),
+        ("start = \"1.5 MN/m\"", "start = \"15 kg\"", "parameter.stiffness.start", "a mass"),
+        (
+            "start = \"1.5 MN/m\"",
+            "start = \"15 MN/m\"",
+            "parameter.stiffness.start",
+            "outside the bounds",
+        ),
+        (
+            "[\"0.5 MN/m\", \"8 MN/m\"]",
+            "[\"8 MN/m\", \"0.5 MN/m\"]",
+            "parameter.stiffness.bounds",
+            "from",
+        ),
+        (
+            "bounds = [0, \"1 s/m\"]",
+            "bounds = [0, \"1 s/m\"]\nspacing = \"log\"",
+            "parameter.dissipation.spacing",
+            "above zero",
+        ),
+        ("data = \"drop.csv\"", "data = \"drip.csv\"", "test.drop.data", "where there is no file"),
+        ("time = \"t\"", "time = \"tt\"", "test.drop.time", "no column of the record"),
+        (
+            "contact.hammer.force",
+            "contact.hamer.force",
+            "test.drop.channel.F.column",
+            "contact.hammer.force",
+        ),
+        ("sigma = \"30 N\"", "sigma = \"30 m\"", "test.drop.channel.F.sigma", "a length"),
+        ("sigma = \"30 N\"", "sigma = 0", "test.drop.channel.F.sigma", "above zero"),
+        ("sigma = \"30 N\"\n", "", "test.drop.channel.F.sigma", "every channel"),
+        (
+            "sigma = \"30 N\"",
+            "sigma = \"30 N\"\ncfc = 700",
+            "test.drop.channel.F.cfc",
+            "60, 180, 600 or 1000",
+        ),
+        (
+            "sigma = \"30 N\"",
+            "sigma = \"30 N\"\ncfc = 1000",
+            "test.drop.channel.F.cfc",
+            "too coarse",
+        ),
+        ("[fit]", "[fit]\nloss = \"quadratic\"", "fit.loss", "soft_l1"),
+        ("align = \"fit\"", "align = \"fit\"\nhold_out = true", "test", "hold_out"),
+        (
+            "align = \"fit\"",
+            "align = \"none\"\nfrom = \"1 s\"",
+            "test.drop.data",
+            "of which 0 times",
+        ),
+        (
+            "align = \"fit\"",
+            "align = \"none\"\nset = [\"projectile.hammer.mass\"]",
+            "test.drop.set",
+            "without `=`",
+        ),
+    ] {
+        assert!(FIT.contains(from), "{from}");
+        let told = told(&FIT.replacen(from, to, 1));
+        assert!(told.contains(&format!("{place}: ")) && told.contains(found), "{to}: {told}");
+    }
+}
+
+#[test]
+fn starting_points_need_bounds_and_a_number_is_set_once() {
+    let no_bounds =
+        FIT.replace("bounds = [0, \"1 s/m\"]\n", "").replace("[fit]", "[fit]\nstarts = 4");
+    assert!(
+        told(&no_bounds)
+            .contains("parameter.dissipation.bounds: found no bounds with 4 starting points")
+    );
+    let twice = FIT.replace("projectile.hammer.dissipation", "projectile.hammer.stiffness");
+    assert!(told(&twice).contains("which another parameter sets too"));
+}
+
+#[test]
+fn files_outside_the_folder_are_not_read() {
+    let told = told(&FIT.replace("drop.csv", "../drop.csv"));
+    assert!(told.contains("outside the folder"), "{told}");
+}

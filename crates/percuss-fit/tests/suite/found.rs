@@ -1,0 +1,145 @@
+//! What is found in records without noise, by every way of asking.
+
+use percuss_fit::fit_text;
+
+use crate::common::{FIT, OFFSET, SCENARIO, desk, fitted, parameter, problem, put, record};
+
+#[test]
+fn a_record_without_noise_gives_the_values_that_made_it() {
+    let desk = desk(&record(SCENARIO, 0, 0.0));
+    let fit = fitted(desk.path(), FIT).expect("a fit");
+    assert!(fit.success, "{}", fit.message);
+    // The optimiser ends at relative changes of 1e-8; the residual vanishes there.
+    for (name, truth) in [("stiffness", 2e6), ("dissipation", 0.2), ("drop.offset", OFFSET)] {
+        let found = parameter(&fit, name);
+        assert!((found.value / truth - 1.0).abs() < 1e-4, "{name}: {} {truth}", found.value);
+        assert!(found.interval[0] < truth && truth < found.interval[1], "{name}");
+    }
+    assert!(fit.cost < 1e-3 && fit.channels.iter().all(|one| one.r_squared > 0.999_99));
+    let text = fit_text(&fit);
+    assert!(text.contains("stiffness") && text.contains("[channels]"), "{text}");
+    let (name, scenario) = &fit.scenarios[0];
+    assert_eq!(name, "fitted.toml");
+    let scenario = percuss_scenario::read(scenario, name).unwrap_or_else(|e| panic!("{e}"));
+    let written = scenario.to_toml();
+    assert!(
+        written.contains("dissipation = 0.2") || written.contains("dissipation = 0.1999"),
+        "{written}"
+    );
+}
+
+#[test]
+fn the_jacobian_is_what_residuals_change_by() {
+    let desk = desk(&record(SCENARIO, 3, 1.0));
+    let problem = problem(desk.path(), FIT).expect("a problem");
+    let z = problem.start();
+    let rows = problem.jacobian(&z, &|| true).expect("derivatives");
+    for k in 0..z.len() {
+        let moved = |sign: f64| {
+            let mut point = z.clone();
+            point[k] += sign * 1e-4;
+            problem.residuals(&point, &|| true).expect("residuals")
+        };
+        let (low, high) = (moved(-1.0), moved(1.0));
+        let largest = rows.iter().map(|row| row[k].abs()).fold(0.0, f64::max);
+        for (row, (a, b)) in rows.iter().zip(low.iter().zip(&high)) {
+            let difference = (b - a) / 2e-4;
+            // Curves are linear between rows: a difference across a row has slopes of both sides, 5 % of the largest apart.
+            assert!((row[k] - difference).abs() < 0.05 * largest, "{k}: {} {difference}", row[k]);
+        }
+    }
+}
+
+#[test]
+fn bounds_fixed_and_tied_parameters_and_priors_are_kept() {
+    let desk = desk(&record(SCENARIO, 0, 0.0));
+    let tight =
+        FIT.replace("bounds = [\"0.5 MN/m\", \"8 MN/m\"]", "bounds = [\"0.5 MN/m\", \"1.8 MN/m\"]");
+    let fit = fitted(desk.path(), &tight).expect("a fit");
+    assert!(
+        parameter(&fit, "stiffness").value <= 1.8e6 && parameter(&fit, "stiffness").value > 1.78e6
+    );
+    assert!(fit.doubts.iter().any(|doubt| doubt.kind.name() == "bound"), "{:?}", fit.doubts);
+    let fixed = FIT.replace("start = \"0.1 s/m\"", "start = \"0.2 s/m\"\nfixed = true");
+    let fit = fitted(desk.path(), &fixed).expect("a fit");
+    assert!(parameter(&fit, "dissipation").fixed && parameter(&fit, "dissipation").value == 0.2);
+    assert_eq!(fit.free.len(), 2);
+    let known = FIT.replace(
+        "start = \"0.1 s/m\"",
+        "start = \"0.1 s/m\"\nprior = { mean = \"0.1 s/m\", deviation = \"1e-7 s/m\" }",
+    );
+    let fit = fitted(desk.path(), &known).expect("a fit");
+    assert!((parameter(&fit, "dissipation").value - 0.1).abs() < 1e-3);
+    let tied = FIT.replace(
+        "path = \"projectile.hammer.stiffness\"",
+        "paths = [\"section.bar.width\", \"section.bar.depth\"]",
+    );
+    let tied = tied
+        .replace("start = \"1.5 MN/m\"\nbounds = [\"0.5 MN/m\", \"8 MN/m\"]", "start = \"25 mm\"");
+    let problem = problem(desk.path(), &tied).expect("a problem");
+    assert_eq!(problem.adjustables()[0].paths.len(), 2);
+}
+
+#[test]
+fn several_tests_share_parameters_and_one_is_held_out() {
+    let faster = SCENARIO.replace("-3 m/s", "-4 m/s");
+    let desk = desk(&record(SCENARIO, 1, 1.0));
+    put(desk.path(), "fast.csv", &record(&faster, 2, 1.0));
+    let (_, test) = FIT.split_once("[test.drop]").expect("a test");
+    let second = test.replace("[test.drop", "[test.fast").replace("drop.csv", "fast.csv");
+    let change = "set = [\"projectile.hammer.velocity=[0, -4]\"]\nalign = \"fit\"";
+    let second = second.replace("align = \"fit\"", change);
+    let both = format!("{FIT}\n[test.fast]{second}");
+    let fit = fitted(desk.path(), &both).expect("a fit");
+    assert_eq!(fit.free.len(), 4, "two parameters and two offsets");
+    assert!(fit.reduced_chi_square < 1.4, "{}", fit.reduced_chi_square);
+    assert!(fit.scenarios.iter().any(|(name, _)| name == "fitted-fast.toml"));
+    let held = both.replace("set = [", "hold_out = true\nset = [");
+    let fit = fitted(desk.path(), &held).expect("a fit");
+    assert_eq!(fit.free.len(), 3);
+    let kept: Vec<_> = fit.channels.iter().filter(|one| one.hold_out).collect();
+    assert_eq!(kept.len(), 2);
+    // Its offset comes from the onset, to a part of a row: the force is met less well than within noise.
+    assert!(kept.iter().all(|one| one.r_squared > 0.98), "{kept:?}");
+}
+
+#[test]
+fn filters_act_on_both_sides_and_onsets_align() {
+    let desk = desk(&record(SCENARIO, 0, 0.0));
+    // 13 samples per millisecond allow a cut-off of 1333 Hz.
+    let filtered = FIT.replace(
+        "column = \"contact.hammer.force\"",
+        "column = \"contact.hammer.force\"\ncfc = 600",
+    );
+    for (align, within) in [("fit", 2e-2), ("onset", 1e-1)] {
+        let text = filtered.replace("align = \"fit\"", &format!("align = \"{align}\""));
+        let fit = fitted(desk.path(), &text).expect("a fit");
+        let found = parameter(&fit, "stiffness").value;
+        // Record and run are sampled at different times, before they are filtered.
+        assert!((found / 2e6 - 1.0).abs() < within, "{align}: {found}");
+    }
+    let unfiltered = filtered.replace(
+        "column = \"point.bar.mid.displacement_2\"",
+        "column = \"point.bar.mid.velocity_2\"\nfactor = 0",
+    );
+    assert!(problem(desk.path(), &unfiltered).is_err(), "a displacement is no velocity");
+}
+
+#[test]
+fn robust_losses_withstand_outliers() {
+    let text = record(SCENARIO, 5, 1.0);
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    // A cable that slips: five samples of the force at the upper end of the range.
+    for line in &mut lines[60..65] {
+        let cells: Vec<&str> = line.split(',').collect();
+        *line = format!("{},{},{}", cells[0], 20.0, cells[2]);
+    }
+    let desk = desk(&(lines.join("\n") + "\n"));
+    let off = |loss: &str| {
+        let text = FIT.replace("[fit]", &format!("[fit]\nloss = \"{loss}\""));
+        let fit = fitted(desk.path(), &text).expect("a fit");
+        (parameter(&fit, "stiffness").value / 2e6 - 1.0).abs()
+    };
+    let [linear, soft, huber] = ["linear", "soft_l1", "huber"].map(off);
+    assert!(soft < 0.02 && huber < 0.02 && linear > 2.0 * soft, "{linear} {soft} {huber}");
+}

@@ -1,0 +1,162 @@
+//! Records of tests: CSV files with any number of columns, whose first row names them and their units.
+
+use std::path::Path;
+
+use super::dimension::dimension;
+use crate::csv::cells;
+use crate::header::{parts, value};
+use crate::measure;
+use crate::units;
+
+/// A record of a test.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Record {
+    /// Its columns, shape (columns).
+    pub columns: Vec<RecordColumn>,
+}
+
+/// A column of a record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RecordColumn {
+    /// Its header as it stands in the file.
+    pub header: String,
+    /// Its name without the unit.
+    pub name: String,
+    /// Its unit, if the header has one.
+    pub unit: Option<String>,
+    /// Values as they stand in the file, shape (rows) \[unit of the header\].
+    pub values: Vec<f64>,
+}
+
+impl RecordColumn {
+    /// A column from its header and values.
+    pub fn new(header: &str, values: Vec<f64>) -> Self {
+        let (name, unit) = parts(header);
+        let unit = unit.map(str::to_owned);
+        Self { header: header.trim().into(), name: name.into(), unit, values }
+    }
+
+    /// Values in an SI unit; without a unit in the header they are in that unit.
+    ///
+    /// # Errors
+    /// What was found and what would be right, where the header names another quantity.
+    pub fn in_unit(&self, si: &str) -> Result<Vec<f64>, (String, String)> {
+        let header = &self.header;
+        let unit = match self.unit.as_deref() {
+            None | Some("") => return Ok(self.values.clone()),
+            Some("-" | "1") if matches!(si, "" | "1") => return Ok(self.values.clone()),
+            // The gram in every file, and standard gravity to those who measure accelerations.
+            Some("g") if si == "m/s^2" => "kgf/kg",
+            Some(unit) => unit,
+        };
+        let expected = format!(
+            "a header with a unit of the dimension of {si}, such as `{} [{si}]`",
+            self.name
+        );
+        let Ok(one) = units::parse(&format!("1 {unit}")) else {
+            return Err((format!("the header `{header}`, whose unit is not known"), expected));
+        };
+        if one.dimension != dimension(si) {
+            let what = measure::name(one.dimension);
+            return Err((format!("the header `{header}`, which is {what}"), expected));
+        }
+        Ok(self.values.iter().map(|x| x * one.value).collect())
+    }
+}
+
+impl Record {
+    /// Reads a record.
+    ///
+    /// # Errors
+    /// What was found and what would be right, with the line.
+    pub fn read(path: &Path) -> Result<Self, (String, String)> {
+        let name = path.display();
+        let expected = || {
+            "a CSV file whose first row names the columns and their units, such as `t [ms],F [kN]`"
+                .to_owned()
+        };
+        if !path.is_file() {
+            return Err((format!("\"{name}\", where there is no file"), expected()));
+        }
+        let bytes = std::fs::read(path)
+            .map_err(|error| (format!("\"{name}\", which cannot be read ({error})"), expected()))?;
+        let text = String::from_utf8(bytes)
+            .map_err(|_| (format!("\"{name}\", which is not UTF-8"), expected()))?;
+        Self::parse(&text).map_err(|(line, found)| {
+            let at = if line > 0 { format!(" in line {line}") } else { String::new() };
+            (format!("{found}{at} of \"{name}\""), expected())
+        })
+    }
+
+    /// Reads the text of a record; the error is the line, from 1, or 0 for the whole, and what was found.
+    fn parse(text: &str) -> Result<Self, (usize, String)> {
+        let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+        let mut lines = lines.filter(|(_, line)| {
+            let line = line.trim();
+            !line.is_empty() && !line.starts_with('#')
+        });
+        let Some((first, header)) = lines.next() else { return Err((0, "no rows".into())) };
+        let headers = cells(header.trim());
+        if headers.iter().any(|cell| cell.parse::<f64>().is_ok()) {
+            return Err((first + 1, "a first row of numbers".into()));
+        }
+        let mut columns: Vec<RecordColumn> =
+            headers.iter().map(|header| RecordColumn::new(header, Vec::new())).collect();
+        for (k, line) in lines {
+            let row = cells(line.trim());
+            if row.len() != columns.len() {
+                let found = format!("{} columns where the header has {}", row.len(), columns.len());
+                return Err((k + 1, found));
+            }
+            for (column, cell) in columns.iter_mut().zip(row) {
+                let number = value(cell, None).ok_or_else(|| {
+                    (k + 1, format!("a cell of `{}` that is no finite number", column.header))
+                })?;
+                column.values.push(number);
+            }
+        }
+        Ok(Self { columns })
+    }
+
+    /// The column with this header, or with this name before its unit.
+    ///
+    /// # Errors
+    /// What was found and what would be right.
+    pub fn column(&self, name: &str) -> Result<&RecordColumn, (String, String)> {
+        let name = name.trim();
+        let exact = self.columns.iter().find(|column| column.header == name);
+        if let Some(column) = exact.or_else(|| self.columns.iter().find(|one| one.name == name)) {
+            return Ok(column);
+        }
+        let headers = self.columns.iter().map(|column| column.header.as_str());
+        let found = format!("`{name}`, which is no column of the record");
+        Err((found, crate::suggest::one_of(name, headers)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_in_the_units_of_their_headers() {
+        let record = Record::parse("# a drop test\nt [ms]; F [kN]; a [g]\n0; 1; 1\n0.5; 2; 0\n");
+        let record = record.unwrap_or_else(|fault| panic!("{fault:?}"));
+        let times = record.column("t").and_then(|column| column.in_unit("s"));
+        assert_eq!(times, Ok(vec![0.0, 0.5 * 1e-3]));
+        let force = record.column("F [kN]").and_then(|column| column.in_unit("N"));
+        assert_eq!(force, Ok(vec![1000.0, 2000.0]));
+        let acceleration = record.column("a").and_then(|column| column.in_unit("m/s^2"));
+        assert_eq!(acceleration, Ok(vec![9.80665, 0.0]));
+        let wrong = record.column("F").and_then(|column| column.in_unit("m"));
+        assert!(wrong.is_err_and(|(found, _)| found.contains("a force")));
+        assert!(record.column("G").is_err_and(|(_, expected)| expected.contains("F [kN]")));
+    }
+
+    #[test]
+    fn a_record_without_header_or_with_gaps_is_refused_with_its_line() {
+        for (text, line) in [("0,1\n1,2\n", 1), ("t,F\n0,1\n1\n", 3), ("t,F\n0,x\n", 2), ("", 0)] {
+            assert_eq!(Record::parse(text).map_err(|fault| fault.0), Err(line), "{text:?}");
+        }
+    }
+}
