@@ -283,9 +283,9 @@ def _written(scenario: Scenario, overrides: dict[str, Any]) -> str:
 
 def _completed(scenario: Scenario, bar: Progress) -> Result:
     """A run, without the advice on step and mesh: what is looked at is their effect."""
-    # Told of, it logs no estimate of its time, which would break the line of the bar.
-    told = None if bar.listener is None else _ignored
-    result = Result._of(_percuss.run(scenario._source(), told, None, False, 0))
+    # Reported of, it logs no estimate of its time, which would break the line of the bar.
+    reported = None if bar.listener is None else _ignored
+    result = Result._of(_percuss.run(scenario._source(), reported, None, False, 0))
     warn_of_audit(result)
     if result.status != "completed":
         text = f"a refined run did not complete: {result.summary.get('error', result.status)}"

@@ -736,10 +736,10 @@ class Fit:
         return os.fspath(self._native.write(os.fspath(out)))
 
     def __repr__(self) -> str:
-        told = []
+        reported = []
         for name in self.names:
             one = self.params[name]
-            told.append(f"{name} = {one.value:.6g} {'' if one.unit == '1' else one.unit}".rstrip())
+            reported.append(f"{name} = {one.value:.6g} {'' if one.unit == '1' else one.unit}".rstrip())
         return f"<percuss.Fit: {', '.join(told)}; reduced chi-square {self.redchi:.3g}>"
 
     def _repr_html_(self) -> str:

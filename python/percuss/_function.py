@@ -164,7 +164,7 @@ class Function:
         if failures and self.failed == "raise":
             point, why = failures[0]
             more = f" (and {len(failures) - 1} more)" if len(failures) > 1 else ""
-            raise _told(f"point {point}{more}: {why}" if points.ndim > 1 else why)
+            raise _error_of(f"point {point}{more}: {why}" if points.ndim > 1 else why)
         return flat.reshape(*points.shape[:-1], len(self.results))
 
     def _is_spread(self, points: Floats) -> bool:
@@ -234,7 +234,7 @@ class Function:
             raise ValueError(f"a Jacobian is one of a point, shape ({len(self.names)},), found {point.shape}")
         _, flat, means, why = _percuss.function_jacobian(self.study, point.tolist())
         if why is not None:
-            raise _told(why)
+            raise _error_of(why)
         self.means = means
         return flat.reshape(len(self.results), len(self.names))
 
@@ -270,7 +270,7 @@ class Function:
         points = self._points(shares)
         flat, why = _percuss.function_points(self.study, np.atleast_2d(points).tolist())
         if why is not None:
-            raise _told(why)
+            raise _error_of(why)
         return flat.reshape(points.shape)
 
     @property
@@ -410,7 +410,7 @@ def function(
     return Function(read, failed=failed, jobs=jobs, client=client, executor=executor, out=out, progress=progress)
 
 
-def _told(why: str) -> PercussError:
+def _error_of(why: str) -> PercussError:
     """An exception whose text ends with its code."""
     found = re.search(r" \[(E\d+)\]$", why)
     code = found[1] if found else None

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use percuss_scenario::{BodyReference, Stands, TableReference, is_fit, is_study, templates};
+use percuss_scenario::{BodyReference, TableForm, TableReference, is_fit, is_study, templates};
 use toml_edit::{DocumentMut, Item, TableLike};
 
 /// A file whose lines may be shown.
@@ -26,7 +26,7 @@ pub struct Excerpt {
 
 /// A table as it stands in a file.
 #[derive(Clone, Debug)]
-pub struct Standing {
+pub struct TableUse {
     /// Its declaration.
     pub table: &'static str,
     /// Keys and kinds that are there, `kind=elastic/stiffness`, each with its path in the file, shape (keys).
@@ -76,10 +76,10 @@ pub(crate) fn files(folder: &Path, extension: &str) -> io::Result<Vec<PathBuf>> 
 }
 
 /// Every table of a file that the format knows.
-pub fn standings(sample: &Sample, format: &[TableReference]) -> Vec<Standing> {
+pub fn table_uses(sample: &Sample, format: &[TableReference]) -> Vec<TableUse> {
     let Ok(document) = sample.text.parse::<DocumentMut>() else { return Vec::new() };
     let mut walk = Walk { sample, format, found: Vec::new() };
-    let file = format.iter().find(|table| table.stands == Stands::File);
+    let file = format.iter().find(|table| table.form == TableForm::File);
     // Kinds of files share words for other things.
     let meant = match is_fit(&sample.text) {
         true => "FitContent",
@@ -98,7 +98,7 @@ struct Walk<'w> {
     /// Tables of the format, shape (tables).
     format: &'w [TableReference],
     /// What was found so far, shape (files and tables).
-    found: Vec<Standing>,
+    found: Vec<TableUse>,
 }
 
 impl Walk<'_> {
@@ -107,7 +107,7 @@ impl Walk<'_> {
         let mut keys = Vec::new();
         self.body(&of.body, at, (path, &shown, ""), &mut keys);
         let excerpt = Excerpt { file: self.sample.name.clone(), text: shown };
-        self.found.push(Standing { table: of.name, keys, excerpt });
+        self.found.push(TableUse { table: of.name, keys, excerpt });
     }
 
     /// Takes in the keys of a body, and the tables behind them. The place is its path, the lines that show it, and the kinds
@@ -159,11 +159,11 @@ impl Walk<'_> {
             self.word(of, word, path, shown);
         }
         let Some(table) = item.as_table_like() else { return };
-        match of.stands {
-            Stands::File => {}
-            Stands::Braces => self.table(of, table, path, shown.into()),
-            Stands::Once => self.table(of, table, path, self.lines(path)),
-            Stands::Named => {
+        match of.form {
+            TableForm::File => {}
+            TableForm::Braces => self.table(of, table, path, shown.into()),
+            TableForm::Once => self.table(of, table, path, self.lines(path)),
+            TableForm::Named => {
                 for (name, item) in table.iter() {
                     if let Some(table) = item.as_table_like() {
                         let path = join(path, name);
@@ -180,7 +180,7 @@ impl Walk<'_> {
             if kinds.variants.iter().any(|variant| variant.0 == word) {
                 let keys = vec![(format!("{}={word}", kinds.tag), path.to_string())];
                 let excerpt = Excerpt { file: self.sample.name.clone(), text: shown.into() };
-                self.found.push(Standing { table: of.name, keys, excerpt });
+                self.found.push(TableUse { table: of.name, keys, excerpt });
             }
         }
     }

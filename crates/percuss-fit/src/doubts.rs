@@ -9,7 +9,7 @@ use crate::solve::Minimum;
 const ABOVE: f64 = 1.5;
 /// Standard deviations of the reduced chi-square beyond which it is not chance.
 const CHANCE: f64 = 5.0;
-/// Correlation above which two parameters can hardly be told apart.
+/// Correlation above which two parameters can hardly be distinguished.
 const CORRELATED: f64 = 0.95;
 /// Condition number above which some combination of parameters is lost in round-off of the runs.
 const CONDITION: f64 = 1e6;
@@ -23,7 +23,7 @@ const SIMILAR_BY: f64 = 5.0;
 const SAME: f64 = 1e-3;
 /// A value is at its bound within this share of the width, or of one standard error.
 const AT_BOUND: f64 = 1e-3;
-/// Correlation of neighbouring residuals from which it is told.
+/// Correlation of neighbouring residuals from which it is reported.
 const AUTOCORRELATED: f64 = 0.3;
 
 /// Reduced chi-square below which residuals say nothing about noise.
@@ -204,14 +204,14 @@ fn minima(e: &Evidence<'_>) -> Vec<String> {
     let values = e.problem.values(&next.coordinates);
     let free = e.problem.free_places();
     let all = e.problem.adjustables();
-    let told =
+    let reported =
         free.iter().map(|k| format!("{} = {:.6e} {}", all[*k].name, values[*k], all[*k].unit));
     vec![format!(
         "{reached} of {} starting points reach the best minimum (cost {:.5}), and others of similar cost exist: {} has cost {:.5}. The data \
          do not say which it is; narrow the bounds or give a prior",
         e.minima.len(),
         e.best.cost,
-        told.collect::<Vec<_>>().join(", "),
+        reported.collect::<Vec<_>>().join(", "),
         next.cost
     )]
 }
@@ -284,7 +284,7 @@ fn step(e: &Evidence<'_>) -> Vec<String> {
 
 fn autocorrelation(e: &Evidence<'_>) -> Vec<String> {
     // What lies far below the noise need not look like noise.
-    let told = |one: &&Goodness| {
+    let reported = |one: &&Goodness| {
         let seen = one.samples > 10 && one.reduced_chi_square > BELOW;
         !one.hold_out && seen && one.autocorrelation > AUTOCORRELATED
     };
@@ -300,5 +300,5 @@ fn autocorrelation(e: &Evidence<'_>) -> Vec<String> {
             (one.samples as f64 / one.effective_samples).sqrt()
         )
     };
-    e.channels.iter().filter(told).map(text).collect()
+    e.channels.iter().filter(reported).map(text).collect()
 }

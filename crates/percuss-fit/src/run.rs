@@ -89,11 +89,11 @@ fn recorded(
             Settings { step: 0.5 * step, accuracy, record_every, ..compiled.settings }
         }
     };
-    let told = |faults: Vec<Fault>| {
+    let reported = |faults: Vec<Fault>| {
         let texts: Vec<String> = faults.iter().map(in_one_line).collect();
         Stop::Failed(texts.join("; "))
     };
-    let simulation = Simulation::new(&compiled.model, &settings).map_err(told)?;
+    let simulation = Simulation::new(&compiled.model, &settings).map_err(reported)?;
     let values = vec![Vec::new(); names.len()];
     let mut columns = Columns { names, places: Vec::new(), time: Vec::new(), values, goes_on };
     let summary = simulation.run(&mut columns);

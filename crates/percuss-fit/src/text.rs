@@ -55,7 +55,7 @@ fn parameters(fit: &Fit, out: &mut String) -> std::fmt::Result {
     writeln!(out, "[parameters]")?;
     for one in &fit.parameters {
         let unit = if one.unit == "1" { "" } else { &one.unit };
-        let told = if one.fixed {
+        let reported = if one.fixed {
             format!("{:.7e} {unit} (fixed)", one.value)
         } else if one.stderr.is_finite() {
             let share = 100.0 * one.stderr / one.value.abs();
@@ -71,7 +71,7 @@ fn parameters(fit: &Fit, out: &mut String) -> std::fmt::Result {
                 one.value, one.start
             )
         };
-        writeln!(out, "  {:<width$}  {told}", one.name)?;
+        writeln!(out, "  {:<width$}  {reported}", one.name)?;
     }
     Ok(())
 }

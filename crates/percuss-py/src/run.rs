@@ -67,7 +67,7 @@ pub fn run<'py>(
         report,
         shapes,
         origin: source.origin(),
-        is_told: progress.is_some(),
+        is_reported: progress.is_some(),
         reached: Reached::default(),
         raised: source.given().raised().clone(),
     };
@@ -101,8 +101,8 @@ struct Wanted {
     report: bool,
     shapes: Option<usize>,
     origin: Origin,
-    /// Whether someone is told how far the run is.
-    is_told: bool,
+    /// Whether someone is reported how far the run is.
+    is_reported: bool,
     reached: Reached,
     raised: Raised,
 }
@@ -143,7 +143,7 @@ impl Wanted {
             None => frames,
         };
         let mut recorder = RunRecorder::new(frames, history, self.reached, self.raised, extent);
-        recorder.says_estimate = !self.is_told;
+        recorder.says_estimate = !self.is_reported;
         let origin = self.origin.started_now();
         let ended = simulate(ready, origin, simulation, advice, &mut recorder);
         let RunRecorder { columns, frames, history, .. } = recorder;

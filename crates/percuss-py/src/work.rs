@@ -23,7 +23,7 @@ pub fn sweep(
     progress: &Py<PyAny>,
 ) -> PyResult<()> {
     let (seen, runs) = (Arc::new(AtomicU64::new(0)), study.run_count());
-    let told = Arc::clone(&seen);
+    let raised = Arc::clone(&seen);
     let work = move |stop: &Stop| {
         let wanted: Vec<u64> = (0..study.shard_count()).collect();
         let tell = |at: Progress| {
@@ -36,7 +36,8 @@ pub fn sweep(
         }
         Ok(done)
     };
-    let tell = |py: Python<'_>| progress.call1(py, (told.load(Ordering::Relaxed), runs)).map(drop);
+    let tell =
+        |py: Python<'_>| progress.call1(py, (raised.load(Ordering::Relaxed), runs)).map(drop);
     match Watch::default().run_telling(py, work, tell)? {
         Ok(Done::All) => Ok(()),
         Ok(_) => Err(incomplete("the study is not complete")),

@@ -8,10 +8,10 @@ use percuss_output::{Extent, Results};
 use percuss_scenario::FitFile;
 
 use crate::arguments::FitArguments;
-use crate::going_on::GoingOn;
 use crate::interrupt;
 use crate::number::count;
 use crate::outcome::{Failure, Status};
+use crate::stage_messages::StageMessages;
 use crate::{scenario, terminal};
 
 /// Finds parameters of a scenario from measured curves.
@@ -77,7 +77,7 @@ fn refused(error: FitError) -> Result<Status, Failure> {
 fn found(file: &FitFile, jobs: usize, quiet: bool) -> Result<Fit, FitError> {
     interrupt::end_between_steps();
     let goes_on = || !interrupt::requested();
-    let saying = (!quiet).then(|| GoingOn::of("fitting", "runs at the starting values"));
+    let saying = (!quiet).then(|| StageMessages::of("fitting", "runs at the starting values"));
     let stage = |stage| saying.iter().for_each(|one| one.stage(stage));
     let problem = Problem::new(file, &Supplied::default(), jobs, &goes_on)?;
     stage("minima from the starting points");

@@ -1,27 +1,27 @@
 //! `percuss fit`.
 
-use crate::common::{Desk, names};
+use crate::common::{Sandbox, names};
 
 const FIT: &str = include_str!("../../../../scenarios/fits/young-of-a-swinging-beam.toml");
 const BEAM: &str = include_str!("../../../../scenarios/fits/swinging-beam.toml");
 const RECORD: &str = include_str!("../../../../scenarios/fits/swinging-beam.csv");
 
 /// The published row of SDNL32, with a step five times as long.
-fn desk() -> Desk {
-    let desk = Desk::empty();
-    desk.put("fit.toml", FIT);
-    desk.put("swinging-beam.toml", BEAM.replace("10 us", "50 us"));
-    desk.put("swinging-beam.csv", RECORD);
-    desk
+fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::empty();
+    sandbox.put("fit.toml", FIT);
+    sandbox.put("swinging-beam.toml", BEAM.replace("10 us", "50 us"));
+    sandbox.put("swinging-beam.csv", RECORD);
+    sandbox
 }
 
 #[test]
 fn the_modulus_behind_a_published_row_is_found_and_written() {
-    let desk = desk();
-    let check = desk.percuss(&["check", "fit.toml"]);
+    let sandbox = sandbox();
+    let check = sandbox.percuss(&["check", "fit.toml"]);
     check.ends_with(0);
     assert_eq!(check.stdout, "fit.toml: no errors; 1 free parameter, 1 test, 12 residuals\n");
-    let fit = desk.percuss(&["fit", "fit.toml", "--out", "out", "--json"]);
+    let fit = sandbox.percuss(&["fit", "fit.toml", "--out", "out", "--json"]);
     let value: serde_json::Value =
         serde_json::from_str(&fit.ends_with(0).stdout).expect("JSON alone");
     let young = &value["parameters"][0];
@@ -30,49 +30,49 @@ fn the_modulus_behind_a_published_row_is_found_and_written() {
     assert!((found / 67e9 - 1.0).abs() < 2e-3, "{found}");
     let end = |k: usize| young["interval"][k].as_f64().expect("a number");
     assert!(end(0) < 67e9 && end(1) > 67e9, "{young}");
-    let files = names(&desk.path("out"));
+    let files = names(&sandbox.path("out"));
     for name in ["curves.csv", "fit.html", "fit.json", "fit.txt", "fitted.toml"] {
         assert!(files.iter().any(|file| file == name), "{files:?}");
     }
-    desk.percuss(&["check", "out/fitted.toml"]).ends_with(0);
+    sandbox.percuss(&["check", "out/fitted.toml"]).ends_with(0);
     // Earlier results of a fit make room, what is not of one stays.
-    let again = desk.percuss(&["fit", "fit.toml", "--out", "out"]);
+    let again = sandbox.percuss(&["fit", "fit.toml", "--out", "out"]);
     assert!(again.ends_with(0).stdout.contains("[parameters]"), "{}", again.stdout);
-    std::fs::create_dir(desk.path("mine")).expect("a directory");
-    desk.put("mine/notes.txt", "precious");
-    desk.percuss(&["fit", "fit.toml", "--out", "mine"]).ends_with(2).tells("[E203]");
+    std::fs::create_dir(sandbox.path("mine")).expect("a directory");
+    sandbox.put("mine/notes.txt", "precious");
+    sandbox.percuss(&["fit", "fit.toml", "--out", "mine"]).ends_with(2).tells("[E203]");
 }
 
 #[test]
-fn faults_of_a_fit_are_told_with_their_places_and_nothing_is_written() {
-    let desk = desk();
-    desk.put(
+fn faults_of_a_fit_are_reported_with_their_places_and_nothing_is_written() {
+    let sandbox = sandbox();
+    sandbox.put(
         "wrong.toml",
         FIT.replace("swinging-beam.csv", "nothing.csv").replace("60.7 GPa", "60.7 m"),
     );
     for command in ["check", "fit"] {
-        let told = desk.percuss(&[command, "wrong.toml"]);
-        told.ends_with(2).tells("parameter.young.start").tells("test.published.data");
-        told.tells("where there is no file");
+        let reported = sandbox.percuss(&[command, "wrong.toml"]);
+        reported.ends_with(2).tells("parameter.young.start").tells("test.published.data");
+        reported.tells("where there is no file");
     }
-    assert!(!desk.path("runs/wrong-fit").exists());
-    desk.percuss(&["sweep", "fit.toml"]).ends_with(2);
-    let schema = desk.percuss(&["schema", "--fit"]);
+    assert!(!sandbox.path("runs/wrong-fit").exists());
+    sandbox.percuss(&["sweep", "fit.toml"]).ends_with(2);
+    let schema = sandbox.percuss(&["schema", "--fit"]);
     let schema: serde_json::Value =
         serde_json::from_str(&schema.ends_with(0).stdout).expect("JSON alone");
     assert!(schema["properties"]["test"].is_object());
-    let explained = desk.percuss(&["explain", "test.align"]);
+    let explained = sandbox.percuss(&["explain", "test.align"]);
     assert!(explained.ends_with(0).stdout.contains("onset"), "{}", explained.stdout);
 }
 
 #[test]
 fn a_start_whose_run_fails_ends_with_its_reason() {
-    let desk = desk();
+    let sandbox = sandbox();
     let text = BEAM
         .replace("10 us", "50 us")
         .replace("stiffness = \"18 kN/m\"", "stiffness = \"1e300 N/m\"");
-    desk.put("swinging-beam.toml", text);
-    let fit = desk.percuss(&["fit", "fit.toml"]);
+    sandbox.put("swinging-beam.toml", text);
+    let fit = sandbox.percuss(&["fit", "fit.toml"]);
     fit.ends_with(3).tells("[E116]");
-    assert!(!desk.path("runs/fit-fit").exists());
+    assert!(!sandbox.path("runs/fit-fit").exists());
 }

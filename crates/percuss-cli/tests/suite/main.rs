@@ -1,5 +1,6 @@
 //! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
 
+mod agreement;
 mod animate;
 mod bad_input;
 mod book;
@@ -18,6 +19,7 @@ mod fit;
 mod interrupt;
 mod links;
 mod long_tables;
+mod magnitudes;
 mod modes;
 mod outside;
 mod plot;
@@ -26,9 +28,7 @@ mod report;
 mod run;
 mod scenes;
 mod serving;
-mod slips;
 mod spectrum;
 mod statics;
 mod sweep;
-mod told;
 mod unescaped;

@@ -1,4 +1,4 @@
-//! From the file of a fit to its problem: paths found, values in SI units, records read, every fault told at once.
+//! From the file of a fit to its problem: paths found, values in SI units, records read, every fault reported at once.
 
 mod numbers;
 mod offsets;

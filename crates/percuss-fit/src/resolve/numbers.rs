@@ -59,7 +59,7 @@ fn places(
         let before = places.len();
         for test in &tests {
             match scenarios[*test].field(path) {
-                Ok(field) if field.is_read_anew() => {
+                Ok(field) if field.needs_reread() => {
                     let found = format!("`{path}`, which is no number in the scenario");
                     return Err(Fault::new(key, found, "a number there to start from"));
                 }

@@ -24,7 +24,7 @@ pub(super) struct Read {
     pub first: Vec<f64>,
 }
 
-/// Reads the record of a test; nothing where it has faults, which are told.
+/// Reads the record of a test; nothing where it has faults, which are reported.
 pub(super) fn record(
     folder: &Path,
     (named, columns): (&Named<FitTest>, &[HistoryColumn]),

@@ -1,4 +1,4 @@
-//! What speaks against a result is told.
+//! What speaks against a result is reported.
 
 use std::fmt::Write;
 
@@ -12,13 +12,13 @@ fn kinds(fit: &percuss_fit::Fit) -> Vec<&'static str> {
 fn a_sound_fit_has_no_doubts() {
     let desk = desk(&record(SCENARIO, 7, 1.0));
     let fit = fitted(desk.path(), FIT).expect("a fit");
-    let told = kinds(&fit);
-    // The step is coarse: its error may be told, and nothing else.
-    assert!(told.iter().all(|kind| *kind == "step"), "{:?}", fit.doubts);
+    let reported = kinds(&fit);
+    // The step is coarse: its error may be reported, and nothing else.
+    assert!(reported.iter().all(|kind| *kind == "step"), "{:?}", fit.doubts);
 }
 
 #[test]
-fn residuals_above_their_deviation_are_told() {
+fn residuals_above_their_deviation_are_reported() {
     let desk = desk(&record(SCENARIO, 7, 4.0));
     let fit = fitted(desk.path(), FIT).expect("a fit");
     assert!(kinds(&fit).contains(&"residuals"), "{:?}", fit.doubts);
@@ -29,7 +29,7 @@ fn residuals_above_their_deviation_are_told() {
 }
 
 #[test]
-fn parameters_that_cannot_be_told_apart_are_named() {
+fn parameters_that_cannot_be_distinguished_are_named() {
     let desk = desk(&record(SCENARIO, 7, 1.0));
     // Area and inertia of the bar are what the run knows of: width and density of it act as one, but for the stiffness.
     let more = "[parameter.young]\npath = \"material.aluminium.young\"\n[parameter.width]\npath = \"section.bar.width\"\n\
@@ -41,7 +41,7 @@ fn parameters_that_cannot_be_told_apart_are_named() {
 }
 
 #[test]
-fn a_coarse_step_is_told_where_the_record_is_better() {
+fn a_coarse_step_is_reported_where_the_record_is_better() {
     let desk = desk(&record(SCENARIO, 7, 0.01));
     let precise = FIT.replace("30 N", "0.3 N").replace("20 um", "0.2 um");
     let fit = fitted(desk.path(), &precise).expect("a fit");
@@ -113,7 +113,7 @@ step = "5 ms"
 "#;
 
 #[test]
-fn many_minima_are_told_with_the_starting_points_that_reach_the_best() {
+fn many_minima_are_reported_with_the_starting_points_that_reach_the_best() {
     let run = history(BALL);
     let (time, height) = (run.column("time"), run.column("projectile.ball.position_2"));
     let (time, height) = (time.expect("times"), height.expect("heights"));

@@ -1,10 +1,10 @@
-//! Bad input is told with its place, what was found and what would be right.
+//! Bad input is reported with its place, what was found and what would be right.
 
 use percuss_fit::FitError;
 
 use crate::common::{FIT, SCENARIO, desk, problem, record};
 
-fn told(text: &str) -> String {
+fn reported(text: &str) -> String {
     let desk = desk(&record(SCENARIO, 0, 1.0));
     match problem(desk.path(), text) {
         Err(FitError::Faults(faults)) => {
@@ -82,8 +82,11 @@ fn each_fault_names_its_place() {
         ),
     ] {
         assert!(FIT.contains(from), "{from}");
-        let told = told(&FIT.replacen(from, to, 1));
-        assert!(told.contains(&format!("{place}: ")) && told.contains(found), "{to}: {told}");
+        let reported = reported(&FIT.replacen(from, to, 1));
+        assert!(
+            reported.contains(&format!("{place}: ")) && reported.contains(found),
+            "{to}: {reported}"
+        );
     }
 }
 
@@ -92,15 +95,15 @@ fn starting_points_need_bounds_and_a_number_is_set_once() {
     let no_bounds =
         FIT.replace("bounds = [0, \"1 s/m\"]\n", "").replace("[fit]", "[fit]\nstarts = 4");
     assert!(
-        told(&no_bounds)
+        reported(&no_bounds)
             .contains("parameter.dissipation.bounds: found no bounds with 4 starting points")
     );
     let twice = FIT.replace("projectile.hammer.dissipation", "projectile.hammer.stiffness");
-    assert!(told(&twice).contains("which another parameter sets too"));
+    assert!(reported(&twice).contains("which another parameter sets too"));
 }
 
 #[test]
 fn files_outside_the_folder_are_not_read() {
-    let told = told(&FIT.replace("drop.csv", "../drop.csv"));
-    assert!(told.contains("outside the folder"), "{told}");
+    let reported = reported(&FIT.replace("drop.csv", "../drop.csv"));
+    assert!(reported.contains("outside the folder"), "{reported}");
 }

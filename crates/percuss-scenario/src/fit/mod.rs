@@ -1,6 +1,6 @@
 //! Files of fits: a scenario, parameters to be found, and records of tests.
 //!
-//! A fit is read by the machinery that reads scenarios, so that its faults are told the same way. What its values mean is for the
+//! A fit is read by the machinery that reads scenarios, so that its faults are reported the same way. What its values mean is for the
 //! scenario to say.
 
 mod content;

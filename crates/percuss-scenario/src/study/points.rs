@@ -192,11 +192,11 @@ mod tests {
     }
 
     #[test]
-    fn a_file_that_is_no_table_is_told_with_its_line() {
-        let told = |text| columns(text).err().map(|(line, found)| format!("{line}: {found}"));
-        assert_eq!(told("1,2\n3,4\n").as_deref(), Some("1: no header"));
-        assert_eq!(told("a,b\n\n1,2\n3\n").as_deref(), Some("4: 1 cells for 2 columns"));
-        assert_eq!(told("a,b\n").as_deref(), Some("1: a header without rows"));
-        assert_eq!(told("").as_deref(), Some("1: no header"));
+    fn a_file_that_is_no_table_is_reported_with_its_line() {
+        let reported = |text| columns(text).err().map(|(line, found)| format!("{line}: {found}"));
+        assert_eq!(reported("1,2\n3,4\n").as_deref(), Some("1: no header"));
+        assert_eq!(reported("a,b\n\n1,2\n3\n").as_deref(), Some("4: 1 cells for 2 columns"));
+        assert_eq!(reported("a,b\n").as_deref(), Some("1: a header without rows"));
+        assert_eq!(reported("").as_deref(), Some("1: no header"));
     }
 }

@@ -4,7 +4,7 @@ use serde_json::{Value as Json, json};
 
 use crate::code::FaultCode;
 use crate::format::{Format, Inline, List, Maybe, Pair, Text, Written};
-use crate::layout::{Described, Inner, Stands};
+use crate::layout::{Described, Inner, TableForm};
 use crate::measure::Time;
 use crate::node::{Body, Node, Reader};
 use crate::quantity::Quantity;
@@ -160,7 +160,7 @@ impl Format for WantedResults {
     }
 
     fn described() -> Described {
-        let table = Some(Inner::of::<ColumnResult>(Stands::Braces));
+        let table = Some(Inner::of::<ColumnResult>(TableForm::Braces));
         Described { expected: Self::expected(), table, ..Described::default() }
     }
 }

@@ -167,12 +167,12 @@ fn completed(
     if !goes_on() {
         return Err(ConvergeError::Interrupted);
     }
-    let told = |faults: Vec<Fault>| {
+    let refused = |faults: Vec<Fault>| {
         let texts: Vec<String> = faults.iter().map(ToString::to_string).collect();
         ConvergeError::Refused(texts.join("; "))
     };
     let mut ear = Ear::new(goes_on, columns);
-    let summary = Simulation::new(model, settings).map_err(told)?.run(&mut ear);
+    let summary = Simulation::new(model, settings).map_err(refused)?.run(&mut ear);
     match &summary.termination {
         Termination::Completed => Ok((summary, ear.largest)),
         Termination::Interrupted { .. } => Err(ConvergeError::Interrupted),

@@ -47,7 +47,7 @@ pub(super) fn parameter(
             Some(numbers) => numbers?,
             None => list_of(&mut values, list)?,
         }
-    } else if field.is_read_anew() {
+    } else if field.needs_reread() {
         let found = format!("`{}`, which is no number in the base scenario", given.path);
         let expected = "a number there to start from, or a list of `values`";
         return Err(Fault::new("path", found, expected));
@@ -78,7 +78,7 @@ pub(super) fn parameter(
 /// Numbers of runs one after the other, none if some are no numbers. Bare ones are in the SI unit of the value in the base scenario and are not
 /// looked at here: one that cannot be is a run that is invalid, and leaves the others alone.
 fn listed_numbers(values: &mut Values<'_>, list: &[Given]) -> Option<Result<Variation, Fault>> {
-    if values.field.is_read_anew() || list.is_empty() {
+    if values.field.needs_reread() || list.is_empty() {
         return None;
     }
     let bare: Vec<Option<f64>> = list.iter().map(|given| given.toml.parse().ok()).collect();
@@ -108,7 +108,7 @@ fn list_of(values: &mut Values<'_>, list: &[Given]) -> Result<Variation, Fault> 
         return Err(Fault::new("values", "an empty list", "at least one value"));
     }
     let words = || Variation::Words(list.iter().map(|given| given.toml.clone()).collect());
-    if values.field.is_read_anew() {
+    if values.field.needs_reread() {
         return Ok(words());
     }
     let mut numbers = Vec::new();

@@ -115,7 +115,7 @@ fn a_file_lists_points_by_name_or_path_and_the_study_then_needs_it_no_more() {
 }
 
 #[test]
-fn what_is_wrong_with_points_is_told_with_what_would_be_right() {
+fn what_is_wrong_with_points_is_reported_with_what_would_be_right() {
     let folder = tempfile::tempdir().expect("a folder");
     let mass = "[parameter.mass]\npath = \"projectile.p.mass\"\n";
     for (csv, wanted) in [
@@ -126,8 +126,8 @@ fn what_is_wrong_with_points_is_told_with_what_would_be_right() {
         ("projectile.p.velocity[1]\n1\n", "no column for the parameter `mass`"),
         ("mass,projectile.p.velocity[1]\n1\n", "1 cells for 2 columns in line 2"),
     ] {
-        let told = from_file(folder.path(), mass, csv).err().unwrap_or_default();
-        assert!(told.contains(wanted), "{csv:?}: {told}");
+        let reported = from_file(folder.path(), mass, csv).err().unwrap_or_default();
+        assert!(reported.contains(wanted), "{csv:?}: {reported}");
     }
     for (rest, wanted) in [
         (LISTED.replace(", -1.0, 10.0]", "]"), "2 values"),
@@ -138,14 +138,14 @@ fn what_is_wrong_with_points_is_told_with_what_would_be_right() {
         ),
         (LISTED.replace("12.5", "\"12 m\""), "12 m"),
     ] {
-        let told = read(&rest).err().map(|faults| faults.to_string()).unwrap_or_default();
-        assert!(told.contains(wanted), "{wanted}: {told}");
+        let reported = read(&rest).err().map(|faults| faults.to_string()).unwrap_or_default();
+        assert!(reported.contains(wanted), "{wanted}: {reported}");
     }
     let misspelt = LISTED.replace("values = [1.0", "valeus = [1.0");
     assert_eq!(read(&misspelt).err().map(|faults| faults.all().len()), Some(1));
     let outside = format!(
         "scenario = '''{BASE}'''\n[design]\nkind = \"points\"\nfile = \"../points.csv\"\n{RESULTS}"
     );
-    let told = Study::from_toml(&outside, "study.toml").err().map(|f| f.to_string());
-    assert!(told.unwrap_or_default().contains("outside the folder"));
+    let reported = Study::from_toml(&outside, "study.toml").err().map(|f| f.to_string());
+    assert!(reported.unwrap_or_default().contains("outside the folder"));
 }
