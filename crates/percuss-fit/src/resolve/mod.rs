@@ -181,7 +181,7 @@ fn scenarios(
         let changes: Vec<(String, String)> = changes.into_iter().flatten().collect();
         let pairs: Vec<(&str, &str)> =
             changes.iter().map(|(path, value)| (path.as_str(), value.as_str())).collect();
-        all.push(if pairs.is_empty() { own.clone() } else { own.anew(&pairs)? });
+        all.push(if pairs.is_empty() { own.clone() } else { own.reread(&pairs)? });
     }
     Ok(all)
 }

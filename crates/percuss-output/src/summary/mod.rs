@@ -262,9 +262,9 @@ fn projectiles(run: &RunSummary) -> Value {
     all
 }
 
-/// What a projectile of a summary is called: a free one is a disc, which turns; a guided one has no angular velocity.
+/// What a projectile of a summary is called: a free one, without a line of motion, is a disc.
 pub(crate) fn kind_of_body(projectile: &Value) -> &'static str {
-    if projectile["spin_final"].is_number() { "disc" } else { "projectile" }
+    if projectile.is_object() && projectile["direction"].is_null() { "disc" } else { "projectile" }
 }
 
 fn projectile(projectile: &ProjectileSummary) -> Value {

@@ -90,7 +90,7 @@ fn a_file_with_every_key_is_valid_by_the_schema_before_and_after() {
             "",
         ),
         ("[section.s]\nshape = \"tube\"\ndiameter = 1", "section"),
-        ("[material.m]\npreset = \"stele\"", "A material by name"),
+        ("[material.m]\npreset = \"stele\"", "A material or grade by name"),
     ] {
         let document: toml_edit::DocumentMut =
             format!("{text}\n[time]\nend = 1\nstep = 1\n").parse().unwrap();

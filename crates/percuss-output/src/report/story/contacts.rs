@@ -308,7 +308,7 @@ mod tests {
     fn the_struck_body_is_the_one_that_the_other_moved_against() {
         let between = |a: &str, b: &str| {
             plain(&json!({
-                "projectile": { "car": { "spin_final": null }, "ball": { "spin_final": 0.0 } },
+                "projectile": { "car": { "direction": [1.0, 0.0] }, "ball": { "direction": null } },
                 "support": { "stop": {} },
                 "section_forces": { "left": {}, "right": {} },
                 "contact": { "c": {
