@@ -67,6 +67,8 @@ measures! {
     TurnDamping = (2, 1, -1, rad -1, implied true) "a rotational damping constant", "N*m*s", "\"20 N*m*s\"";
     MassInertia = (2, 1, 0) "a mass moment of inertia", "kg*m^2", "\"2 kg*m^2\"";
     LineForce = (0, 1, -2) "a force per length", "N/m", "\"5 kN/m\"";
+    LineStiffness = (-1, 1, -2) "a stiffness per length", "N/m^2", "\"20 MN/m^2\"";
+    LineDamping = (-1, 1, -1) "a damping constant per length", "N*s/m^2", "\"5 kN*s/m^2\"";
     LineInertia = (1, 1, 0) "a rotary inertia per length", "kg*m", "\"10 kg*m\"";
 }
 

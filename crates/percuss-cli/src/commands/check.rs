@@ -165,6 +165,7 @@ fn contents(ready: &Ready) -> String {
     parts.extend(present(content.joint.len(), "joint"));
     parts.push(count(content.support.len(), "support"));
     parts.extend(present(content.spring.len(), "spring"));
+    parts.extend(present(content.foundation.len(), "foundation"));
     match content.mass.len() {
         0 => {}
         1 => parts.push("1 point mass".to_owned()),

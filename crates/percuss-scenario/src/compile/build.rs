@@ -4,7 +4,7 @@ use percuss::{Fault, ModelBuilder};
 
 use super::beams::Beams;
 use super::function::function;
-use super::{contact, law, yielding};
+use super::{contact, foundation, law, yielding};
 use crate::content::{
     self, Anchor, Content, JointKind, LoadKind, ModalRatios, ProjectileKind, SpringLaw,
     SupportKind, Touch,
@@ -19,6 +19,7 @@ pub(super) fn definitions(content: &Content, given: Option<&Given>) -> (ModelBui
     let beams = Beams::add(content, &mut builder, &mut faults);
     supports(content, given, &beams, &mut builder, &mut faults);
     connections(content, &beams, &mut builder, &mut faults);
+    foundation::add(content, &beams, &mut builder, &mut faults);
     guided(content, given, &beams, &mut builder, &mut faults);
     contact::add(content, given, &beams, &mut builder, &mut faults);
     loads(content, given, &beams, &mut builder, &mut faults);

@@ -119,6 +119,10 @@ fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c str> {
             let all = support.into_iter().chain(mass).chain(load).chain(obstacle);
             all.map(|p| p.beam.as_str()).collect()
         }
+        "stretch" if owner.starts_with("foundation.") => {
+            let foundation = table(&content.foundation, "foundation", owner);
+            foundation.map(|f| f.on.as_str()).into_iter().collect()
+        }
         "stretch" => match table(&content.load, "load", owner).map(|l| &l.kind) {
             Some(LoadKind::Distributed { on, .. }) => vec![on],
             _ => Vec::new(),

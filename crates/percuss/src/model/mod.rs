@@ -15,6 +15,8 @@ mod extent;
 mod fault;
 mod fibres;
 #[allow(missing_docs)]
+pub(crate) mod foundation;
+#[allow(missing_docs)]
 pub(crate) mod frozen;
 mod initial;
 mod loads;

@@ -68,6 +68,11 @@ impl<'b> Places<'b> {
                 }
             }
         }
+        for foundation in &builder.foundations {
+            for along in foundation.stretch {
+                places.add_at(foundation.beam, along, Acts::Across);
+            }
+        }
         for mass in &builder.masses {
             places.add(&mass.at, Acts::Along);
         }

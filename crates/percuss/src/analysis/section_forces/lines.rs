@@ -44,7 +44,7 @@ pub struct Lines {
     pub(super) lines: Columns,
     /// Forces inside elements, by element and place, shape (such forces).
     pub(super) inner: Vec<Inner>,
-    /// Nodal forces of the distributed loads, by element, on values and slopes, shape (elements, 2, 4) \[N, N m\]; empty if there are none.
+    /// Nodal forces of the distributed loads and of foundations, by element, on values and slopes, shape (elements, 2, 4) \[N, N m\]; empty if there are none.
     loads: Vec<OnNodes>,
 }
 
@@ -84,6 +84,7 @@ impl Lines {
     ) {
         self.inner.clear();
         self.distribute(model, acting);
+        self.found(model, acting);
         self.weigh(model, acting);
         for (rows, forces) in contacts {
             self.push(model, rows, forces);
@@ -193,7 +194,8 @@ impl Lines {
         let spread_out = |kind: &LoadAction| {
             matches!(kind, LoadAction::Dead { .. } | LoadAction::Follower { .. })
         };
-        if model.loads.iter().any(|load| spread_out(&load.kind)) {
+        let founded = !model.foundations.is_empty();
+        if founded || model.loads.iter().any(|load| spread_out(&load.kind)) {
             self.loads.clear();
             self.loads.resize(model.element_count(), [[0.0; 4]; 2]);
         }
@@ -228,6 +230,21 @@ impl Lines {
                         let force = turned(scale(*factor, p.force), tangent(&p.point));
                         p.point.spread_over(force, own);
                     }
+                }
+            }
+        }
+    }
+
+    /// Reactions of foundations by element.
+    fn found(&mut self, model: &Model, acting: &Acting) {
+        let Acting { state, increment, rule, forcing, .. } = *acting;
+        for foundation in &model.foundations {
+            for i in foundation.connectors.clone() {
+                let connector = &model.connectors[i];
+                let step = connector.step(i, rule, forcing, state, increment);
+                for (end, (point, _)) in connector.attachments() {
+                    let own = &mut self.loads[model.element_at(point.node)];
+                    point.spread_over(scale(-step.force, step.forms[end]), own);
                 }
             }
         }

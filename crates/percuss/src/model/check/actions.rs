@@ -2,9 +2,10 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
-use super::beams::{arc, check_along, check_point};
+use super::beams::check_point;
 use super::contacts::check_smooth;
 use super::faults::{Faults, quantity};
+use super::foundations::check_stretch;
 use super::functions::check_function;
 use crate::math::vec2::{cross, dot, norm};
 
@@ -76,14 +77,7 @@ pub(super) fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
                 out.add(path("on"), "an unknown beam", "a beam of this model");
                 return;
             };
-            let on_beam = stretch.map(|along| {
-                check_along(beam, along, path("stretch"), "an end of the stretch", out)
-            });
-            let [a, b] = stretch.map(|along| arc(beam, along));
-            if on_beam == [true; 2] && a >= b {
-                let found = format!("a stretch from {a} m to {b} m");
-                out.add(path("stretch"), found, "a stretch whose end lies behind its start");
-            }
+            check_stretch(beam, *stretch, &path, out);
         }
         LoadKind::Point { at, force, moment, .. } => {
             check_point(model, at, path("at"), out);
