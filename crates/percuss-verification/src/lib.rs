@@ -10,6 +10,7 @@ mod conservation;
 mod cradle;
 mod elastic;
 mod ends;
+mod foundation;
 mod interaction;
 mod layered;
 mod motion;

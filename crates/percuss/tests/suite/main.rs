@@ -14,6 +14,7 @@ mod crushing;
 mod curved_beams;
 mod driven;
 mod fibre_stresses;
+mod foundations;
 mod frame_forces;
 mod frames;
 mod gaping;
