@@ -3,32 +3,13 @@
 //! The potential per length is integrated with the three-point rule of an element, through its shape functions: each point has a spring of the law
 //! times the length that it stands for. The forces over a step are the difference quotients of these potentials, as of any spring to the ground.
 
-use std::ops::Range;
-
 use super::builder::ModelBuilder;
 use super::definition::*;
 use super::frozen::*;
 use super::material_points::point_at;
-use crate::element::fibre::{FibreState, PlasticLaw, Slack, StressLaw};
+use crate::element::fibre::{PlasticLaw, Slack, StressLaw};
 use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
 use crate::math::vec2::{norm, rot90, scale};
-
-/// A foundation: which of the connectors are its springs.
-#[derive(Clone, Debug)]
-pub struct FoundationData {
-    pub name: String,
-    pub beam: usize,
-    /// Arc lengths of its ends, shape (2) \[m\].
-    pub stretch: [f64; 2],
-    /// Its springs among the connectors of the model.
-    pub connectors: Range<usize>,
-    /// Length that each of its springs stands for, shape (springs) \[m\].
-    pub lengths: Vec<f64>,
-    /// Its law as given.
-    pub law: FoundationLaw,
-    /// Whether it can yield.
-    pub yields: bool,
-}
 
 /// Adds the foundations' springs, behind all other connectors.
 pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
@@ -129,60 +110,6 @@ fn of_length(law: &Plasticity, length: f64) -> Plasticity {
         kinematic: law.kinematic * length,
         overstress: law.overstress,
         failure_strain: law.failure_strain,
-    }
-}
-
-/// A place of a foundation in a state.
-#[derive(Clone, Copy, Debug)]
-pub struct FoundationPlace {
-    /// Arc length from the start of the beam \[m\].
-    pub s: f64,
-    /// Length that it stands for \[m\].
-    pub length: f64,
-    /// Reaction per length, positive where it pushes the beam, without damping \[N/m\].
-    pub pressure: f64,
-    /// Force on the beam, shape (2) \[N\].
-    pub force: [f64; 2],
-    /// Energy stored in the length \[J\].
-    pub stored: f64,
-    /// Whether it reacts at all: a beam that has lifted off has no contact.
-    pub acts: bool,
-    /// Plastic deflection \[m\].
-    pub plastic: f64,
-    /// Energy that the length has dissipated by yielding, and that hardening has stored in it, shape (2) \[J\].
-    pub flow: [f64; 2],
-}
-
-impl FoundationData {
-    /// Its places in a state given by the connectors' coordinates and memories.
-    pub fn places<'a>(
-        &'a self,
-        model: &'a Model,
-        coordinates: &'a [f64],
-        memories: &'a [FibreState],
-    ) -> impl Iterator<Item = FoundationPlace> + 'a {
-        self.connectors.clone().zip(&self.lengths).filter_map(move |(i, length)| {
-            let (c, q) = (&model.connectors[i], coordinates[i]);
-            let Coordinate::Displacement { point, direction, .. } = &c.coordinate else {
-                return None;
-            };
-            let force = c.reached_force(q, memories) + 0.0;
-            let memory = c.memory(memories).map(|(_, memory)| *memory).unwrap_or_default();
-            let acts = match (&c.yielding, &self.law) {
-                (_, FoundationLaw::Compression { .. }) => force > 0.0,
-                _ => c.law.acts_at(q),
-            };
-            Some(FoundationPlace {
-                s: point.s,
-                length: *length,
-                pressure: force / length,
-                force: scale(-force, *direction),
-                stored: c.potential(q, memories),
-                acts,
-                plastic: memory.plastic,
-                flow: [memory.dissipated, c.hardening_energy(memories)],
-            })
-        })
     }
 }
 

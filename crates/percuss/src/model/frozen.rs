@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 pub use super::acting::*;
 use super::definition::{InitialMotion, StrainMeasure, Strength};
-pub use super::foundation::{FoundationData, FoundationPlace};
+pub use super::founded::*;
 pub use super::point::*;
 pub use super::section_line::SectionLine;
 pub use super::span_fibres::*;

@@ -5,6 +5,7 @@
 //! Its work is the change of the potential, and forms between two points turn with them: energy and momenta stay exact.
 
 mod form;
+mod foundation;
 mod inelastic;
 mod law;
 
