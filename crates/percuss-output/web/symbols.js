@@ -131,8 +131,19 @@ Object.assign(Drawing.prototype, {
       if (load.kind === "base") this.acceleration(load, factor, "a", 70);
       if (factor === 0) return;
       if (load.kind === "point") this.pointLoad(load, factor, most.point);
+      if (load.kind === "strain") this.strainedStretch(load);
       if (load.kind === "distributed") this.distributedLoad(load, factor, most.distributed);
     });
+  },
+
+  // A dashed line along a stretch that heat or another given strain would lengthen or bend.
+  strainedStretch({ beam, stretch }) {
+    const points = [];
+    for (let k = 0; k <= 24; k++) {
+      const place = { beam, s: stretch[0] + ((stretch[1] - stretch[0]) * k) / 24 };
+      points.push(this.view.to(this.motion.on(place, this.state.u, this.e).place));
+    }
+    this.pen.path(points, { stroke: this.palette.load, width: 1.5, dash: [3, 3] });
   },
 
   // Gravity, or the acceleration of the base, so many pixels from the right edge.

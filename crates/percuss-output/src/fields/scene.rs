@@ -120,6 +120,9 @@ fn load_value(load: &SceneLoad) -> Value {
         SceneLoadKind::Point { at, force, moment } => {
             json!({ "kind": "point", "at": on(at), "force": force, "moment": moment })
         }
+        SceneLoadKind::Strain { beam, stretch } => {
+            json!({ "kind": "strain", "beam": beam, "stretch": stretch })
+        }
         SceneLoadKind::Distributed { beam, stretch, force } => json!({
             "kind": "distributed", "beam": beam, "stretch": stretch, "force": force,
         }),

@@ -245,6 +245,18 @@ fn load_kind(kind: &LoadKind, beams: &Beams<'_>) -> percuss::LoadKind {
             moment: *moment,
             follower: *follower,
         },
+        LoadKind::Temperature { on, stretch, change, gradient } => percuss::LoadKind::Temperature {
+            beam: beams.id(on),
+            stretch: *stretch,
+            change: *change,
+            gradient: *gradient,
+        },
+        LoadKind::Strain { on, stretch, strain, curvature } => percuss::LoadKind::Strain {
+            beam: beams.id(on),
+            stretch: *stretch,
+            strain: *strain,
+            curvature: *curvature,
+        },
         LoadKind::Distributed { on, stretch, force, force_end, follower } => {
             percuss::LoadKind::Distributed {
                 beam: beams.id(on),

@@ -137,6 +137,7 @@ impl ModelBuilder {
             measure: material.strain,
             retardation: material.retardation,
             mass_damping: material.mass_damping,
+            expansion: material.expansion,
             strength: material
                 .strength
                 .filter(|_| material.inelasticity.is_none() && make.is_plain()),

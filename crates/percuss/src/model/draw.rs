@@ -156,6 +156,12 @@ impl ModelBuilder {
                     let at = on_beam(model, at);
                     (SceneLoadKind::Point { at, force: *force, moment: *moment }, *follower)
                 }
+                LoadKind::Strain { beam, stretch, .. }
+                | LoadKind::Temperature { beam, stretch, .. } => {
+                    let place = |along| PointRef { label: String::new(), beam: *beam, along };
+                    let stretch = stretch.map(|along| on_beam(model, &place(along)).s);
+                    (SceneLoadKind::Strain { beam: beam.0 as usize, stretch }, false)
+                }
                 LoadKind::Distributed { beam, stretch, force, follower } => {
                     let place = |along| PointRef { label: String::new(), beam: *beam, along };
                     let stretch = stretch.map(|along| on_beam(model, &place(along)).s);

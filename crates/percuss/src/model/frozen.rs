@@ -117,6 +117,8 @@ pub struct Span {
     pub retardation: f64,
     /// Mass-proportional damping \[1/s\].
     pub mass_damping: f64,
+    /// Thermal expansion of its material \[1/K\].
+    pub expansion: f64,
     /// Usual yield stresses of an elastic material, if known.
     pub strength: Option<Strength>,
     /// Its fibres, if its material is nonlinear or its section is given by them.
@@ -330,6 +332,11 @@ impl Model {
             _ => 0.0,
         });
         each.sum()
+    }
+
+    /// Whether any load gives strains to elements.
+    pub(crate) fn gives_strains(&self) -> bool {
+        self.loads.iter().any(|load| matches!(load.kind, LoadAction::Strain { .. }))
     }
 
     /// Times at which a support is released \[s\].

@@ -96,6 +96,11 @@ impl<'b> Places<'b> {
             LoadKind::Point { at, force, follower, .. } => {
                 self.add(at, Acts::Force { force: *force, follower: *follower });
             }
+            // The strain jumps where given ones begin and end.
+            LoadKind::Strain { beam, stretch, .. }
+            | LoadKind::Temperature { beam, stretch, .. } => {
+                stretch.iter().for_each(|along| self.add_at(*beam, *along, Acts::Along));
+            }
             LoadKind::Distributed { beam, stretch, .. } => {
                 stretch.iter().for_each(|along| self.add_at(*beam, *along, Acts::Across));
             }

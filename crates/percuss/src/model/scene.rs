@@ -285,6 +285,13 @@ pub enum SceneLoadKind {
         /// Moment \[N m\].
         moment: f64,
     },
+    /// Strains without forces, of heat or shrinkage.
+    Strain {
+        /// The beam.
+        beam: usize,
+        /// From and to, arc length, shape (2) \[m\].
+        stretch: [f64; 2],
+    },
     /// A force per length.
     Distributed {
         /// The beam.

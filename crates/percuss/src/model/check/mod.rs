@@ -91,6 +91,7 @@ fn check_materials(model: &ModelBuilder, out: &mut Faults) {
     }
     for m in &model.materials {
         let path = |field: &str| format!("material.{}.{field}", m.name);
+        out.finite(path("expansion"), &[m.expansion], "1/K");
         out.not_negative(path("retardation"), m.retardation, "a time", "s");
         out.not_negative(path("mass_damping"), m.mass_damping, "a rate", "1/s");
         match &m.inelasticity {
