@@ -151,6 +151,24 @@ const OWN: &[Case] = &[
         run: foundation::yielding_drop,
     },
     Case {
+        id: "heated-bars",
+        title: "Heated bars: expansion, curvature, and the forces of what is held",
+        source: "closed form",
+        run: heat::heated_bars,
+    },
+    Case {
+        id: "heated-strut",
+        title: "Heated strut between walls: buckling temperature and frequency below it",
+        source: "closed form",
+        run: heat::heated_strut,
+    },
+    Case {
+        id: "sudden-heat",
+        title: "Heat in motion: its work on a held bar, and the wave in a bar heated at once",
+        source: "closed form",
+        run: heat::sudden_heat,
+    },
+    Case {
         id: "buckled-column",
         title: "A3: column beyond its buckling load",
         source: "ANSYS VM136; elliptic integrals",

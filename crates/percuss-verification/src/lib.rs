@@ -11,6 +11,7 @@ mod cradle;
 mod elastic;
 mod ends;
 mod foundation;
+mod heat;
 mod interaction;
 mod layered;
 mod motion;

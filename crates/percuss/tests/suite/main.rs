@@ -18,6 +18,7 @@ mod foundations;
 mod frame_forces;
 mod frames;
 mod gaping;
+mod given_strains;
 mod hard_impacts;
 mod impact_log;
 mod impacts;
