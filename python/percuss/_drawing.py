@@ -69,6 +69,7 @@ class Drawing:
             self._ghost()
         symbols.supports()
         symbols.springs()
+        symbols.foundations()
         for beam in self.fields.beams:
             for curve in beam.curves(self.u, self.scale, t=t):
                 self._beam(beam, curve)

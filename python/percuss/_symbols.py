@@ -119,6 +119,24 @@ class Symbols:
                 if "position" in end:
                     self.drawing.circle(place, 0.25 * self.unit, "symbol", "symbol")
 
+    def foundations(self) -> None:
+        """Springs from a beam to a hatched line, on the side away from which its foundation pushes."""
+        for foundation in self.scene.get("foundations", []):
+            start, end = foundation["stretch"]
+            pieces = int(np.clip(round((end - start) / (3.5 * self.unit)), 1, 24))
+            last = None
+            for s in np.linspace(start, end, pieces + 1):
+                place = {"beam": foundation["beam"], "s": float(s)}
+                rest, tangent, depth = self.drawing.on(place, rest=True)
+                push = foundation["direction"] or left_of(tangent)
+                down = -np.array(push, float)
+                foot = rest + (depth + 2.0 * self.unit) * down
+                self.coil(self.drawing.on(place)[0], foot)
+                if last is not None:
+                    self.drawing.line([last, foot], "symbol", 1.4)
+                    self._hatch(last, foot, down)
+                last = foot
+
     def _end(self, end: dict[str, Any]) -> Floats:
         """An end of a spring: fixed in space, at the centre of a body, or on a beam."""
         if "position" in end:
@@ -221,6 +239,10 @@ class Symbols:
                 self._point_load(load, float(factor), most["point"])
             elif load["kind"] == "distributed":
                 self._distributed_load(load, float(factor), most["distributed"])
+            elif load["kind"] == "strain":
+                places = np.linspace(*load["stretch"], 25)
+                points = [self.drawing.on({"beam": load["beam"], "s": float(s)})[0] for s in places]
+                self.drawing.line(points, "load", 1.4, linestyle=(0, (2, 2)))
             else:
                 self._acceleration(load, float(factor))
 

@@ -6,8 +6,8 @@ use super::expected::{Expected, Stays};
 use super::planned::{PlannedContact, STEPS, graded};
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
-use percuss::ContactInterval;
 use percuss::inspect::ConnectorLaw;
+use percuss::{ContactInterval, FoundationLaw};
 
 /// Errors of a force that are fine, and that are worth a warning.
 const OFF: [f64; 2] = [0.01, 0.05];
@@ -112,13 +112,17 @@ impl PlannedContact<'_> {
         (lasting.from == From::Modes && lasting.deflection > limit).then_some(limit)
     }
 
-    /// Least gap of a stop, or of a spring of one side \[m\].
+    /// Least gap of a stop, of a spring or a foundation of one side \[m\].
     fn nearest_stop(&self) -> f64 {
         let gaps = self.model.connectors().map(|one| match one.law() {
             ConnectorLaw::OneSided { gap, .. } => (gap - one.coordinate().reference()).abs(),
             ConnectorLaw::Linear { .. } | ConnectorLaw::Tabulated { .. } => f64::INFINITY,
         });
-        gaps.fold(f64::INFINITY, f64::min)
+        let lifts = self.model.foundations().map(|one| match one.law() {
+            FoundationLaw::Compression { gap, .. } => *gap,
+            FoundationLaw::Linear { .. } | FoundationLaw::Table { .. } => f64::INFINITY,
+        });
+        gaps.chain(lifts).fold(f64::INFINITY, f64::min)
     }
 
     /// Rows of the history against the contact.

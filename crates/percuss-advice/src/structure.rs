@@ -1,7 +1,9 @@
 //! What hand formulas need to know of a beam: its constants, its ends, what disturbs it.
 
 use super::formulas::{Span, SpanKind, UniformBeam, free_bar_mass};
-use percuss::inspect::{BeamView, GaussPointView, LoadView, PointView, SectionConstants, SpanView};
+use percuss::inspect::{
+    BeamView, FoundationView, GaussPointView, LoadView, PointView, SectionConstants, SpanView,
+};
 use percuss::math::vec2::{cross, dot, rot90, sub};
 use percuss::{Model, StrainMeasure};
 
@@ -151,7 +153,7 @@ impl<'a> BeamPlace<'a> {
         self.beam.spans().flat_map(each)
     }
 
-    /// Distance along the beam to the nearest end, support, joint, connector or point mass \[m\]; infinite only for a beam without
+    /// Distance along the beam to the nearest end, support, joint, connector, foundation or point mass \[m\]; infinite only for a beam without
     /// ends, of which there is none. A mass at the place itself belongs to the place.
     pub fn free_distance(&self) -> f64 {
         let own = |s: &f64| (s - self.s).abs() > SAME * self.beam.length();
@@ -161,7 +163,18 @@ impl<'a> BeamPlace<'a> {
         let held = self.model.prescribed().filter_map(|dofs| self.station(dofs.node));
         let tied = self.tied_points().filter(|p| !self.is_seam(p)).map(|p| p.s);
         let others = held.chain(tied).chain(masses).chain(ends);
-        others.map(|s| (s - self.s).abs()).fold(f64::INFINITY, f64::min)
+        let nearest = others.map(|s| (s - self.s).abs()).fold(f64::INFINITY, f64::min);
+        let founded = self.foundations().map(|foundation| {
+            let [from, to] = foundation.stretch();
+            (from - self.s).max(self.s - to).max(0.0)
+        });
+        founded.fold(nearest, f64::min)
+    }
+
+    /// Foundations of the beam.
+    fn foundations(&self) -> impl Iterator<Item = FoundationView<'a>> + use<'a> {
+        let index = self.index;
+        self.model.foundations().filter(move |foundation| foundation.beam() == index)
     }
 
     /// Arc lengths at which supports, joints and connectors hold the beam.
@@ -209,6 +222,7 @@ impl<'a> BeamPlace<'a> {
         };
         let mut holds = self.model.prescribed().filter(|dofs| self.station(dofs.node).is_some());
         masses == 0
+            && self.foundations().next().is_none()
             && self.tied_points().next().is_none()
             && holds.all(|dofs| dofs.support.is_none_or(lasts))
     }

@@ -12,7 +12,7 @@ const SAME: f64 = 1e-9;
 pub struct Surroundings {
     /// Whether each of the model's beams is one of them, shape (beams).
     pub beams: Vec<bool>,
-    /// Whether a support, or a spring to the ground, holds any of them.
+    /// Whether a support, a spring to the ground or a foundation holds any of them.
     pub held: bool,
 }
 
@@ -97,5 +97,6 @@ fn ties(model: &Model) -> Vec<Tie> {
         let beams: Vec<usize> = one.points().map(|p| p.beam).collect();
         Tie { to_ground: beams.len() == 1 && one.projectiles().next().is_none(), beams }
     });
-    constraints.chain(connectors).collect()
+    let founded = model.foundations().map(|one| Tie { beams: vec![one.beam()], to_ground: true });
+    constraints.chain(connectors).chain(founded).collect()
 }

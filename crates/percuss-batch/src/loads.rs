@@ -35,6 +35,7 @@ pub fn dead_load(model: &Model, action: &LoadAction) -> Result<LoadNumbers<f64>,
             add(point.node + 1, [n2 * f1, n2 * f2, n3 * f1, n3 * f2]);
         }
         LoadAction::Dead { nodal, .. } => nodal.iter().for_each(|(node, force)| add(*node, *force)),
+        LoadAction::Strain { .. } => return Err("given strains and temperatures"),
         _ => return Err("moments, and loads that turn with the beam"),
     }
     let (nodes, forces) = on_nodes.into_iter().unzip();

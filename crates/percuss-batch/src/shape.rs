@@ -83,6 +83,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         (!model.motions.is_empty(), "prescribed motions"),
         (!model.modal_damping.is_empty(), "modal damping"),
         (!model.obstacles.is_empty(), "obstacles"),
+        (!model.foundations.is_empty(), "foundations along beams"),
         (model.bodies.iter().any(|b| b.kind != BodyKind::Guided), "discs and rear masses"),
         (model.contacts.len() != model.projectiles.len(), "contacts that move along a beam"),
     ] {

@@ -146,6 +146,7 @@ impl<S: Number> SummaryInput<'_, S> {
                 })
                 .collect(),
             supports: Vec::new(),
+            foundations: Vec::new(),
             section_forces: Vec::new(),
             plastic: self.plastic(reading.derivative),
             yielding: Vec::new(),

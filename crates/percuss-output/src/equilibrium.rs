@@ -5,7 +5,7 @@ use std::path::Path;
 use percuss::{
     Equilibrium, FailureKind, FollowerStability, LargestDisplacement, LinearBuckling, Model,
     PlasticSummary, PointForces, SectionForceSummary, SectionPeak, SectionRange, StaticBalance,
-    StaticContact, StaticFailure, StaticYielding, yielded_at_rest,
+    StaticContact, StaticFailure, StaticFoundation, StaticYielding, yielded_at_rest,
 };
 use serde_json::{Map, Value, json};
 
@@ -38,10 +38,12 @@ pub fn equilibrium_value(model: &Model, found: &Equilibrium, linear: &LinearBuck
     });
     let contacts = found.contacts.iter().map(|c| (c.name.clone(), contact(c)));
     let yielding = found.yielding.iter().map(|y| (y.name.clone(), yielding(y)));
+    let foundations = found.foundations.iter().map(|f| (f.name.clone(), foundation(f)));
+    let foundations = foundations.collect::<Map<_, _>>();
     let yields = yielded_at_rest(model, found);
     let yields = yields.iter().map(|beam| (beam.name.clone(), plastic(model, found, beam)));
     let forces = found.section_forces.iter().map(|b| (b.name.clone(), section_forces(b)));
-    json!({
+    let mut value = json!({
         "stable": found.stable,
         "sliding": found.sliding,
         "load_steps": found.load_steps,
@@ -62,7 +64,11 @@ pub fn equilibrium_value(model: &Model, found: &Equilibrium, linear: &LinearBuck
         "linear_buckling_note": linear.outcome.reason(),
         "linear_buckling_code": linear.outcome.code().map(percuss::Caution::code),
         "follower_stability": linear.stability.map(stability),
-    })
+    });
+    if !foundations.is_empty() {
+        value["foundation"] = foundations.into();
+    }
+    value
 }
 
 fn moved(found: &LargestDisplacement) -> Value {
@@ -79,6 +85,21 @@ pub(crate) fn failure(found: &StaticFailure) -> Value {
         _ => "failed",
     };
     json!({ "factor": found.factor, "name": found.name, "kind": kind, "s": found.s })
+}
+
+/// A foundation; of its reactions the largest and all along it.
+fn foundation(found: &StaticFoundation) -> Value {
+    let largest = found.largest();
+    json!({
+        "force_1": found.force[0],
+        "force_2": found.force[1],
+        "pressure_max": largest.map(|(value, s)| json!({ "value": value, "s": s })),
+        "s": found.s,
+        "pressure": found.pressure,
+        "lifted": found.lifted,
+        "energy": found.energy,
+        "plastic_deflection": found.plastic,
+    })
 }
 
 fn balance(found: &StaticBalance) -> Value {

@@ -57,6 +57,7 @@ class Drawing {
     if (options.ghost) this.ghost();
     this.supports();
     this.springs();
+    this.foundations();
     this.motion.scene.beams.forEach((_, i) => this.beam(i));
     if (options.diagram && options.diagram !== "none") this.diagrams(options.diagram);
     this.joints();

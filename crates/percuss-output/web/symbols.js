@@ -69,6 +69,32 @@ Object.assign(Drawing.prototype, {
     this.hatch(end(-1), end(1), d, 6);
   },
 
+  // Springs from the beam to a hatched line on the side away from which a foundation pushes.
+  foundations() {
+    const still = new Float32Array(4 * this.motion.nodes);
+    for (const { beam, stretch, direction } of this.motion.scene.foundations ?? []) {
+      const length = (stretch[1] - stretch[0]) * this.view.scale;
+      const pieces = Math.min(24, Math.max(1, Math.round(length / 36)));
+      const feet = [];
+      for (let k = 0; k <= pieces; k++) {
+        const place = { beam, s: stretch[0] + ((stretch[1] - stretch[0]) * k) / pieces };
+        const at = this.motion.on(place, this.state.u, this.e);
+        const rest = this.motion.on(place, still);
+        const push = direction ?? rest.normal;
+        const down = [-push[0], push[1]];
+        const q = this.view.to(rest.place);
+        const way = rest.half_depth * this.view.scale + 22;
+        const foot = [q[0] + way * down[0], q[1] + way * down[1]];
+        this.coil(this.view.to(at.place), foot, 4, { stroke: this.palette.symbol, width: 1.1 });
+        if (feet.length) {
+          this.pen.path([feet[feet.length - 1], foot], { stroke: this.palette.symbol, width: 1.5 });
+          this.hatch(feet[feet.length - 1], foot, down, 5);
+        }
+        feet.push(foot);
+      }
+    }
+  },
+
   // A plate where the way ends, on a spring to ground.
   stop(support, at, rest) {
     const sides = support.two_sided ? [1, -1] : [1];
@@ -105,8 +131,19 @@ Object.assign(Drawing.prototype, {
       if (load.kind === "base") this.acceleration(load, factor, "a", 70);
       if (factor === 0) return;
       if (load.kind === "point") this.pointLoad(load, factor, most.point);
+      if (load.kind === "strain") this.strainedStretch(load);
       if (load.kind === "distributed") this.distributedLoad(load, factor, most.distributed);
     });
+  },
+
+  // A dashed line along a stretch that heat or another given strain would lengthen or bend.
+  strainedStretch({ beam, stretch }) {
+    const points = [];
+    for (let k = 0; k <= 24; k++) {
+      const place = { beam, s: stretch[0] + ((stretch[1] - stretch[0]) * k) / 24 };
+      points.push(this.view.to(this.motion.on(place, this.state.u, this.e).place));
+    }
+    this.pen.path(points, { stroke: this.palette.load, width: 1.5, dash: [3, 3] });
   },
 
   // Gravity, or the acceleration of the base, so many pixels from the right edge.

@@ -14,7 +14,9 @@ pub(crate) fn of_path(path: &str) -> FaultCode {
     match path.split(['.', '[']).next().unwrap_or_default() {
         "material" | "section" => FaultCode::Section,
         "beam" => FaultCode::Beam,
-        "support" | "joint" | "spring" | "mass" | "connector" => FaultCode::Connection,
+        "support" | "joint" | "spring" | "foundation" | "mass" | "connector" => {
+            FaultCode::Connection
+        }
         "projectile" | "disc" => FaultCode::Body,
         "obstacle" | "contact" => FaultCode::Contact,
         "load" | "function" | "gravity" => FaultCode::Load,

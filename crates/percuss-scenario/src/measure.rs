@@ -20,7 +20,7 @@ pub(crate) trait Measure: 'static {
 
 /// Declares the measures, and the list that names a dimension in messages.
 macro_rules! measures {
-    ($($name:ident = ($m:literal, $kg:literal, $s:literal $(, rad $rad:literal)? $(, implied $implied:literal)?)
+    ($($name:ident = ($m:literal, $kg:literal, $s:literal $(, rad $rad:literal)? $(, implied $implied:literal)? $(, kelvin $kelvin:literal)?)
         $about:literal, $unit:literal, $example:literal $(, not [$($refused:literal),*])?;)*) => {
         $(
             #[doc = $about]
@@ -28,7 +28,7 @@ macro_rules! measures {
 
             impl Measure for $name {
                 const DIMENSION: Dimension =
-                    Dimension::halves($m as f64, $kg as f64, $s as f64)$(.with_radian($rad))?;
+                    Dimension::halves($m as f64, $kg as f64, $s as f64)$(.with_radian($rad))?$(.with_kelvin($kelvin))?;
                 const ANGLE_IMPLIED: bool = false $(|| $implied)?;
                 const NAME: &'static str = $about;
                 const UNIT: &'static str = $unit;
@@ -67,6 +67,12 @@ measures! {
     TurnDamping = (2, 1, -1, rad -1, implied true) "a rotational damping constant", "N*m*s", "\"20 N*m*s\"";
     MassInertia = (2, 1, 0) "a mass moment of inertia", "kg*m^2", "\"2 kg*m^2\"";
     LineForce = (0, 1, -2) "a force per length", "N/m", "\"5 kN/m\"";
+    LineStiffness = (-1, 1, -2) "a stiffness per length", "N/m^2", "\"20 MN/m^2\"";
+    LineDamping = (-1, 1, -1) "a damping constant per length", "N*s/m^2", "\"5 kN*s/m^2\"";
+    Temperature = (0, 0, 0, kelvin 1) "a difference of temperatures", "K", "\"60 K\"";
+    TemperatureGradient = (-1, 0, 0, kelvin 1) "a temperature gradient", "K/m", "\"200 K/m\"";
+    Expansion = (0, 0, 0, kelvin -1) "a thermal expansion", "1/K", "\"12e-6 1/K\"";
+    Curvature = (-1, 0, 0) "a curvature", "1/m", "\"0.01 1/m\"";
     LineInertia = (1, 1, 0) "a rotary inertia per length", "kg*m", "\"10 kg*m\"";
 }
 

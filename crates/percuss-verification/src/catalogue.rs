@@ -133,6 +133,42 @@ const OWN: &[Case] = &[
         run: statics::roll_up,
     },
     Case {
+        id: "foundation-infinite",
+        title: "Infinite beam on an elastic foundation under a force, order in the element size",
+        source: "Hetenyi 1946, Beams on Elastic Foundation; closed form",
+        run: foundation::infinite_beam,
+    },
+    Case {
+        id: "foundation-modes",
+        title: "Pinned beam on an elastic foundation: frequencies and buckling load",
+        source: "Hetenyi 1946; closed form",
+        run: foundation::frequencies_and_buckling,
+    },
+    Case {
+        id: "foundation-yields",
+        title: "Beam dropped flat on a foundation of compression that yields: indentation and rebound",
+        source: "closed form of the balance of energy",
+        run: foundation::yielding_drop,
+    },
+    Case {
+        id: "heated-bars",
+        title: "Heated bars: expansion, curvature, and the forces of what is held",
+        source: "closed form",
+        run: heat::heated_bars,
+    },
+    Case {
+        id: "heated-strut",
+        title: "Heated strut between walls: buckling temperature and frequency below it",
+        source: "closed form",
+        run: heat::heated_strut,
+    },
+    Case {
+        id: "sudden-heat",
+        title: "Heat in motion: its work on a held bar, and the wave in a bar heated at once",
+        source: "closed form",
+        run: heat::sudden_heat,
+    },
+    Case {
         id: "buckled-column",
         title: "A3: column beyond its buckling load",
         source: "ANSYS VM136; elliptic integrals",

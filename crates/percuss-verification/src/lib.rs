@@ -10,6 +10,8 @@ mod conservation;
 mod cradle;
 mod elastic;
 mod ends;
+mod foundation;
+mod heat;
 mod interaction;
 mod layered;
 mod motion;

@@ -36,9 +36,9 @@ pub const BUILD: &str = env!("PERCUSS_BUILD");
 pub use analysis::{
     BucklingMode, BucklingOutcome, Equilibrium, FailureKind, FollowerStability,
     LargestDisplacement, LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, PathYield,
-    SlackMember, StaticBalance, StaticContact, StaticFailure, StaticFirstYield, StaticYielding,
-    StopState, buckling, buckling_in_contact, equilibrium, equilibrium_in, equilibrium_path,
-    equilibrium_path_recorded, mechanisms, modes_about, modes_about_equilibrium,
+    SlackMember, StaticBalance, StaticContact, StaticFailure, StaticFirstYield, StaticFoundation,
+    StaticYielding, StopState, buckling, buckling_in_contact, equilibrium, equilibrium_in,
+    equilibrium_path, equilibrium_path_recorded, mechanisms, modes_about, modes_about_equilibrium,
     natural_frequencies, slack_members, stops,
 };
 pub use error::{Error, RecorderError};

@@ -10,6 +10,7 @@ use crate::model::Model;
 use crate::model::frozen::{Behind, Span};
 use crate::state::{PairState, State};
 use crate::step::fibres::energies;
+use crate::step::given_strains;
 use crate::step::sweep::Sweep;
 
 impl Measures {
@@ -28,6 +29,12 @@ impl Measures {
             };
             m.add_beams(&sums);
             m.hardening += hardening;
+        }
+        if state.is_strained() {
+            let [axial, bending] =
+                given_strains::energy(model, &state.displacement, &state.strained);
+            m.strain_axial += axial;
+            m.strain_bending += bending;
         }
         m.add_masses(model, state);
         m.add_bodies(model, state);

@@ -129,6 +129,8 @@ pub struct State {
     pub(crate) parted: Vec<bool>,
     /// State variables of springs and hinges that yield, extensions \[m\] or rotations \[rad\] in place of strains, shape (connectors that yield).
     pub memories: Vec<FibreState>,
+    /// Factors of loads that give strains, zero of all others, shape (loads) \[-\]; empty without such loads.
+    pub(crate) strained: Vec<f64>,
     /// Values of prescribed motions, shape (motions).
     pub(crate) followed: Vec<Followed>,
     /// Coordinates of springs and dampers, angles unwound, shape (connectors) \[m, rad\].
@@ -162,7 +164,8 @@ impl State {
         let shape = |s: &Self| {
             let nodes = [s.displacement.len(), s.velocity.len(), s.acceleration.len()];
             let elements = [s.spin.len(), s.strain.len(), s.fibres.len(), s.memories.len()];
-            let others = [s.followed.len(), s.coordinates.len(), s.mass_spin.len()];
+            let others =
+                [s.followed.len(), s.coordinates.len(), s.mass_spin.len(), s.strained.len()];
             let forces = [s.reactions.len(), s.reacting.last.len(), s.multiplier.len()];
             (nodes, elements, others, forces, [s.pairs.len(), s.dents.len(), s.joints_parted.len()])
         };
@@ -198,6 +201,7 @@ impl State {
             fibres: vec![FibreState::default(); model.fibre_count()],
             parted: Vec::new(),
             memories: vec![FibreState::default(); model.memory_count()],
+            strained: if model.gives_strains() { vec![0.0; model.loads.len()] } else { Vec::new() },
             followed: followed(model),
             coordinates: Vec::new(),
             mass_spin: vec![0.0; model.masses.len()],
@@ -237,6 +241,11 @@ impl State {
     #[inline]
     pub(crate) fn has_parted(&self, node: usize) -> bool {
         self.parted.get(node).is_some_and(|parted| *parted)
+    }
+
+    /// Whether any load gives strains in it.
+    pub(crate) fn is_strained(&self) -> bool {
+        self.strained.iter().any(|factor| *factor != 0.0)
     }
 
     /// Parts the element that starts at a node.

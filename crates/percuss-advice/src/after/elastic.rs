@@ -47,6 +47,9 @@ impl ObservedContact<'_> {
         let joints = run.joints.iter().map(|one| {
             one.parted.map(|parted| (format!("joint '{}' fails", one.name), parted.time))
         });
-        beams.chain(springs).chain(joints).collect()
+        let foundations = run.foundations.iter().map(|one| {
+            one.first_yield.map(|time| (format!("foundation '{}' yields", one.name), time))
+        });
+        beams.chain(springs).chain(foundations).chain(joints).collect()
     }
 }

@@ -168,6 +168,7 @@ fn contents(ready: &Ready) -> String {
     parts.extend(present(content.joint.len(), "joint"));
     parts.push(count(content.support.len(), "support"));
     parts.extend(present(content.spring.len(), "spring"));
+    parts.extend(present(content.foundation.len(), "foundation"));
     match content.mass.len() {
         0 => {}
         1 => parts.push("1 point mass".to_owned()),
@@ -190,9 +191,16 @@ fn loads(ready: &Ready) -> Vec<String> {
     let gravity = of_kind(|kind| matches!(kind, LoadKind::Gravity { .. }));
     let point = of_kind(|kind| matches!(kind, LoadKind::Point { .. }));
     let distributed = of_kind(|kind| matches!(kind, LoadKind::Distributed { .. }));
+    let heat = of_kind(|kind| matches!(kind, LoadKind::Temperature { .. }));
+    let strain = of_kind(|kind| matches!(kind, LoadKind::Strain { .. }));
     let base = of_kind(|kind| matches!(kind, LoadKind::Base { .. }));
-    let each =
-        [(point, "point load"), (distributed, "distributed load"), (base, "base acceleration")];
+    let each = [
+        (point, "point load"),
+        (distributed, "distributed load"),
+        (heat, "temperature load"),
+        (strain, "given strain"),
+        (base, "base acceleration"),
+    ];
     let each = each.into_iter().filter(|(n, _)| *n > 0).map(|(n, noun)| count(n, noun));
     (gravity > 0).then(|| "gravity".to_owned()).into_iter().chain(each).collect()
 }

@@ -2,13 +2,13 @@
 
 use percuss::scene::{
     BodyShape, DrawnStation, ObstacleOutline, OnBeam, Scene, SceneAnchor, SceneBeam, SceneBody,
-    SceneLoad, SceneLoadKind, SceneObstacle, SceneSupport, SupportSymbol,
+    SceneFoundation, SceneLoad, SceneLoadKind, SceneObstacle, SceneSupport, SupportSymbol,
 };
 use serde_json::{Value, json};
 
 /// The scene as `scene.json` has it: SI units, `null` where something is not known or never ends.
 pub fn scene_value(scene: &Scene) -> Value {
-    json!({
+    let mut value = json!({
         "beams": scene.beams.iter().map(beam_value).collect::<Vec<_>>(),
         "bodies": scene.bodies.iter().map(body_value).collect::<Vec<_>>(),
         "obstacles": scene.obstacles.iter().map(obstacle_value).collect::<Vec<_>>(),
@@ -25,6 +25,20 @@ pub fn scene_value(scene: &Scene) -> Value {
         "contacts": scene.contacts.iter().map(|c| json!({
             "name": c.name, "between": c.between, "rigid": c.rigid,
         })).collect::<Vec<_>>(),
+    });
+    if !scene.foundations.is_empty() {
+        value["foundations"] = scene.foundations.iter().map(foundation_value).collect();
+    }
+    value
+}
+
+fn foundation_value(foundation: &SceneFoundation) -> Value {
+    json!({
+        "name": foundation.name,
+        "beam": foundation.beam,
+        "stretch": foundation.stretch,
+        "direction": foundation.direction,
+        "lifts": foundation.lifts,
     })
 }
 
@@ -105,6 +119,9 @@ fn load_value(load: &SceneLoad) -> Value {
         }
         SceneLoadKind::Point { at, force, moment } => {
             json!({ "kind": "point", "at": on(at), "force": force, "moment": moment })
+        }
+        SceneLoadKind::Strain { beam, stretch } => {
+            json!({ "kind": "strain", "beam": beam, "stretch": stretch })
         }
         SceneLoadKind::Distributed { beam, stretch, force } => json!({
             "kind": "distributed", "beam": beam, "stretch": stretch, "force": force,

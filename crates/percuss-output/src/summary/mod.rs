@@ -13,9 +13,9 @@ mod provenance;
 use std::path::Path;
 
 use percuss::{
-    ImpactResolution, MultipleImpacts, Peak, PointSummary, ProjectileSummary, Range, RunSummary,
-    Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start, StopTouch,
-    SupportSummary, Termination,
+    FoundationSummary, ImpactResolution, MultipleImpacts, Peak, PointSummary, ProjectileSummary,
+    Range, RunSummary, Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start,
+    StopTouch, SupportSummary, Termination,
 };
 use percuss_advice::{Advice, AuditWarning, Comparison};
 use percuss_codes::Code;
@@ -96,6 +96,9 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "warnings": info.warnings.iter().map(advice::warning).collect::<Vec<_>>(),
         "hand_formulas": info.comparisons.iter().map(advice::comparison).collect::<Vec<_>>(),
     });
+    if !run.foundations.is_empty() {
+        summary["foundation"] = named(&run.foundations, |f| &f.name, foundation);
+    }
     if run.step_control.is_some() {
         summary["step_control"] = step_control(run);
     }
@@ -308,6 +311,25 @@ fn support(support: &SupportSummary) -> Value {
         value["intervals"] = touches.iter().map(touch).collect();
     }
     value
+}
+
+fn foundation(found: &FoundationSummary) -> Value {
+    let range = |r: &Range| json!({ "min": peak(&r.min), "max": peak(&r.max) });
+    let at = |p: &SectionPeak| (p.value != 0.0).then(|| place(p));
+    json!({
+        "force_1": range(&found.force[0]),
+        "force_2": range(&found.force[1]),
+        "pressure_max": place(&found.pressure.largest()),
+        "pressure": { "min": place(&found.pressure.min), "max": place(&found.pressure.max) },
+        "lifted_max": peak(&found.lifted),
+        "energy_max": peak(&found.energy_max),
+        "energy": found.energy,
+        "plastic_deflection": at(&found.plastic),
+        "first_yield": found.first_yield.map(|time| json!({ "time": time })),
+        "dissipated": found.dissipated,
+        "dissipated_by_preload": found.dissipated_by_preload,
+        "hardening": found.hardening,
+    })
 }
 
 /// A time in which a stop pressed.

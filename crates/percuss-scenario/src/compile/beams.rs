@@ -106,6 +106,7 @@ fn materials<'c>(
             strain: table.strain,
             retardation: table.retardation,
             mass_damping: table.mass_damping,
+            expansion: table.expansion,
             inelasticity: inelasticity(name, table, faults),
             strength: table.preset.and_then(|preset| preset.strength),
             ..percuss::Material::new(name.as_str(), young, density)

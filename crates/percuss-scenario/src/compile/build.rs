@@ -4,7 +4,7 @@ use percuss::{Fault, ModelBuilder};
 
 use super::beams::Beams;
 use super::function::function;
-use super::{contact, law, yielding};
+use super::{contact, foundation, law, yielding};
 use crate::content::{
     self, Anchor, Content, JointKind, LoadKind, ModalRatios, ProjectileKind, SpringLaw,
     SupportKind, Touch,
@@ -19,6 +19,7 @@ pub(super) fn definitions(content: &Content, given: Option<&Given>) -> (ModelBui
     let beams = Beams::add(content, &mut builder, &mut faults);
     supports(content, given, &beams, &mut builder, &mut faults);
     connections(content, &beams, &mut builder, &mut faults);
+    foundation::add(content, &beams, &mut builder, &mut faults);
     guided(content, given, &beams, &mut builder, &mut faults);
     contact::add(content, given, &beams, &mut builder, &mut faults);
     loads(content, given, &beams, &mut builder, &mut faults);
@@ -243,6 +244,18 @@ fn load_kind(kind: &LoadKind, beams: &Beams<'_>) -> percuss::LoadKind {
             force: *force,
             moment: *moment,
             follower: *follower,
+        },
+        LoadKind::Temperature { on, stretch, change, gradient } => percuss::LoadKind::Temperature {
+            beam: beams.id(on),
+            stretch: *stretch,
+            change: *change,
+            gradient: *gradient,
+        },
+        LoadKind::Strain { on, stretch, strain, curvature } => percuss::LoadKind::Strain {
+            beam: beams.id(on),
+            stretch: *stretch,
+            strain: *strain,
+            curvature: *curvature,
         },
         LoadKind::Distributed { on, stretch, force, force_end, follower } => {
             percuss::LoadKind::Distributed {

@@ -107,9 +107,11 @@ fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c str> {
             let mass = table(&content.mass, "mass", owner).map(|m| &m.at);
             let load = table(&content.load, "load", owner).and_then(|l| match &l.kind {
                 LoadKind::Point { at, .. } => Some(at),
-                LoadKind::Gravity { .. } | LoadKind::Base { .. } | LoadKind::Distributed { .. } => {
-                    None
-                }
+                LoadKind::Gravity { .. }
+                | LoadKind::Base { .. }
+                | LoadKind::Distributed { .. }
+                | LoadKind::Temperature { .. }
+                | LoadKind::Strain { .. } => None,
             });
             let obstacle = table(&content.obstacle, "obstacle", owner);
             let obstacle = obstacle.and_then(|o| match &o.kind {
@@ -119,8 +121,16 @@ fn mentions<'c>(content: &'c Content, path: &str) -> Vec<&'c str> {
             let all = support.into_iter().chain(mass).chain(load).chain(obstacle);
             all.map(|p| p.beam.as_str()).collect()
         }
+        "stretch" if owner.starts_with("foundation.") => {
+            let foundation = table(&content.foundation, "foundation", owner);
+            foundation.map(|f| f.on.as_str()).into_iter().collect()
+        }
         "stretch" => match table(&content.load, "load", owner).map(|l| &l.kind) {
-            Some(LoadKind::Distributed { on, .. }) => vec![on],
+            Some(
+                LoadKind::Distributed { on, .. }
+                | LoadKind::Temperature { on, .. }
+                | LoadKind::Strain { on, .. },
+            ) => vec![on],
             _ => Vec::new(),
         },
         "strikes" | "position" => {

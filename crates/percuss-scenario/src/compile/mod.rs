@@ -5,6 +5,7 @@ mod beams;
 mod build;
 mod contact;
 mod follow;
+mod foundation;
 mod function;
 mod known;
 mod law;

@@ -40,6 +40,14 @@ fn definitions_are_those_of_the_file() {
          failure_strain: Some(0.4) })",
         "Ground([-1.0, 0.5])], law: Linear { stiffness: 40000.0 }, damping: 100.0, length: Some(1.0)",
         "mass: 20.0, rotary_inertia: 0.5",
+        "Foundation { name: \"bed\", beam: BeamId(2), stretch: [Fraction(0.0), Distance(1.5)], \
+         direction: Some([0.0, 1.0]), law: Linear { stiffness: 20000000.0 }, damping: 5000.0, \
+         yielding: Some(Plasticity { curve: [Hardening { from: 0.0, stress: 40000.0, modulus: 1000000.0 }, \
+         Hardening { from: 0.01, stress: 50000.0, modulus: 0.0 }], kinematic: 1000000.0, overstress: None, \
+         failure_strain: None }) }",
+        "direction: None, law: Compression { stiffness: 10000000.0, gap: 0.001 }, damping: 0.0, \
+         yielding: Some(Plasticity { curve: [Hardening { from: 0.0, stress: 30000.0, modulus: 500000.0 }]",
+        "law: Table { deflection: [-0.02, 0.0, 0.02], reaction: [-3000.0, 0.0, 3000.0] }",
         "moment: 5.0, follower: true }, function: Table { times: [0.0, 0.002, 0.005, 0.01], \
          values: [0.0, 1.0, 0.4, 0.0], smooth: true }, from: 0.001, until: 0.1",
         "Distributed { beam: BeamId(2), stretch: [Fraction(0.0), Distance(1.5)], \

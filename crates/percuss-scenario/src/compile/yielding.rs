@@ -4,7 +4,8 @@ use percuss::{Fault, Hardening, Inelasticity, Overstress, Plasticity, Slack};
 
 use super::stress_table::StressTable;
 use crate::content::{
-    HingeHardening, JointKind, Material, SpringHardening, SpringLaw, TableStress,
+    FoundationHardening, FoundationLaw, HingeHardening, JointKind, Material, SpringHardening,
+    SpringLaw, TableStress,
 };
 
 /// What a file gives of a hardening curve.
@@ -136,6 +137,32 @@ pub(super) fn of_spring(
         test: None,
     };
     Some(Plasticity { failure_strain: *failure_extension, ..given.plasticity(faults) })
+}
+
+/// How a foundation yields, if it does.
+pub(super) fn of_foundation(
+    name: &str,
+    law: &FoundationLaw,
+    faults: &mut Vec<Fault>,
+) -> Option<Plasticity> {
+    let (FoundationLaw::Linear { yield_force, hardening, .. }
+    | FoundationLaw::Compression { yield_force, hardening, .. }) = law
+    else {
+        return None;
+    };
+    let none = FoundationHardening { isotropic: None, kinematic: 0.0, table: None };
+    let hardening = hardening.as_ref().unwrap_or(&none);
+    let given = Given {
+        path: format!("foundation.{name}"),
+        first: (*yield_force)?,
+        unit: "N/m",
+        over: "plastic deflection at the yield force",
+        isotropic: hardening.isotropic,
+        kinematic: hardening.kinematic,
+        table: hardening.table.as_deref(),
+        test: None,
+    };
+    Some(given.plasticity(faults))
 }
 
 /// How a hinge yields, if it does.

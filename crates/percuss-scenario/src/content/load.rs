@@ -55,6 +55,31 @@ kinds! {
             /// Whether the force turns with the tangent.
             follower: bool as Flag = false,
         },
+        /// A change of temperature of a stretch of a beam from that of the reference configuration, uniform and linear through the depth, times
+        /// `function`: strains `expansion * (change + gradient * height)` of its materials, which need an `expansion`. Beams that yield or
+        /// have sections of fibres cannot be heated.
+        Temperature = "temperature" {
+            /// Name of the beam.
+            on: String as NameOf<BeamName>,
+            /// Ends of the stretch: each "start", "mid", "end", a fraction or a length.
+            stretch: [Along; 2] as Pair<Place> = [Along::Fraction(0.0), Along::Fraction(1.0)],
+            /// Change of temperature on the axis (K).
+            change: f64 as Quantity<measure::Temperature> = 0.0,
+            /// Rise of the temperature per depth towards the top fibre (K/m): the difference between top and bottom over the depth.
+            gradient: f64 as Quantity<measure::TemperatureGradient> = 0.0,
+        },
+        /// A strain and a curvature that a stretch of a beam would take without forces (shrinkage, prestress, misfit), times `function`. Not of
+        /// beams that yield or have sections of fibres.
+        Strain = "strain" {
+            /// Name of the beam.
+            on: String as NameOf<BeamName>,
+            /// Ends of the stretch: each "start", "mid", "end", a fraction or a length.
+            stretch: [Along; 2] as Pair<Place> = [Along::Fraction(0.0), Along::Fraction(1.0)],
+            /// Elongation per length, in the strain measure of the material; shortening is negative.
+            strain: f64 as Quantity<measure::Ratio> = 0.0,
+            /// Rotation per length, counter-clockwise along the beam (1/m): the bottom fibre is longer where it is positive.
+            curvature: f64 as Quantity<measure::Curvature> = 0.0,
+        },
     }
 }
 

@@ -5,6 +5,7 @@
 mod allow;
 mod analysis;
 mod contact;
+mod foundation;
 mod function;
 mod initial;
 mod law;
@@ -18,6 +19,7 @@ mod yielding;
 pub use allow::Allowed;
 pub use analysis::*;
 pub use contact::*;
+pub use foundation::*;
 pub use function::*;
 pub use initial::*;
 pub use law::*;
@@ -58,6 +60,8 @@ table! {
         joint: Vec<Named<Joint>> as Collection<Joint> = Vec::new(),
         /// Springs and dampers between two points, by name.
         spring: Vec<Named<Spring>> as Collection<Spring> = Vec::new(),
+        /// Foundations along beams, by name.
+        foundation: Vec<Named<Foundation>> as Collection<Foundation> = Vec::new(),
         /// Masses at points of beams, by name.
         mass: Vec<Named<PointMass>> as Collection<PointMass> = Vec::new(),
         /// Projectiles, by name.

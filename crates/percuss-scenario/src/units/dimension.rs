@@ -2,30 +2,37 @@
 
 use std::fmt;
 
-/// Exponents of metre, kilogram, second and radian, which may be halves: Hertz stiffness is in N/m^1.5.
+/// Exponents of metre, kilogram, second, radian and kelvin, which may be halves: Hertz stiffness is in N/m^1.5.
 ///
 /// The angle counts as a dimension, so that `"1500 1/min"` is no angular velocity and `"17 deg"` no coefficient of friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Dimension {
-    /// Twice the exponents, shape (4) \[-\].
-    pub(super) doubled: [i32; 4],
+    /// Twice the exponents, shape (5) \[-\].
+    pub(super) doubled: [i32; 5],
 }
 
 impl Dimension {
     /// A dimension from its three exponents.
     pub const fn new(metre: i32, kilogram: i32, second: i32) -> Self {
-        Self { doubled: [2 * metre, 2 * kilogram, 2 * second, 0] }
+        Self { doubled: [2 * metre, 2 * kilogram, 2 * second, 0, 0] }
     }
 
     /// A dimension from three exponents that may be halves.
     pub const fn halves(metre: f64, kilogram: f64, second: f64) -> Self {
-        Self { doubled: [(2.0 * metre) as i32, (2.0 * kilogram) as i32, (2.0 * second) as i32, 0] }
+        let [m, kg, s] = [(2.0 * metre) as i32, (2.0 * kilogram) as i32, (2.0 * second) as i32];
+        Self { doubled: [m, kg, s, 0, 0] }
     }
 
     /// The same with an exponent of the radian.
     pub const fn with_radian(self, radian: i32) -> Self {
-        let [metre, kilogram, second, _] = self.doubled;
-        Self { doubled: [metre, kilogram, second, 2 * radian] }
+        let [metre, kilogram, second, _, kelvin] = self.doubled;
+        Self { doubled: [metre, kilogram, second, 2 * radian, kelvin] }
+    }
+
+    /// The same with an exponent of the kelvin: of differences of temperature.
+    pub const fn with_kelvin(self, kelvin: i32) -> Self {
+        let [metre, kilogram, second, radian, _] = self.doubled;
+        Self { doubled: [metre, kilogram, second, radian, 2 * kelvin] }
     }
 
     /// The same without angle: what a formula makes of it.
@@ -36,7 +43,7 @@ impl Dimension {
     /// Dimension of a product.
     pub(super) fn times(self, other: Self) -> Self {
         let sum = |i: usize| self.doubled[i].saturating_add(other.doubled[i]);
-        Self { doubled: [0, 1, 2, 3].map(sum) }
+        Self { doubled: [0, 1, 2, 3, 4].map(sum) }
     }
 
     /// Dimension of the reciprocal.
@@ -54,8 +61,8 @@ impl Dimension {
 impl fmt::Display for Dimension {
     /// Writes the coherent SI unit, for instance `kg*m/s^2`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [metre, kilogram, second, radian] = self.doubled;
-        let bases = [("kg", kilogram), ("m", metre), ("rad", radian), ("s", second)];
+        let [metre, kilogram, second, radian, kelvin] = self.doubled;
+        let bases = [("kg", kilogram), ("m", metre), ("rad", radian), ("s", second), ("K", kelvin)];
         let side = |above: bool| -> Vec<String> {
             let one = |&(name, doubled): &(&str, i32)| match doubled.abs() {
                 2 => name.to_string(),

@@ -27,6 +27,12 @@ impl Unit {
         Self { dimension, power10: 0, numerator, denominator }
     }
 
+    /// The kelvin, of differences of temperature.
+    const fn kelvin() -> Self {
+        let dimension = Dimension::new(0, 0, 0).with_kelvin(1);
+        Self { dimension, power10: 0, numerator: 1.0, denominator: 1.0 }
+    }
+
     /// Product of two units.
     pub fn times(self, other: Self) -> Self {
         Self {
@@ -95,6 +101,7 @@ const PLAIN: &[(&str, Unit)] = &[
     ("%", Unit::new(0, 0, 0, -2, 1.0, 1.0)),
     ("deg", Unit::angle(0, PI, 180.0)),
     ("°", Unit::angle(0, PI, 180.0)),
+    ("K", Unit::kelvin()),
     ("rev", Unit::angle(0, 2.0 * PI, 1.0)),
     ("rpm", Unit::angle(-1, PI, 30.0)),
     // Gravitational metric units: standard gravity is 9.80665 m/s^2 by definition.
@@ -192,6 +199,9 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("degree", "`deg`"),
     ("revolution", "`rev`"),
     ("percent", "`%`"),
+    ("kelvin", "`K`"),
+    ("degc", "`K`, of a difference of temperatures"),
+    ("celsius", "`K`, of a difference of temperatures"),
     ("mp", "`m/s`"), // mps, its `s` taken for a plural's
     ("mps", "`m/s`"),
     ("kmh", "`km/h`"),

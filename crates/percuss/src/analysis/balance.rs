@@ -19,7 +19,7 @@ pub struct StaticBalance {
     pub loads: [f64; 2],
     /// Reactions of supports, obstacles and guides of projectiles, shape (2) \[N\].
     pub reactions: [f64; 2],
-    /// Forces of springs to the ground, shape (2) \[N\].
+    /// Forces of springs to the ground and of foundations, shape (2) \[N\].
     pub springs: [f64; 2],
     /// Their sum, which is round-off, shape (2) \[N\].
     pub unbalanced: [f64; 2],

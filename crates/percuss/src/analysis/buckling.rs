@@ -7,9 +7,10 @@ use super::flutter::{FollowerStability, follower_stability};
 use super::spectrum::{Held, Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
 use super::static_search::{StaticSearch, largest, linearized};
 use crate::model::Model;
-use crate::model::frozen::ConnectorLaw;
+use crate::model::frozen::{ConnectorLaw, LoadAction};
 use crate::settings::Scheme;
 use crate::state::State;
+use crate::step::given_strains;
 
 /// Additional vectors of the subspace, beside six for each requested factor.
 const SPARE: usize = 80;
@@ -223,7 +224,8 @@ fn find(
         return Err(BucklingOutcome::Unstable);
     }
     let (response, multipliers) = factored.solve_with_multipliers(&loads(model, &rest));
-    if largest(&response) <= NO_LOAD * unloaded.size() {
+    let given = given_strain(model);
+    if largest(&response) <= NO_LOAD * unloaded.size() && given == 0.0 {
         return Err(BucklingOutcome::Unloaded);
     }
     let stressed = stressed(model, &rest, &response, &multipliers);
@@ -232,7 +234,7 @@ fn find(
         return Err(BucklingOutcome::Follower);
     }
     let geometric = layout.combined(&loaded, &stiffness, -1.0);
-    let most = 1.0 / largest_strain(model, &stressed);
+    let most = 1.0 / largest_strain(model, &stressed).max(given);
     Buckling { layout: &layout, stiffness, geometric }.lowest(count, most)
 }
 
@@ -328,6 +330,18 @@ fn largest_strain(model: &Model, search: &StaticSearch) -> f64 {
         let radius = law.gyration();
         for [membrane, bending] in search.base.strain[e] {
             most = most.max(membrane.abs()).max(radius * bending.abs());
+        }
+    }
+    most
+}
+
+/// Largest strain that loads give to elements at time zero: a heated bar between walls is stressed without a displacement.
+fn given_strain(model: &Model) -> f64 {
+    let factors = given_strains::factors_at(model, 0.0);
+    let mut most = 0.0_f64;
+    for (load, factor) in model.loads.iter().zip(&factors) {
+        if let LoadAction::Strain { elements } = &load.kind {
+            most = elements.iter().map(|e| (factor * e.strain).abs()).fold(most, f64::max);
         }
     }
     most

@@ -3,6 +3,7 @@
 use super::balance::StaticBalance;
 use super::course::StaticFirstYield;
 use super::failure::StaticFailure;
+use super::foundations::StaticFoundation;
 use super::largest_displacement::LargestDisplacement;
 use super::spectrum::Held;
 use super::static_contacts::StaticContact;
@@ -43,6 +44,8 @@ pub struct Equilibrium {
     pub(crate) held: Vec<Held>,
     /// Springs and hinges that can yield, in the model's order, shape (such springs and hinges).
     pub yielding: Vec<StaticYielding>,
+    /// Foundations, in the model's order, shape (foundations).
+    pub foundations: Vec<StaticFoundation>,
     /// Failures during loading, in their order, shape (such failures).
     pub failures: Vec<StaticFailure>,
     /// Resultant of all external forces.

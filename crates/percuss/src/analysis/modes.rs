@@ -136,6 +136,7 @@ impl<'m> Linearized<'m> {
         let held: usize = model.prescribed.iter().map(|h| h.normals.len()).sum();
         let free = (4 * model.node_count()).saturating_sub(held + model.constraints.len());
         let stressed = state.displacement.as_flattened().iter().any(|u| *u != 0.0)
+            || state.is_strained()
             || (model.connectors.iter().zip(&state.coordinates))
                 .any(|(c, q)| c.potential(*q, &state.memories) != 0.0);
         let mass = mass_band(model, &state.displacement);

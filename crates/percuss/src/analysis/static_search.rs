@@ -75,7 +75,8 @@ impl<'m> StaticSearch<'m> {
     /// At an equilibrium: increments are relative to it. In the reference configuration no load acts, and springs whose drawn length differs from
     /// their free length are taken as force-free if their forces do not balance there: beams have no corresponding forces.
     pub fn at(model: &'m Model, state: &State) -> Self {
-        let loaded = largest(&state.displacement) > 0.0;
+        // A heated bar between walls does not move.
+        let loaded = largest(&state.displacement) > 0.0 || state.is_strained();
         let mut search = Self::at_share(model, state, f64::from(u8::from(loaded)));
         let stressed = model.connectors.iter().zip(&search.base.coordinates);
         let stressed = stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) != 0.0);
@@ -297,7 +298,7 @@ impl<'m> StaticSearch<'m> {
             }
         }
         weigh_masses(model, forcing, residual);
-        external::apply::<TANGENT>(model, base, forcing, 1.0, increment, residual, tangent);
+        external::apply::<TANGENT>(model, base, forcing, &RULE, increment, residual, tangent);
         contacts.bodies::<TANGENT>(model, forcing, residual, tangent);
         connectors::apply::<TANGENT>(model, base, &RULE, forcing, increment, residual, tangent);
         contacts.fix_nodes::<TANGENT>(residual, tangent);

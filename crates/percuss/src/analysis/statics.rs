@@ -2,6 +2,7 @@
 
 use super::balance::{self, StaticBalance};
 use super::equilibrium::Equilibrium;
+use super::foundations;
 use super::largest_displacement::LargestDisplacement;
 use super::lost::{loose, moves};
 use super::spectrum::{Layout, free_motions};
@@ -115,6 +116,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
             .collect(),
         held: search.contacts.held(model, &state),
         yielding: at_rest(model, &state),
+        foundations: foundations::at_rest(model, &state),
         failures: Vec::new(),
         balance,
         first_yields: Vec::new(),

@@ -3,7 +3,7 @@
 use super::lost::moves;
 use super::spectrum::{Layout, free_motions};
 use super::static_search::StaticSearch;
-use crate::element::fibre::{FibreState, StressLaw};
+use crate::element::fibre::FibreState;
 use crate::math::vec2::sub;
 use crate::model::Model;
 use crate::model::frozen::{BeamData, Connector, Coordinate, Drive};
@@ -69,7 +69,7 @@ fn without_flow(model: &Model) -> Model {
     }
     let yielding = structure.connectors.iter_mut().filter_map(|c| c.yielding.as_mut());
     for law in yielding.filter_map(|own| own.law.as_mut()) {
-        *law = StressLaw::Elastic { young: law.young() };
+        *law = law.without_flow();
     }
     structure
 }

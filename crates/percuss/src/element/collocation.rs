@@ -116,7 +116,12 @@ pub struct BendingEnd {
 
 /// That of a point.
 pub fn bending_at_end(law: &SectionLaw<f64>, point: &StepPoint<f64>) -> BendingEnd {
-    let [g, p] = point.at(1.0);
+    bending_at(law, point, 1.0)
+}
+
+/// The same at the share `theta` of a step.
+pub fn bending_at(law: &SectionLaw<f64>, point: &StepPoint<f64>, theta: f64) -> BendingEnd {
+    let [g, p] = point.at(theta);
     let c = gradient(law.measure, g, p);
     let (a, b) = (form_a(g), form_b(g, p));
     let none = a.times(0.0);
@@ -127,9 +132,9 @@ pub fn bending_at_end(law: &SectionLaw<f64>, point: &StepPoint<f64>) -> BendingE
             axial: none,
             moment: none,
             alpha: none,
-            c1: a.times(c.c1_a),
-            c2: a.times(c.c2_a).plus(c.c2_b, b),
-            theta: 1.0,
+            c1: a.times(c.c1_a * theta),
+            c2: a.times(c.c2_a * theta).plus(c.c2_b * theta, b),
+            theta,
         },
         at: [g, p],
     }

@@ -1,7 +1,8 @@
 //! The beam element: pure functions on stack arrays.
 //!
 //! The schemes ([`energy_momentum`], [`strain_rate`], [`collocation`]) turn the two ends of a step into generalised forces at a
-//! Gauss point, [`gauss`] adds them over an element, [`beam`] holds its constants, [`membrane`] adds the membrane strains of slender ones.
+//! Gauss point, [`gauss`] adds them over an element, [`beam`] holds its constants, [`membrane`] adds the membrane strains of slender ones,
+//! [`given_strain`] those that heat gives.
 
 // Items that only `internals` re-exports have no documentation.
 #[allow(missing_docs)]
@@ -13,6 +14,7 @@ pub mod energy_momentum;
 pub mod fibre;
 #[allow(missing_docs)]
 pub mod gauss;
+pub mod given_strain;
 #[allow(missing_docs)]
 pub mod invariant;
 #[allow(missing_docs)]

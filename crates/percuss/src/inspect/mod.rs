@@ -68,9 +68,14 @@ impl Model {
         self.constraints.iter().map(ConstraintView)
     }
 
-    /// Springs and dampers.
+    /// Springs and dampers, those of foundations left out.
     pub fn connectors(&self) -> impl Iterator<Item = ConnectorView<'_>> {
-        self.connectors.iter().map(ConnectorView)
+        self.single_connectors().map(ConnectorView)
+    }
+
+    /// Foundations along beams, in the order of definition.
+    pub fn foundations(&self) -> impl ExactSizeIterator<Item = FoundationView<'_>> {
+        self.foundations.iter().map(FoundationView)
     }
 
     /// Point masses.

@@ -2,8 +2,10 @@
 
 use super::Body;
 use crate::math::vec2::{norm, sub};
+use crate::model::FoundationLaw;
 use crate::model::frozen::{
-    Connector, ConnectorEnd, ConnectorLaw, Constraint, Coordinate, MaterialPoint, PrescribedDofs,
+    Connector, ConnectorEnd, ConnectorLaw, Constraint, Coordinate, FoundationData, MaterialPoint,
+    PrescribedDofs,
 };
 
 /// A material point of a beam.
@@ -139,6 +141,37 @@ impl<'m> ConnectorView<'m> {
             }
             Coordinate::Angle { .. } => ConnectorCoordinate::Angle,
         }
+    }
+}
+
+/// A foundation along a stretch of a beam.
+#[derive(Clone, Copy, Debug)]
+pub struct FoundationView<'m>(pub(super) &'m FoundationData);
+
+impl<'m> FoundationView<'m> {
+    /// Name given by the user.
+    pub fn name(&self) -> &'m str {
+        &self.0.name
+    }
+
+    /// Its beam.
+    pub fn beam(&self) -> usize {
+        self.0.beam
+    }
+
+    /// Arc lengths of its ends, shape (2) \[m\].
+    pub fn stretch(&self) -> [f64; 2] {
+        self.0.stretch
+    }
+
+    /// Its law.
+    pub fn law(&self) -> &'m FoundationLaw {
+        &self.0.law
+    }
+
+    /// Whether its reaction is not in proportion to the deflection: it is one-sided, tabulated or yields.
+    pub fn is_nonlinear(&self) -> bool {
+        self.0.yields || !matches!(self.0.law, FoundationLaw::Linear { .. })
     }
 }
 

@@ -22,7 +22,7 @@ pub struct Measures<S = f64> {
     pub hardening: S,
     /// Energy of the contact springs \[J\].
     pub contact: S,
-    /// Energy of springs, elastic supports and stops \[J\].
+    /// Energy of springs, elastic supports, stops and foundations \[J\].
     pub springs: S,
     /// Linear momentum, shape (2) \[kg m/s\].
     pub linear: [S; 2],

@@ -36,11 +36,29 @@ pub enum LoadAction {
         /// Share of each element, by its node a, shape (elements of the load, 2, 4) \[index of a node, N, N m\].
         shares: Vec<(usize, [[f64; 4]; 2])>,
     },
+    /// Strains that elements would have without forces.
+    Strain {
+        /// The elements, shape (elements of the load).
+        elements: Vec<StrainedElement>,
+    },
     /// Forces per length along (tangent, normal) at quadrature points.
     Follower {
         /// The points, shape (points).
         points: Vec<FollowerPoint>,
     },
+}
+
+/// An element with given strains.
+#[derive(Clone, Copy, Debug)]
+pub struct StrainedElement {
+    /// Its node a.
+    pub node: usize,
+    /// Its number among all elements.
+    pub element: usize,
+    /// Membrane strain without forces \[-\].
+    pub strain: f64,
+    /// Bending strain without forces, positive where it stretches the left side of the beam \[1/m\].
+    pub bending: f64,
 }
 
 /// A quadrature point of a follower load.
@@ -66,6 +84,12 @@ impl LoadData {
         let (lo, hi) = (self.from.max(start), self.until.min(start + h));
         let (lo, length) = if share == 1.0 { (start, h) } else { (lo, hi - lo) };
         share * self.function.mean(lo - self.from, length)
+    }
+
+    /// Factor at an instant after the start.
+    pub fn factor_at(&self, time: f64) -> f64 {
+        let acts = time >= self.from && time <= self.until;
+        if acts { self.function.value(time - self.from) } else { 0.0 }
     }
 
     /// Factor at the start of a run, from the right.

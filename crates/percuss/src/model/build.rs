@@ -10,7 +10,9 @@ use super::material_points::locate;
 use super::mesh::SpanPlan;
 use super::places::Places;
 use super::section_line::SectionLine;
-use super::{Fault, bodies, check, connect, constrain, fibres, loads, mesh, outline, pairs};
+use super::{
+    Fault, bodies, check, connect, constrain, fibres, foundation, loads, mesh, outline, pairs,
+};
 use crate::element::beam::{ElementTable, NodeFrame};
 use crate::geometry::axis::{AxisElement, AxisElements};
 use crate::math::hermite;
@@ -43,6 +45,7 @@ impl ModelBuilder {
             }
         }
         connect::springs(self, &mut model);
+        foundation::place(self, &mut model);
         constrain::all(self, &mut model)?;
         pairs::place(self, &mut model)?;
         // Bodies have doubled the memory of the nodes.
@@ -59,6 +62,7 @@ impl ModelBuilder {
             constraints: Vec::new(),
             joints: Vec::new(),
             connectors: Vec::new(),
+            foundations: Vec::new(),
             masses: Vec::new(),
             supports: Vec::new(),
             motions: Vec::new(),
@@ -133,6 +137,7 @@ impl ModelBuilder {
             measure: material.strain,
             retardation: material.retardation,
             mass_damping: material.mass_damping,
+            expansion: material.expansion,
             strength: material
                 .strength
                 .filter(|_| material.inelasticity.is_none() && make.is_plain()),

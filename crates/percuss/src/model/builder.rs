@@ -25,6 +25,8 @@ pub struct ModelBuilder {
     pub(super) contacts: Vec<Contact>,
     /// Loads, shape (loads).
     pub(super) loads: Vec<Load>,
+    /// Foundations, shape (foundations).
+    pub(super) foundations: Vec<Foundation>,
     /// Springs, shape (springs).
     pub(super) springs: Vec<Spring>,
     /// Point masses, shape (point masses).
@@ -102,6 +104,11 @@ impl ModelBuilder {
     /// Adds a spring between two points.
     pub fn spring(&mut self, spring: Spring) {
         self.springs.push(spring);
+    }
+
+    /// Adds a foundation along a beam.
+    pub fn foundation(&mut self, foundation: Foundation) {
+        self.foundations.push(foundation);
     }
 
     /// Adds a mass at a point.

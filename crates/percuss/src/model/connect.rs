@@ -82,7 +82,15 @@ fn push(
     if !matches!(law, ConnectorLaw::Linear { stiffness: 0.0, .. }) || damping > 0.0 {
         let (support, until) = (Some(index), support.until);
         let yielding = None;
-        model.connectors.push(Connector { coordinate, law, yielding, damping, support, until });
+        model.connectors.push(Connector {
+            coordinate,
+            law,
+            yielding,
+            damping,
+            support,
+            foundation: None,
+            until,
+        });
     }
 }
 
@@ -123,6 +131,7 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
             yielding,
             damping: spring.damping,
             support: None,
+            foundation: None,
             until: f64::INFINITY,
         });
     }
@@ -141,6 +150,7 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
                 yielding,
                 damping,
                 support: None,
+                foundation: None,
                 until: f64::INFINITY,
             });
         }
@@ -216,9 +226,9 @@ impl Model {
         last.map_or(0, |own| own.memory + 1)
     }
 
-    /// Connectors that can yield or break, their number and how, in the model's order.
+    /// Springs and hinges that can yield or break, their number and how, in the model's order; those of foundations are not among them.
     pub(crate) fn yielding(&self) -> impl Iterator<Item = (usize, &Connector, &YieldingLaw)> {
-        let each = self.connectors.iter().enumerate();
+        let each = self.connectors.iter().enumerate().filter(|(_, c)| c.foundation.is_none());
         each.filter_map(|(i, c)| c.yielding.as_ref().map(|own| (i, c, own)))
     }
 }

@@ -50,6 +50,17 @@ impl ModelBuilder {
             springs: s.law != super::definition::SpringLaw::Linear { stiffness: 0.0 },
         };
         scene.springs = self.springs.iter().map(spring).collect();
+        let foundation = |f: &super::definition::Foundation| {
+            let end = |along| PointRef { label: String::new(), beam: f.beam, along };
+            SceneFoundation {
+                name: f.name.clone(),
+                beam: f.beam.0 as usize,
+                stretch: f.stretch.map(|along| on_beam(model, &end(along)).s),
+                direction: f.direction.map(unit),
+                lifts: matches!(f.law, super::definition::FoundationLaw::Compression { .. }),
+            }
+        };
+        scene.foundations = self.foundations.iter().map(foundation).collect();
         let mass = |m: &super::definition::PointMass| SceneMass {
             name: m.name.clone(),
             at: on_beam(model, &m.at),
@@ -144,6 +155,12 @@ impl ModelBuilder {
                 LoadKind::Point { at, force, moment, follower } => {
                     let at = on_beam(model, at);
                     (SceneLoadKind::Point { at, force: *force, moment: *moment }, *follower)
+                }
+                LoadKind::Strain { beam, stretch, .. }
+                | LoadKind::Temperature { beam, stretch, .. } => {
+                    let place = |along| PointRef { label: String::new(), beam: *beam, along };
+                    let stretch = stretch.map(|along| on_beam(model, &place(along)).s);
+                    (SceneLoadKind::Strain { beam: beam.0 as usize, stretch }, false)
                 }
                 LoadKind::Distributed { beam, stretch, force, follower } => {
                     let place = |along| PointRef { label: String::new(), beam: *beam, along };

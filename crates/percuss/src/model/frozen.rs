@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 pub use super::acting::*;
 use super::definition::{InitialMotion, StrainMeasure, Strength};
+pub use super::founded::*;
 pub use super::point::*;
 pub use super::section_line::SectionLine;
 pub use super::span_fibres::*;
@@ -43,6 +44,9 @@ pub struct Model {
     /// Springs and dampers, shape (connectors).
     #[doc(hidden)]
     pub connectors: Vec<Connector>,
+    /// Foundations along beams, in the order they were defined, shape (foundations); their springs are the last connectors.
+    #[doc(hidden)]
+    pub foundations: Vec<FoundationData>,
     /// Masses at points, shape (point masses).
     #[doc(hidden)]
     pub masses: Vec<MassData>,
@@ -113,6 +117,8 @@ pub struct Span {
     pub retardation: f64,
     /// Mass-proportional damping \[1/s\].
     pub mass_damping: f64,
+    /// Thermal expansion of its material \[1/K\].
+    pub expansion: f64,
     /// Usual yield stresses of an elastic material, if known.
     pub strength: Option<Strength>,
     /// Its fibres, if its material is nonlinear or its section is given by them.
@@ -174,7 +180,12 @@ impl Model {
 
     /// Whether any beam has a fibre section, or any spring or joint yields; up to a strength alone these are elastic.
     pub(crate) fn has_inelastic_laws(&self) -> bool {
-        self.has_fibres() || self.yielding().any(|(.., own)| own.law.is_some())
+        self.has_fibres()
+            || self
+                .connectors
+                .iter()
+                .filter_map(|c| c.yielding.as_ref())
+                .any(|own| own.law.is_some())
     }
 
     /// Whether the law of any contact crushes.
@@ -321,6 +332,11 @@ impl Model {
             _ => 0.0,
         });
         each.sum()
+    }
+
+    /// Whether any load gives strains to elements.
+    pub(crate) fn gives_strains(&self) -> bool {
+        self.loads.iter().any(|load| matches!(load.kind, LoadAction::Strain { .. }))
     }
 
     /// Times at which a support is released \[s\].

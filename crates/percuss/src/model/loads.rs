@@ -24,6 +24,15 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
                 moment: *moment,
                 follower: *follower,
             },
+            LoadKind::Strain { beam, stretch, strain, curvature } => {
+                // Bending strains are positive where they turn the tangent clockwise.
+                let of = |_: &Span| [*strain, -curvature];
+                LoadAction::Strain { elements: strained(model, beam.0 as usize, *stretch, of) }
+            }
+            LoadKind::Temperature { beam, stretch, change, gradient } => {
+                let of = |span: &Span| [change, gradient].map(|rise| span.expansion * rise);
+                LoadAction::Strain { elements: strained(model, beam.0 as usize, *stretch, of) }
+            }
             LoadKind::Distributed { beam, stretch, force, follower } => {
                 let points = distributed(model, beam.0 as usize, *stretch, *force);
                 if *follower { LoadAction::Follower { points } } else { dead(&points) }
@@ -83,6 +92,32 @@ fn distributed(
         }
     }
     points
+}
+
+/// Elements of a stretch of a beam with the membrane and bending strains given to those of each span; elements begin and end where it does.
+fn strained(
+    model: &Model,
+    beam_index: usize,
+    stretch: [Along; 2],
+    of: impl Fn(&Span) -> [f64; 2],
+) -> Vec<StrainedElement> {
+    let beam = &model.beams[beam_index];
+    let [from, to] = stretch.map(|along| match along {
+        Along::Fraction(f) => f * beam.length,
+        Along::Distance(s) => s,
+    });
+    let mut elements = Vec::new();
+    for span in &model.spans[beam.spans.clone()] {
+        let [strain, bending] = of(span);
+        for (k, w) in span.stations.windows(2).enumerate() {
+            let middle = 0.5 * (w[0] + w[1]);
+            if middle > from && middle < to {
+                let (node, element) = (span.nodes.start + k, span.elements.start + k);
+                elements.push(StrainedElement { node, element, strain, bending });
+            }
+        }
+    }
+    elements
 }
 
 /// Nodal forces of a dead load.

@@ -14,6 +14,9 @@ mod draw;
 mod extent;
 mod fault;
 mod fibres;
+mod foundation;
+#[allow(missing_docs)]
+pub(crate) mod founded;
 #[allow(missing_docs)]
 pub(crate) mod frozen;
 mod initial;

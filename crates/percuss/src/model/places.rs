@@ -68,6 +68,11 @@ impl<'b> Places<'b> {
                 }
             }
         }
+        for foundation in &builder.foundations {
+            for along in foundation.stretch {
+                places.add_at(foundation.beam, along, Acts::Across);
+            }
+        }
         for mass in &builder.masses {
             places.add(&mass.at, Acts::Along);
         }
@@ -90,6 +95,11 @@ impl<'b> Places<'b> {
             LoadKind::Gravity { .. } | LoadKind::Base { .. } => {}
             LoadKind::Point { at, force, follower, .. } => {
                 self.add(at, Acts::Force { force: *force, follower: *follower });
+            }
+            // The strain jumps where given ones begin and end.
+            LoadKind::Strain { beam, stretch, .. }
+            | LoadKind::Temperature { beam, stretch, .. } => {
+                stretch.iter().for_each(|along| self.add_at(*beam, *along, Acts::Along));
             }
             LoadKind::Distributed { beam, stretch, .. } => {
                 stretch.iter().for_each(|along| self.add_at(*beam, *along, Acts::Across));

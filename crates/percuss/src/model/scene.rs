@@ -24,6 +24,8 @@ pub struct Scene {
     pub joints: Vec<SceneJoint>,
     /// Springs between two points, shape (such springs).
     pub springs: Vec<SceneSpring>,
+    /// Foundations, shape (foundations).
+    pub foundations: Vec<SceneFoundation>,
     /// Point masses, shape (point masses).
     pub masses: Vec<SceneMass>,
     /// Loads, in the order of the model, shape (loads).
@@ -224,6 +226,21 @@ pub struct SceneSpring {
     pub springs: bool,
 }
 
+/// A foundation along a stretch of a beam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneFoundation {
+    /// Name.
+    pub name: String,
+    /// The beam.
+    pub beam: usize,
+    /// From and to, arc length, shape (2) \[m\].
+    pub stretch: [f64; 2],
+    /// Unit vector in which it pushes the beam, shape (2) \[-\]; none if that is the normal of the beam.
+    pub direction: Option<[f64; 2]>,
+    /// Whether the beam can lift off.
+    pub lifts: bool,
+}
+
 /// A point mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneMass {
@@ -267,6 +284,13 @@ pub enum SceneLoadKind {
         force: [f64; 2],
         /// Moment \[N m\].
         moment: f64,
+    },
+    /// Strains without forces, of heat or shrinkage.
+    Strain {
+        /// The beam.
+        beam: usize,
+        /// From and to, arc length, shape (2) \[m\].
+        stretch: [f64; 2],
     },
     /// A force per length.
     Distributed {

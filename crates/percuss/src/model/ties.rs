@@ -223,6 +223,8 @@ pub struct Connector {
     pub damping: f64,
     /// The support it belongs to, if any.
     pub support: Option<usize>,
+    /// The foundation of which it is a part, if any.
+    pub foundation: Option<usize>,
     /// Acts until this time \[s\].
     pub until: f64,
 }

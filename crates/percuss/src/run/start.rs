@@ -15,7 +15,7 @@ use crate::state::State;
 use crate::step::contacts::PressingPair;
 use crate::step::effective_mass;
 use crate::step::forcing::Forcing;
-use crate::step::{commit, fibres, lead};
+use crate::step::{commit, fibres, given_strains, lead};
 
 /// Sets initial velocities of the beams \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those of a rigid motion
 /// between neighbouring nodes. Steps have the size `step`.
@@ -231,6 +231,7 @@ pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<
             keep_strains(model, &mut state);
         }
     }
+    state.strained = given_strains::factors_at(model, 0.0);
     Ok(Initial { state, reactions, pressed })
 }
 

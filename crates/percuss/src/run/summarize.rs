@@ -86,6 +86,7 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
         supports: monitor.supports,
         plastic: yielding::summaries(model, state, &monitor.yielded, &sets),
         yielding: connector_log::summaries(model, state, &monitor.connectors, &sets),
+        foundations: monitor.foundations,
         joints: joint_log::summaries(model, &monitor.joints),
         section_forces: monitor.section_forces,
     };

@@ -4,6 +4,7 @@ use super::connectors;
 use super::fibres::{self, PartedElement};
 use super::flows::enter;
 use super::forcing::{Forcing, WIDTH};
+use super::given_strains;
 use super::integration::{Integration, Rule};
 use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
@@ -48,6 +49,7 @@ pub fn commit(
     forcing.follow(&mut state.followed);
     state.multiplier.copy_from_slice(&work.multiplier);
     state.time += h;
+    state.strained = given_strains::factors_at(model, state.time);
     (parted, losses.yielded)
 }
 

@@ -5,6 +5,7 @@
 //! Its work is the change of the potential, and forms between two points turn with them: energy and momenta stay exact.
 
 mod form;
+mod foundation;
 mod inelastic;
 mod law;
 
@@ -205,8 +206,10 @@ pub fn apply_turning(
         }
         let mut step = connector.step(i, rule, forcing, state, &still);
         if let Some((own, memory)) = connector.memory(&state.memories) {
+            let extension = state.coordinates[i] - connector.law.free();
             let elastic = own.law.as_ref().map_or(step.slope, StressLaw::young);
-            step.slope = if memory.failed { 0.0 } else { elastic };
+            let gapes = own.law.as_ref().is_some_and(|law| law.is_slack(memory, extension));
+            step.slope = if memory.failed || gapes { 0.0 } else { elastic };
         }
         tangent.add_connector(i, connector, &step.turning);
         each(connector, &step);

@@ -2,6 +2,8 @@
 //! so that its impulse is exact.
 
 use super::forcing::Forcing;
+use super::given_strains;
+use super::integration::Integration;
 use super::tangent::Tangent;
 use crate::ledger::StepWork;
 use crate::math::vec2::{cross, dot, rot90};
@@ -27,17 +29,23 @@ pub fn apply<const TANGENT: bool>(
     model: &Model,
     state: &State,
     forcing: &Forcing,
-    theta: f64,
+    rule: &Integration,
     increment: &[[f64; 4]],
     residual: &mut [[f64; 4]],
     tangent: &mut Tangent,
 ) {
+    let theta = rule.theta();
+    if !state.strained.is_empty() {
+        let given = (rule, &forcing.factors[..]);
+        let chain = tangent.chain_mut();
+        given_strains::apply::<TANGENT>(model, (state, increment), given, residual, chain);
+    }
     for (load, factor) in model.loads.iter().zip(&forcing.factors) {
         if *factor == 0.0 {
             continue;
         }
         match &load.kind {
-            LoadAction::Gravity { .. } => {}
+            LoadAction::Gravity { .. } | LoadAction::Strain { .. } => {}
             LoadAction::Point { point, force, moment, follower } => {
                 if *follower {
                     let g = tangent_at(point, state, increment, theta);
@@ -149,7 +157,8 @@ pub fn work(
             continue;
         }
         match &load.kind {
-            LoadAction::Gravity { .. } => {}
+            // What given strains do is reported elsewhere.
+            LoadAction::Gravity { .. } | LoadAction::Strain { .. } => {}
             LoadAction::Point { point, force, moment, follower } => {
                 let g = tangent_at(point, state, increment, theta);
                 let scaled = force.map(|f| factor * f);

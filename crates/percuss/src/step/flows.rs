@@ -7,6 +7,7 @@ use super::constraint::ConstraintStep;
 use super::damping::{MassDamping, viscous};
 use super::external;
 use super::forcing::Forcing;
+use super::given_strains;
 use super::integration::{Integration, Rule};
 use super::modal_damping::ModalDamping;
 use super::workspace::Workspace;
@@ -33,7 +34,8 @@ pub fn enter(
     (forcing, damping, losses): (&Forcing, &ModalDamping, &FibreLosses),
     work: &Workspace,
 ) {
-    let done = external::work(model, state, rule.h, 0.5, forcing, &work.increment);
+    let mut done = external::work(model, state, rule.h, 0.5, forcing, &work.increment);
+    done.work += given_strains::work(model, state, rule, forcing, &work.increment);
     state.reacting.begin();
     let so_far = state.ledger.set_aside();
     let before = supports_so_far(state);

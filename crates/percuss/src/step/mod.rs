@@ -36,6 +36,7 @@ pub mod fibres;
 pub mod flows;
 #[allow(missing_docs)]
 pub mod forcing;
+pub mod given_strains;
 mod impulses;
 #[allow(missing_docs)]
 pub mod integration;

@@ -233,8 +233,8 @@ impl StepProblem<'_> {
         if TANGENT {
             tangent.clear_ties();
         }
-        let (forcing, theta) = (self.forcing, rule.theta());
-        external::apply::<TANGENT>(model, state, forcing, theta, increment, residual, tangent);
+        let forcing = self.forcing;
+        external::apply::<TANGENT>(model, state, forcing, rule, increment, residual, tangent);
         bodies::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
         masses::apply::<TANGENT>(model, state, rule, gravity, increment, residual, tangent);
         connectors::apply::<TANGENT>(model, state, rule, forcing, increment, residual, tangent);

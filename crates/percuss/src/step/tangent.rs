@@ -149,12 +149,12 @@ impl Tangent {
         connector: &Connector,
         blocks: &[[[[f64; 2]; 2]; 2]; 2],
     ) {
-        let attachments: Vec<_> = connector.attachments().collect();
-        for (g, (p, gradient)) in &attachments {
-            let n = if *gradient { &p.slope } else { &p.shape };
-            self.matrix.chain.add_outer(p.node, n, n, &blocks[*g][*g]);
+        for (g, (p, gradient)) in connector.attachments() {
+            let n = if gradient { &p.slope } else { &p.shape };
+            self.matrix.chain.add_outer(p.node, n, n, &blocks[g][g]);
         }
-        if let [(_, a), (_, b)] = attachments[..] {
+        let mut ends = connector.attachments();
+        if let (Some((_, a)), Some((_, b))) = (ends.next(), ends.next()) {
             self.add_between(self.of_connector[i], a, b, &blocks[0][1], &blocks[1][0]);
         }
     }

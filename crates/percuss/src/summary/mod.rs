@@ -2,6 +2,7 @@
 
 mod contact;
 mod forces;
+mod foundation;
 mod joints;
 mod peak;
 mod plastic;
@@ -9,6 +10,7 @@ mod step_control;
 
 pub use contact::*;
 pub use forces::*;
+pub use foundation::*;
 pub use joints::*;
 pub use peak::Peak;
 pub use plastic::*;
@@ -160,6 +162,8 @@ pub struct RunSummary {
     pub plastic: Vec<PlasticSummary>,
     /// One entry a spring or hinge that can yield, shape (such springs and hinges).
     pub yielding: Vec<YieldingSummary>,
+    /// One entry a foundation, in the model's order, shape (foundations).
+    pub foundations: Vec<FoundationSummary>,
     /// One entry a joint of a given strength, in the model's order, shape (such joints).
     pub joints: Vec<JointSummary>,
 }

@@ -6,8 +6,8 @@ mod lines;
 use std::path::Path;
 
 use percuss::{
-    JointSummary, PlasticHinge, PlasticSummary, RunSummary, StepControl, SupportSummary,
-    Termination, YieldingSummary,
+    FoundationSummary, JointSummary, PlasticHinge, PlasticSummary, RunSummary, StepControl,
+    SupportSummary, Termination, YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::{RunState, story};
@@ -60,6 +60,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     }
     rows.extend(run.plastic.iter().filter_map(plastic));
     rows.extend(run.yielding.iter().filter_map(yielding));
+    rows.extend(run.foundations.iter().map(foundation));
     rows.extend(run.joints.iter().map(joint));
     let labels =
         ["support impulses".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
@@ -151,6 +152,22 @@ fn dissipated(all: f64, by_preload: f64) -> String {
         ),
         false => format!("{} dissipated", quantity(all, "J")),
     }
+}
+
+/// Reaction, lift-off and yielding of a foundation.
+fn foundation(found: &FoundationSummary) -> (String, String) {
+    let most = found.pressure.largest();
+    let (pressure, s) = (quantity(most.value, "N/m"), quantity(most.s, "m"));
+    let time = quantity(most.time, "s");
+    let mut parts = vec![format!("largest reaction {pressure} at s = {s}, t = {time}")];
+    if found.lifted.value > 0.0 {
+        parts.push(format!("lifted off over up to {}", quantity(found.lifted.value, "m")));
+    }
+    if found.plastic.value != 0.0 {
+        parts.push(format!("plastic deflection {}", quantity(found.plastic.value, "m")));
+        parts.push(dissipated(found.dissipated, found.dissipated_by_preload));
+    }
+    (format!("foundation '{}'", found.name), parts.join(", "))
 }
 
 /// Failure of a joint of a given strength, or its largest loads.

@@ -3,7 +3,7 @@
 use percuss::{
     BucklingOutcome, Equilibrium, FollowerStability, LargestDisplacement, LinearBuckling, Model,
     Path, PlasticHinge, PlasticSummary, SectionPeak, SectionRange, StaticContact, StaticFailure,
-    StaticYielding, yielded_at_rest,
+    StaticFoundation, StaticYielding, yielded_at_rest,
 };
 
 use crate::number::{count, number, quantity};
@@ -38,6 +38,7 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
         let [x, y] = found.balance.springs.map(|f| beside(size, f, "N"));
         text.push_str(&format!("  springs to ground, total: force (x, y) = ({x}, {y})\n"));
     }
+    text.push_str(&foundations(&found.foundations));
     text.push_str(&contacts(&found.contacts));
     text.push_str(&yielding(&found.yielding));
     text.push_str(&yielded(model, found));
@@ -132,6 +133,31 @@ fn under_followers(stability: FollowerStability) -> String {
         ),
         _ => String::new(),
     }
+}
+
+/// Foundations: their forces on the beams, and where they press most.
+fn foundations(found: &[StaticFoundation]) -> String {
+    let mut text = String::new();
+    if !found.is_empty() {
+        text.push_str("foundations, on the structure\n");
+    }
+    for one in found {
+        let size = one.force[0].hypot(one.force[1]);
+        let [x, y] = one.force.map(|f| beside(size, f, "N"));
+        let mut parts = vec![format!("force (x, y) = ({x}, {y})")];
+        if let Some((pressure, s)) = one.largest() {
+            let (pressure, s) = (quantity(pressure, "N/m"), quantity(s, "m"));
+            parts.push(format!("largest reaction {pressure} at s = {s}"));
+        }
+        if one.lifted > 0.0 {
+            parts.push(format!("lifted off over {}", quantity(one.lifted, "m")));
+        }
+        if one.plastic != 0.0 {
+            parts.push(format!("plastic deflection {}", quantity(one.plastic, "m")));
+        }
+        text.push_str(&format!("  '{}': {}\n", one.name, parts.join(", ")));
+    }
+    text
 }
 
 /// Springs and hinges that can yield or fail.

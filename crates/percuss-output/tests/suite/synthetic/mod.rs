@@ -244,6 +244,7 @@ pub fn rigid(
 pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
     RunSummary {
         step_control: None,
+        foundations: Vec::new(),
         termination: Termination::Completed,
         time: 0.15,
         steps: 1500,

@@ -16,6 +16,7 @@ use crate::step::contacts::PressingPair;
 use crate::step::end_forces::EndForces;
 use crate::step::external::{tangent_at, turned};
 use crate::step::forcing::Forcing;
+use crate::step::given_strains;
 use crate::step::integration::{Integration, Rule};
 use crate::step::masses;
 
@@ -44,8 +45,10 @@ pub struct Lines {
     pub(super) lines: Columns,
     /// Forces inside elements, by element and place, shape (such forces).
     pub(super) inner: Vec<Inner>,
-    /// Nodal forces of the distributed loads, by element, on values and slopes, shape (elements, 2, 4) \[N, N m\]; empty if there are none.
+    /// Nodal forces of the distributed loads and of foundations, by element, on values and slopes, shape (elements, 2, 4) \[N, N m\]; empty if there are none.
     loads: Vec<OnNodes>,
+    /// Nodal forces of the strains that loads give, by element, likewise, shape (elements, 2, 4) \[N, N m\]; empty if there are none.
+    given: Vec<OnNodes>,
 }
 
 impl Lines {
@@ -53,6 +56,7 @@ impl Lines {
     pub fn fits(&self, elements: usize) -> bool {
         self.lines.fit(NUMBERS, elements)
             && (self.loads.is_empty() || self.loads.len() == elements)
+            && (self.given.is_empty() || self.given.len() == elements)
             && self.inner.iter().all(|one| one.element < elements)
     }
 
@@ -60,7 +64,7 @@ impl Lines {
     /// reference configuration.
     pub fn at_rest(model: &Model, state: &State, pressed: &[PressingPair]) -> Self {
         let nodes = &state.displacement[..model.beam_node_count()];
-        let moved = nodes.as_flattened().iter().any(|u| *u != 0.0);
+        let moved = nodes.as_flattened().iter().any(|u| *u != 0.0) || state.is_strained();
         let mut forcing = Forcing::new(model);
         if moved {
             forcing.set_static(model, 1.0);
@@ -84,6 +88,8 @@ impl Lines {
     ) {
         self.inner.clear();
         self.distribute(model, acting);
+        self.found(model, acting);
+        self.strain(model, acting);
         self.weigh(model, acting);
         for (rows, forces) in contacts {
             self.push(model, rows, forces);
@@ -95,7 +101,9 @@ impl Lines {
         let mut inner = std::mem::take(&mut self.inner);
         let mut rest = inner.as_mut_slice();
         for (i, span) in model.spans.iter().enumerate() {
-            let swept = self.loads.is_empty() && acting.beams.sweep.has_evaluated(i);
+            let swept = self.loads.is_empty()
+                && self.given.is_empty()
+                && acting.beams.sweep.has_evaluated(i);
             if swept {
                 let (sweep, theta) = (&acting.beams.sweep, acting.rule.theta());
                 in_lanes(SpanLines { span, number: i, sweep, theta, lines: &mut self.lines });
@@ -149,6 +157,11 @@ impl Lines {
         let [on_a, on_b] = &mut along;
         table.add_inertia(&ia, &ib, on_a, on_b);
         let mut ends = acting.beams.on_nodes(number, element);
+        if let Some(given) = self.given.get(element) {
+            for (own, force) in ends.iter_mut().zip(given) {
+                (0..4).for_each(|i| own[i] += force[i]);
+            }
+        }
         if let Some(load) = self.loads.get(element) {
             take(&mut along, load);
             take(&mut ends, load);
@@ -193,7 +206,8 @@ impl Lines {
         let spread_out = |kind: &LoadAction| {
             matches!(kind, LoadAction::Dead { .. } | LoadAction::Follower { .. })
         };
-        if model.loads.iter().any(|load| spread_out(&load.kind)) {
+        let founded = !model.foundations.is_empty();
+        if founded || model.loads.iter().any(|load| spread_out(&load.kind)) {
             self.loads.clear();
             self.loads.resize(model.element_count(), [[0.0; 4]; 2]);
         }
@@ -204,7 +218,7 @@ impl Lines {
                 continue;
             }
             match &load.kind {
-                LoadAction::Gravity { .. } => {}
+                LoadAction::Gravity { .. } | LoadAction::Strain { .. } => {}
                 LoadAction::Point { point, force, moment, follower } => {
                     let g = tangent(point);
                     let scaled = scale(*factor, *force);
@@ -231,6 +245,33 @@ impl Lines {
                 }
             }
         }
+    }
+
+    /// Reactions of foundations by element.
+    fn found(&mut self, model: &Model, acting: &Acting) {
+        let Acting { state, increment, rule, forcing, .. } = *acting;
+        for foundation in &model.foundations {
+            for i in foundation.connectors.clone() {
+                let connector = &model.connectors[i];
+                let step = connector.step(i, rule, forcing, state, increment);
+                for (end, (point, _)) in connector.attachments() {
+                    let own = &mut self.loads[model.element_at(point.node)];
+                    point.spread_over(scale(-step.force, step.forms[end]), own);
+                }
+            }
+        }
+    }
+
+    /// Forces of given strains by element: they are a part of its section forces.
+    fn strain(&mut self, model: &Model, acting: &Acting) {
+        let Acting { state, increment, rule, forcing, .. } = *acting;
+        if state.strained.is_empty() {
+            return;
+        }
+        self.given.clear();
+        self.given.resize(model.element_count(), [[0.0; 4]; 2]);
+        let (at, by) = ((state, increment), (rule, &forcing.factors[..]));
+        given_strains::on_nodes(model, at, by, &mut self.given);
     }
 
     /// Inertia and weight of masses inside elements, as forces on the beam.

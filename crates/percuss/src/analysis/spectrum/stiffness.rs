@@ -204,7 +204,7 @@ impl Layout<'_> {
     fn add_turning(&self, search: &StaticSearch, still: &[[f64; 4]], rest: &mut Tangent) {
         let (base, forcing) = (&search.base, &search.forcing);
         let mut residual = still.to_vec();
-        external::apply::<true>(self.model, base, forcing, 1.0, still, &mut residual, rest);
+        external::apply::<true>(self.model, base, forcing, &RULE, still, &mut residual, rest);
         let step = at_rest(search, still);
         for (i, c) in self.model.constraints.iter().enumerate() {
             if let ConstraintKind::Angle { points, .. } = &c.kind

@@ -106,7 +106,7 @@ impl StaticSearch<'_> {
         let Self { model, base, work, forcing, .. } = self;
         let mut nodal = vec![[0.0; 4]; model.node_count()];
         let (increment, tangent) = (&work.increment, &mut work.tangent);
-        external::apply::<false>(model, base, forcing, 1.0, increment, &mut nodal, tangent);
+        external::apply::<false>(model, base, forcing, &RULE, increment, &mut nodal, tangent);
         nodal.iter().map(|f| [-f[0], -f[1]]).collect()
     }
 
@@ -119,6 +119,9 @@ impl StaticSearch<'_> {
     pub fn state(&self) -> State {
         let mut state = State { displacement: self.displacement(), ..self.base.clone() };
         state.multiplier.clone_from(&self.work.multiplier);
+        if self.model.gives_strains() {
+            state.strained.clone_from(&self.forcing.factors);
+        }
         let step = |(c, q0): (&Connector, &f64)| {
             let moved = match &c.coordinate {
                 Coordinate::Displacement { drive, .. } => {

@@ -4,6 +4,7 @@ mod actions;
 mod beams;
 mod contacts;
 mod faults;
+mod foundations;
 mod functions;
 mod supports;
 mod yielding;
@@ -17,6 +18,7 @@ use actions::{check_load, check_projectile};
 use beams::{check_beam, check_point, check_stations};
 use contacts::{check_contact, check_disc, check_obstacle};
 use faults::{Faults, quantity};
+use foundations::check_foundation;
 use supports::{check_joint, check_spring, check_support};
 use yielding::{check_fibres, check_given_fibres, check_one_sided, check_plasticity};
 
@@ -59,6 +61,9 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
     for spring in &model.springs {
         check_spring(model, spring, &mut out);
     }
+    for foundation in &model.foundations {
+        check_foundation(model, foundation, &mut out);
+    }
     for mass in &model.masses {
         let path = |field: &str| format!("mass.{}.{field}", mass.name);
         check_point(model, &mass.at, path("at"), &mut out);
@@ -86,6 +91,7 @@ fn check_materials(model: &ModelBuilder, out: &mut Faults) {
     }
     for m in &model.materials {
         let path = |field: &str| format!("material.{}.{field}", m.name);
+        out.finite(path("expansion"), &[m.expansion], "1/K");
         out.not_negative(path("retardation"), m.retardation, "a time", "s");
         out.not_negative(path("mass_damping"), m.mass_damping, "a rate", "1/s");
         match &m.inelasticity {
@@ -180,6 +186,7 @@ fn names(model: &ModelBuilder, out: &mut Faults) {
     let supports = model.supports.iter().map(|x| &x.name);
     apart("obstacle", model.obstacles.iter().map(|x| &x.name), "support", supports, out);
     each("load", model.loads.iter().map(|x| &x.name), out);
+    each("foundation", model.foundations.iter().map(|x| &x.name), out);
     each("spring", model.springs.iter().map(|x| &x.name), out);
     each("mass", model.masses.iter().map(|x| &x.name), out);
 }

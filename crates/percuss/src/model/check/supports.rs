@@ -181,7 +181,14 @@ fn check_spring_law(spring: &Spring, out: &mut Faults) {
                 out.add(path("stiffness"), "a spring of one side without stiffness", expected);
             }
         }
-        SpringLaw::Table { extension, force } => check_force_table(&path, extension, force, out),
+        SpringLaw::Table { extension, force } => {
+            let words = [
+                ["extensions", "extensions", "m"],
+                ["forces", "forces", "N"],
+                ["a force", "extension", "no force without extension: `length` sets where that is"],
+            ];
+            check_force_table(&path, words, [extension, force], out);
+        }
     }
     if let Some(strength) = spring.strength {
         out.positive(path("strength"), strength, "a strength", "N");
@@ -198,25 +205,27 @@ fn check_spring_law(spring: &Spring, out: &mut Faults) {
     }
 }
 
-fn check_force_table(
+/// A table of forces over extensions; by key, words and unit of both, and words of a force where there is no extension.
+pub(super) fn check_force_table(
     path: &impl Fn(&str) -> String,
-    extension: &[f64],
-    force: &[f64],
+    words: [[&str; 3]; 3],
+    [extension, force]: [&[f64]; 2],
     out: &mut Faults,
 ) {
+    let [[extensions, of_extensions, m], [forces, of_forces, n], [a_force, way, at_rest]] = words;
     if extension.len() != force.len() || extension.len() < 2 {
-        let found = format!("{} extensions and {} forces", extension.len(), force.len());
-        out.add(path("forces"), found, "as many of both, at least two");
+        let found = format!("{} {of_extensions} and {} {of_forces}", extension.len(), force.len());
+        out.add(path(forces), found, "as many of both, at least two");
         return;
     }
-    out.finite(path("extensions"), extension, "m");
-    out.finite(path("forces"), force, "N");
+    out.finite(path(extensions), extension, m);
+    out.finite(path(forces), force, n);
     if !extension.iter().chain(force).all(|x| x.is_finite()) {
         return;
     }
     if let Some(pair) = extension.windows(2).find(|pair| pair[1] <= pair[0]) {
         let found = format!("{} m after {} m", pair[1], pair[0]);
-        out.add(path("extensions"), found, "extensions that increase");
+        out.add(path(extensions), found, &format!("{of_extensions} that increase"));
         return;
     }
     // On the line between the points about zero, or the force of the first or last one beyond them.
@@ -229,8 +238,8 @@ fn check_force_table(
     };
     let most = force.iter().fold(0.0_f64, |most, f| most.max(f.abs()));
     if at_zero.abs() > 1e-12 * most {
-        let found = format!("a force of {at_zero} N without extension");
-        out.add(path("forces"), found, "no force without extension: `length` sets where that is");
+        let found = format!("{a_force} of {at_zero} {n} without {way}");
+        out.add(path(forces), found, at_rest);
     }
 }
 

@@ -72,6 +72,32 @@ pub(super) fn check_yielding_spring(spring: &Spring, out: &mut Faults) {
     words.check_connector(spring.law.stiffness(), law, out);
 }
 
+/// Yielding of a foundation.
+pub(super) fn check_yielding_foundation(foundation: &Foundation, out: &mut Faults) {
+    let Some(law) = &foundation.yielding else { return };
+    let words = Words {
+        path: format!("foundation.{}", foundation.name),
+        elastic: "stiffness",
+        limit: ["yield_force", "a yield force per length"],
+        failure: ["yield_force", "a deflection"],
+        flow: "plastic deflections",
+        modulus: "a plastic stiffness per length",
+        units: ["N/m", "N/m^2", "m"],
+    };
+    if matches!(foundation.law, FoundationLaw::Table { .. }) {
+        let found = "a yield force of a foundation whose law is a table";
+        let expected = "`law = \"linear\"` or `\"compression\"`, or a table alone";
+        out.add(words.at("yield_force"), found, expected);
+        return;
+    }
+    let one_sided = matches!(foundation.law, FoundationLaw::Compression { .. });
+    if one_sided && law.kinematic != 0.0 {
+        let found = "kinematic hardening of a foundation of compression alone";
+        out.add(words.at("hardening.kinematic"), found, "isotropic hardening, or a table");
+    }
+    words.check_connector(foundation.law.stiffness(), law, out);
+}
+
 /// The history of a spring before a start beyond yield is unknown.
 pub(super) fn check_yielding_length(spring: &Spring, distance: f64, out: &mut Faults) {
     let (Some(law), Some(length)) = (&spring.yielding, spring.length) else { return };

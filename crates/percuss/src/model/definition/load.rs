@@ -29,6 +29,28 @@ pub enum LoadKind {
         /// Whether the force turns with the tangent.
         follower: bool,
     },
+    /// A strain and a curvature that a stretch of a beam would take without forces, as by shrinkage.
+    Strain {
+        /// The beam.
+        beam: BeamId,
+        /// Ends of the stretch, shape (2).
+        stretch: [Along; 2],
+        /// Elongation per length, in the strain measure of the material \[-\].
+        strain: f64,
+        /// Change of the direction of the tangent per length, counter-clockwise along the beam \[1/m\].
+        curvature: f64,
+    },
+    /// A change of the temperature of a stretch of a beam, from that of the reference configuration, with the expansion of its materials.
+    Temperature {
+        /// The beam.
+        beam: BeamId,
+        /// Ends of the stretch, shape (2).
+        stretch: [Along; 2],
+        /// Change on the axis \[K\].
+        change: f64,
+        /// Rise of the temperature per depth, along the normal to the left of the beam's direction: towards the top fibre \[K/m\].
+        gradient: f64,
+    },
     /// A force per length along a stretch of a beam, varying linearly between its ends.
     Distributed {
         /// The beam.

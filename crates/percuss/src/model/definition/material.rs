@@ -18,6 +18,8 @@ pub struct Material {
     pub retardation: f64,
     /// Mass-proportional damping, force per mass and velocity \[1/s\].
     pub mass_damping: f64,
+    /// Thermal expansion, strain per change of temperature \[1/K\].
+    pub expansion: f64,
     /// Behaviour beyond Hooke's law; beams of such a material have fibre sections.
     pub inelasticity: Option<Inelasticity>,
     /// Usual yield stresses, if known. They have no effect on the mechanics: larger stresses of an elastic material are reported.
@@ -50,6 +52,7 @@ impl Material {
             strain: StrainMeasure::Green,
             retardation: 0.0,
             mass_damping: 0.0,
+            expansion: 0.0,
             inelasticity: None,
             strength: None,
         }

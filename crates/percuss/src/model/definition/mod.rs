@@ -4,6 +4,7 @@
 
 mod beam;
 mod contact;
+mod foundation;
 mod line_point;
 mod load;
 mod material;
@@ -15,6 +16,7 @@ mod support;
 
 pub use beam::*;
 pub use contact::*;
+pub use foundation::*;
 pub use line_point::*;
 pub use load::*;
 pub use material::*;

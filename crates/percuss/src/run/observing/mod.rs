@@ -7,6 +7,7 @@ pub mod contact_log;
 #[allow(missing_docs)]
 pub mod crest;
 pub mod first_step;
+pub mod foundation_log;
 pub mod given;
 pub mod joint_log;
 pub mod monitor;

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::connector_log::{self, ConnectorRecord};
 use super::contact_log::ContactLog;
 use super::crest::Crest;
+use super::foundation_log;
 use super::given::{Given, RowReactions};
 use super::joint_log::{self, JointRecord};
 use super::stop_log;
@@ -24,7 +25,9 @@ use crate::state::State;
 use crate::step::contacts::PressingPair;
 use crate::step::effective_mass::EffectiveMass;
 use crate::step::workspace::Workspace;
-use crate::summary::{MultipleImpactSummary, Range, SectionForceSummary, SupportSummary};
+use crate::summary::{
+    FoundationSummary, MultipleImpactSummary, Range, SectionForceSummary, SupportSummary,
+};
 
 /// Forms of the contacts in a step of size `h`, and the forces along them.
 fn contact_forces(work: &Workspace, h: f64) -> impl Iterator<Item = ([&Row; 2], [f64; 2])> {
@@ -60,6 +63,8 @@ pub struct Monitor {
     pub yielded: Vec<YieldRecord>,
     /// Records of springs and hinges that can yield, shape (such springs and hinges).
     pub connectors: Vec<ConnectorRecord>,
+    /// Records of foundations, shape (foundations).
+    pub foundations: Vec<FoundationSummary>,
     /// Records of joints of a given strength, shape (such joints).
     pub joints: Vec<JointRecord>,
     /// Largest residuals and drifts.
@@ -88,7 +93,8 @@ impl Monitor {
             struck_masses: vec![None; model.contacts.len()],
             multiple_impacts: MultipleImpactSummary::default(),
             yielded: vec![YieldRecord::default(); if inelastic { model.beams.len() } else { 0 }],
-            connectors: vec![ConnectorRecord::default(); model.memory_count()],
+            connectors: vec![ConnectorRecord::default(); model.yielding().count()],
+            foundations: foundation_log::unset(model),
             joints: state
                 .joints_parted
                 .iter()
@@ -110,6 +116,8 @@ impl Monitor {
         section_forces::update(model, &self.lines, state, &mut self.section_forces);
         yielding::note(model, state, &mut self.yielded);
         connector_log::note(model, state, &mut self.connectors);
+        foundation_log::note(model, state, &mut self.foundations);
+        foundation_log::note_preload(&mut self.foundations);
         yielding::note_preload(model, state, &mut self.yielded);
         connector_log::note_preload(model, state, &mut self.connectors);
         self.open_reactions(&reactions, state.time);
@@ -118,7 +126,7 @@ impl Monitor {
     /// Whether it has the shape of another monitor of the same model, with valid indices.
     pub fn fits(&self, other: &Self, model: &Model) -> bool {
         let shape = |m: &Self| {
-            let bodies = [m.given.len(), m.struck_masses.len()];
+            let bodies = [m.given.len(), m.struck_masses.len(), m.foundations.len()];
             let yielding = [m.yielded.len(), m.connectors.len(), m.joints.len()];
             (m.points.len(), m.supports.len(), bodies, yielding)
         };
@@ -160,6 +168,7 @@ impl Monitor {
         }
         yielding::note_parted(model, state.time, part.parted, &mut self.yielded);
         connector_log::note(model, state, &mut self.connectors);
+        foundation_log::note(model, state, &mut self.foundations);
         joint_log::note(model, state.time, &solved.joint_loads, &mut self.joints);
         struck_mass::weigh(&mut self.struck_masses, part);
         self.contacts.take(part);

@@ -8,6 +8,7 @@ use crate::geometry::touch::SearchRegion;
 use crate::ledger::Measures;
 use crate::model::Model;
 use crate::model::frozen::{ContactData, MaterialPoint};
+use crate::run::observing::foundation_log::FoundationSums;
 use crate::state::State;
 use crate::summary::PointForces;
 
@@ -97,6 +98,7 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         }
     }
     out.extend(connector_channels(model));
+    out.extend(foundation_channels(model));
     out.extend(balances(model));
     out
 }
@@ -152,7 +154,7 @@ const BALANCE_COLUMNS: [(&str, &str, &str); 24] = [
     ("energy.strain_axial", "J", "Axial strain energy"),
     ("energy.strain_bending", "J", "Bending strain energy"),
     ("energy.contact", "J", "Energy of the contact springs"),
-    ("energy.springs", "J", "Energy of springs, elastic supports and stops"),
+    ("energy.springs", "J", "Energy of springs, elastic supports, stops and foundations"),
     ("energy.total", "J", "Total energy"),
     ("energy.work_loads", "J", "Work of the loads so far"),
     ("energy.work_supports", "J", "Work of the supports so far"),
@@ -319,6 +321,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         }
     }
     add_connectors(model, state, row);
+    add_foundations(model, state, row);
     let ledger = &state.ledger;
     let residual = ledger.linear_residual(m);
     row.extend([
@@ -349,6 +352,35 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
     ]);
     if model.is_inelastic() {
         row.extend([ledger.loss_plastic, m.hardening, ledger.loss_failure]);
+    }
+}
+
+/// Columns of foundations, in the order of [`add_foundations`].
+fn foundation_channels(model: &Model) -> Vec<Channel> {
+    let each = model.foundations.iter().flat_map(|foundation| {
+        let name = &foundation.name;
+        let force = "Resultant force of the foundation on the beam, without damping";
+        let pressure =
+            "Reaction per length of largest magnitude, positive where it pushes the beam";
+        let lifted = "Length over which the beam has lifted off";
+        [
+            ("force_1", "N", force),
+            ("force_2", "N", force),
+            ("pressure", "N/m", pressure),
+            ("lifted", "m", lifted),
+            ("energy", "J", "Energy stored in the foundation, a part of that of the springs"),
+        ]
+        .map(|(quantity, unit, text)| (format!("foundation.{name}.{quantity}"), unit, text.into()))
+    });
+    each.map(|(name, unit, description)| Channel { name, unit, description }).collect()
+}
+
+/// Adds their values to a row.
+fn add_foundations(model: &Model, state: &State, row: &mut Vec<f64>) {
+    for foundation in &model.foundations {
+        let FoundationSums { force, pressure, lifted, energy, .. } =
+            FoundationSums::of(model, state, foundation);
+        row.extend([force[0], force[1], pressure[0], lifted, energy]);
     }
 }
 

@@ -1,0 +1,61 @@
+//! Foundations along beams in equilibrium.
+
+use crate::model::Model;
+use crate::model::frozen::FoundationData;
+use crate::state::State;
+
+/// A foundation in equilibrium.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StaticFoundation {
+    /// The user's name for it.
+    pub name: String,
+    /// Its resultant force on the beam, shape (2) \[N\].
+    pub force: [f64; 2],
+    /// Arc length of its Gauss points from the start of the beam, shape (points) \[m\].
+    pub s: Vec<f64>,
+    /// Reaction per length there, positive where it pushes the beam, shape (points) \[N/m\].
+    pub pressure: Vec<f64>,
+    /// Length over which the beam has lifted off, of a foundation of compression alone \[m\].
+    pub lifted: f64,
+    /// Energy stored in it, without that stored by hardening \[J\].
+    pub energy: f64,
+    /// Plastic deflection of largest magnitude, signed \[m\].
+    pub plastic: f64,
+}
+
+impl StaticFoundation {
+    /// Reaction per length of largest magnitude, signed \[N/m\], and its arc length from the start of the beam \[m\].
+    pub fn largest(&self) -> Option<(f64, f64)> {
+        let all = self.pressure.iter().copied().zip(self.s.iter().copied());
+        all.reduce(|most, one| if one.0.abs() > most.0.abs() { one } else { most })
+    }
+}
+
+/// The foundations in a state at rest.
+pub(super) fn at_rest(model: &Model, state: &State) -> Vec<StaticFoundation> {
+    let of = |foundation: &FoundationData| {
+        let mut found = StaticFoundation {
+            name: foundation.name.clone(),
+            force: [0.0; 2],
+            s: Vec::new(),
+            pressure: Vec::new(),
+            lifted: 0.0,
+            energy: 0.0,
+            plastic: 0.0,
+        };
+        for place in foundation.places(model, &state.coordinates, &state.memories) {
+            (0..2).for_each(|i| found.force[i] += place.force[i]);
+            found.s.push(place.s);
+            found.pressure.push(place.pressure);
+            found.energy += place.stored;
+            if !place.acts {
+                found.lifted += place.length;
+            }
+            if place.plastic.abs() > found.plastic.abs() {
+                found.plastic = place.plastic;
+            }
+        }
+        found
+    };
+    model.foundations.iter().map(of).collect()
+}
