@@ -17,7 +17,6 @@ use crate::linalg::block::inner;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, scale};
 use crate::model::Model;
-use crate::model::frozen::ConstraintKind;
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::constraint::ConstraintStep;
@@ -305,11 +304,8 @@ impl<'m> StaticSearch<'m> {
         let step = constraint_step(base, increment, forcing);
         for (i, (c, multiplier)) in model.constraints.iter().zip(multiplier.iter()).enumerate() {
             step.add_gradient(c, *multiplier, residual);
-            if TANGENT
-                && let ConstraintKind::Angle { points, .. } = &c.kind
-                && let Some(k) = step.hessian(c, *multiplier)
-            {
-                tangent.add_hessian(i, points, &k);
+            if TANGENT {
+                tangent.add_constraint(i, c, &step, *multiplier);
             }
         }
         self.hold_back();

@@ -151,7 +151,7 @@ impl SectionConstants {
     }
 
     pub(super) fn of(values: &SectionValues) -> Self {
-        let SectionValues { law, mass, area, inertia, young, density, half_depth } = *values;
+        let SectionValues { law, mass, area, inertia, young, density, half_depth, .. } = *values;
         let SectionLaw { axial, bending, rotary, .. } = law;
         Self { axial, bending, rotary, mass, area, inertia, young, density, half_depth }
     }

@@ -12,6 +12,7 @@ pub use super::striking::*;
 pub use super::ties::*;
 use super::time_function::PreparedFunction;
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
+use crate::element::shear::ShearTable;
 use crate::geometry::Axes;
 use crate::geometry::axis::AxisElements;
 use crate::geometry::pair::Pair;
@@ -117,6 +118,8 @@ pub struct Span {
     pub strength: Option<Strength>,
     /// Its fibres, if its material is nonlinear or its section is given by them.
     pub fibres: Option<SpanFibres>,
+    /// Elements of a shear-flexible beam, as many as tables, shape (1 or elements).
+    pub shear: Option<Vec<ShearTable>>,
 }
 
 impl Span {
@@ -124,6 +127,13 @@ impl Span {
     #[inline(always)]
     pub fn table(&self, k: usize) -> &ElementTable {
         &self.tables[if self.tables.len() == 1 { 0 } else { k }]
+    }
+
+    /// The element of number `k` in the span of a shear-flexible beam.
+    #[inline]
+    pub fn shear_at(&self, k: usize) -> Option<&ShearTable> {
+        let tables = self.shear.as_ref()?;
+        Some(&tables[if tables.len() == 1 { 0 } else { k }])
     }
 
     /// Section of the element of number `k` in the span at a share `xi` of its length.
@@ -175,6 +185,12 @@ impl Model {
     /// Whether any beam has a fibre section, or any spring or joint yields; up to a strength alone these are elastic.
     pub(crate) fn has_inelastic_laws(&self) -> bool {
         self.has_fibres() || self.yielding().any(|(.., own)| own.law.is_some())
+    }
+
+    /// Whether any beam is shear-flexible.
+    #[doc(hidden)]
+    pub fn has_shear(&self) -> bool {
+        self.spans.iter().any(|s| s.shear.is_some())
     }
 
     /// Whether the law of any contact crushes.

@@ -11,6 +11,7 @@ mod profile;
 mod projectile;
 mod rounding;
 mod section;
+mod shear;
 mod support;
 
 pub use beam::*;
@@ -21,6 +22,7 @@ pub use material::*;
 pub use profile::*;
 pub use projectile::*;
 pub use section::*;
+pub use shear::*;
 pub use support::*;
 
 /// Index of a material, given by [`ModelBuilder::material`](super::ModelBuilder::material).
