@@ -7,6 +7,7 @@
 
 use super::beam::{ElementSums, ElementTable, ElementValues, NodeFrame};
 use super::gauss::SectionValues;
+use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, dot, rot90, scale};
 use crate::scalar::Real;
 
@@ -121,6 +122,21 @@ impl ShearTable {
         self.sums::<S, TANGENT>(&Evaluated { stress, at: end, end, weight, share: 1.0 })
     }
 
+    /// Tangent at displacements with the geometric stiffness of given strains, in the order of [`strains`](Self::strains()).
+    pub fn tangent<S: Real>(&self, at: &ElementValues<S>, strains: [f64; 3]) -> ElementSums<S> {
+        let weight = at.chord[0].constant(1.0);
+        let stress = [0, 1, 2].map(|k| weight * (strains[k] * self.stiffness[k]));
+        self.sums::<S, true>(&Evaluated { stress, at: *at, end: *at, weight, share: 1.0 })
+    }
+
+    /// Strains after a correction of displacements, to first order.
+    pub fn foresee(&self, at: &ElementValues<f64>, correction: &ElementValues<f64>) -> [f64; 3] {
+        let ElementValues { chord: [c1, c2], slope_a: [a1, a2], slope_b: [b1, b2] } = *correction;
+        let (now, forms) = (self.strains(at), self.gradients(at));
+        let moved = [c1, c2, a1, a2, b1, b2];
+        [0, 1, 2].map(|k| now[k] + forms[k].iter().zip(moved).map(|(f, d)| f * d).sum::<f64>())
+    }
+
     /// Twice the energies of stretching, of shear and of bending at displacements, or such sums of changes of strain, shape (3) \[J\].
     pub fn energies(&self, strains: &[f64; 3]) -> [f64; 3] {
         [0, 1, 2].map(|k| self.stiffness[k] * strains[k] * strains[k])
@@ -183,8 +199,18 @@ fn add_second<S: Real>(stress: &[S; 3], sums: &mut ElementSums<S>) {
     both(3, 4, -moment);
 }
 
+/// Strains as they are stored beside those of slender elements: Gamma1 and K, then Gamma2.
+pub fn stored([stretch, shear, bend]: [f64; 3]) -> [[f64; 2]; GAUSS] {
+    [[stretch, bend], [shear, 0.0], [0.0; 2]]
+}
+
+/// The strains stored.
+pub fn from_stored([[stretch, bend], [shear, _], _]: &[[f64; 2]; GAUSS]) -> [f64; 3] {
+    [*stretch, *shear, *bend]
+}
+
 /// Nodal values after a share of a step.
-fn moved<S: Real>(
+pub fn moved<S: Real>(
     start: &ElementValues<S>,
     increment: &ElementValues<S>,
     share: f64,
