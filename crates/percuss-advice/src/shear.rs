@@ -1,4 +1,4 @@
-//! The effect of shear deformation, which the beams neglect.
+//! The effect of shear deformation, which slender beams neglect.
 
 use super::case::Struck;
 use super::desk::{Desk, graded};
@@ -15,7 +15,7 @@ const GOVERNS: f64 = 0.5;
 /// The estimate for a struck beam, of a full rectangle with Poisson's ratio 0.3: of a blow that no wave comes back to, the change of its
 /// force and rebound; else that of its force by the modes; under a rigid law the compliance of the span.
 pub fn finding(desk: &Desk<'_>, struck: &Struck<'_>, lasting: Option<&Lasting>) -> Option<Advice> {
-    if struck.across() < 0.5 {
+    if struck.across() < 0.5 || struck.place.shear_stiffness().is_some() {
         return None;
     }
     let section = struck.place.section();

@@ -31,10 +31,14 @@ pub fn comparisons(
     }
     match &case.meeting {
         Meeting::Struck(struck) => {
-            let mut all = waves::infinite_beam(&desk, struck);
-            all.extend(span::two_masses(&desk, struck));
-            all.extend(span::cox(&desk, struck));
-            all.extend(span::impact_factor(&desk, struck));
+            let mut all = Vec::new();
+            // These are formulas of slender beams.
+            if struck.place.shear_stiffness().is_none() {
+                all.extend(waves::infinite_beam(&desk, struck));
+                all.extend(span::two_masses(&desk, struck));
+                all.extend(span::cox(&desk, struck));
+                all.extend(span::impact_factor(&desk, struck));
+            }
             all.extend(bodies::free_beam(&desk, struck));
             all.extend(bodies::impulse_of_struck(&desk, struck));
             if all.is_empty() {

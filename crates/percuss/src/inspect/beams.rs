@@ -90,6 +90,11 @@ impl<'m> SpanView<'m> {
         self.data.is_damped()
     }
 
+    /// Shear stiffness kappa G A at an arc length from the start of the beam \[N\]; of shear-flexible beams alone.
+    pub fn shear_stiffness_at(&self, s: f64) -> Option<f64> {
+        self.data.shear.as_ref().map(|_| self.data.section.at(s).shear)
+    }
+
     /// Whether its section varies from element to element.
     pub fn varies(&self) -> bool {
         !self.data.section.is_uniform()
