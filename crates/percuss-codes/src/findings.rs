@@ -40,7 +40,8 @@ catalogue! {
         /// Shear deformation, which the beams neglect, against a relevant share \[-\].
         Shear = "W009", "shear deformation",
             "Beams are Bernoulli beams: their sections stay normal to the axis. For short or thick beams, and for short waves, shear \
-             deformation is not small: frequencies are too high and deflections too small, by about the given percentage.";
+             deformation is not small: frequencies are too high and deflections too small, by about the given percentage. Beams with \
+             `theory = \"shear\"` have it.";
         /// Axial force against that under which a straight beam buckles \[N\]; of a start from equilibrium, whether it is stable.
         Stability = "W010", "stability",
             "A straight beam under this axial force would buckle, or the equilibrium at the start of the run is unstable. A perfectly \
