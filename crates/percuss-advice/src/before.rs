@@ -13,7 +13,7 @@ use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict, end_on, faces, first_contact, shear};
 use percuss::Settings;
 use percuss::math::vec2::dot;
-use percuss::{EffectiveMass, HertzBody, Model, Potential, PressedIn};
+use percuss::{EffectiveMass, HertzBody, Model, Potential, PressedIn, TouchLaw};
 
 /// Elements of the shortest wave of weight with which the force is within a per cent, and below which it is off by up to 40 %: thirty
 /// scenes against meshes of 160 elements (docs/results.md).
@@ -225,6 +225,15 @@ impl PlannedContact<'_> {
         Some(self.finding(Topic::WaveTransit, [transit, step], "s", verdict, text))
     }
 
+    /// Limit of the force just after a rigid impact across the interior of a shear-flexible beam \[N\].
+    fn force_after_impact(&self) -> Option<f64> {
+        let Meeting::Struck(struck) = &self.case.meeting else { return None };
+        let place = &struck.place;
+        let inside = place.s > 0.0 && place.s < place.beam.length();
+        let shear = place.shear_stiffness().filter(|_| inside && struck.across() > 0.999)?;
+        Some(2.0 * struck.speed * (shear * place.section().mass).sqrt())
+    }
+
     fn effective_mass(&self, mass: EffectiveMass) -> Option<Advice> {
         if !self.case.law.is_rigid() || mass.on_mesh.is_nan() {
             return None;
@@ -236,7 +245,17 @@ impl PlannedContact<'_> {
             let limit = quantity(mass.limit, "kg");
             let text =
                 format!("effective mass {here} on this mesh, tends to {limit} with refinement");
-            if mass.depends_on_mesh() {
+            if let Some(force) = self.force_after_impact() {
+                // What rebounds has the impulse of the mesh; what stays has a force with a limit.
+                let stays = matches!(self.case.law, TouchLaw::Rigid(law) if law.restitution == 0.0);
+                let verdict = if stays { Verdict::Note } else { Verdict::Warning };
+                let text = format!(
+                    "{text}: impulses depend on the mesh; the force just after an impact does not and tends to {}, \
+                     2 v sqrt(kappa G A rho A) of a shear-flexible beam",
+                    quantity(force, "N")
+                );
+                (verdict, text)
+            } else if mass.depends_on_mesh() {
                 let mass = if self.case.guided.is_some() { "add a local_mass or " } else { "" };
                 let text = format!(
                     "{text}: the impulse depends on the mesh; {mass}use a compliant contact"

@@ -1,4 +1,4 @@
-//! The effect of shear deformation, which the beams neglect.
+//! The effect of shear deformation, which slender beams neglect.
 
 use super::case::Struck;
 use super::duration::{From, Lasting};
@@ -19,7 +19,7 @@ pub fn finding(
     struck: &Struck<'_>,
     lasting: Option<&Lasting>,
 ) -> Option<Advice> {
-    if struck.across() < 0.5 {
+    if struck.across() < 0.5 || struck.place.shear_stiffness().is_some() {
         return None;
     }
     let section = struck.place.section();

@@ -31,6 +31,11 @@ pub struct BeamPlace<'a> {
 }
 
 impl<'a> BeamPlace<'a> {
+    /// Shear stiffness there \[N\]; of a shear-flexible beam alone, for which formulas of slender ones do not hold.
+    pub fn shear_stiffness(&self) -> Option<f64> {
+        self.beam.span_at(self.s).shear_stiffness_at(self.s)
+    }
+
     /// The place at arc length `s` of beam number `index`.
     pub fn new(model: &'a Model, index: usize, s: f64) -> Self {
         Self { model, beam: model.beam(index), index, s }

@@ -21,6 +21,7 @@ pub fn unknown(c: &Constraint) -> Option<&'static str> {
         _ if c.joint.is_some() => Some("joints of a given strength"),
         _ if !c.drive.is_empty() => Some("supports that move"),
         ConstraintKind::Turned { .. } => Some("supports that turn"),
+        ConstraintKind::Length { .. } => Some("shear-flexible beams"),
         _ => None,
     }
 }

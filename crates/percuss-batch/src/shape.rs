@@ -75,6 +75,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             settings.multiple_impacts == MultipleImpacts::Sequential && model.contacts.len() > 1,
             "impacts one after another",
         ),
+        (model.has_shear(), "shear-flexible beams"),
         (model.memory_count() > 0, "springs or joints that yield"),
         (settings.accuracy.is_some(), "an accuracy in place of a step"),
         (settings.start != Start::Reference, "a start in static equilibrium"),

@@ -23,7 +23,9 @@ catalogue! {
         /// Effective mass of the struck point on this mesh against its limit \[kg\].
         EffectiveMass = "W005", "effective mass",
             "With rigid contact the impulse depends on the effective mass, which on this mesh differs from its limit under refinement: \
-             the impulse depends on the mesh. Use a compliant contact law, or check impulses with `percuss converge FILE`.";
+             the impulse depends on the mesh. Use a compliant contact law, or check impulses with `percuss converge FILE`. On a \
+             shear-flexible beam (`theory = \"shear\"`) the limit is zero, and the force just after an impact has a limit: twice the speed \
+             times the root of shear stiffness and mass per length.";
         /// Contact stiffness, as a linear spring, against that of Hertz' contact \[N/m\].
         Stiffness = "W006", "contact stiffness",
             "The contact is much softer or stiffer than a Hertz contact between bodies of these materials and radii. That may be \
@@ -38,7 +40,8 @@ catalogue! {
         /// Shear deformation, which the beams neglect, against a relevant share \[-\].
         Shear = "W009", "shear deformation",
             "Beams are Bernoulli beams: their sections stay normal to the axis. For short or thick beams, and for short waves, shear \
-             deformation is not small: frequencies are too high and deflections too small, by about the given percentage.";
+             deformation is not small: frequencies are too high and deflections too small, by about the given percentage. Beams with \
+             `theory = \"shear\"` have it.";
         /// Axial force against that under which a straight beam buckles \[N\]; of a start from equilibrium, whether it is stable.
         Stability = "W010", "stability",
             "A straight beam under this axial force would buckle, or the equilibrium at the start of the run is unstable. A perfectly \

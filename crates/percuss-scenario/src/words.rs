@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use percuss::{
     Component, ContactForce, Curve, Ends, ImpactLaw, MultipleImpacts, RotaryInertia, Sides, Slack,
-    Start, StrainMeasure,
+    Start, StrainMeasure, Theory,
 };
 use serde_json::{Value as Json, json};
 use toml::de::DeValue;
@@ -98,6 +98,22 @@ impl Words for Bears {
             "compression",
             Some(Slack::Tension),
             "compression-only: masonry, concrete without reinforcement (with `yield`, its strength in compression)",
+        ),
+    ];
+}
+
+/// Theory of a beam.
+pub(crate) struct Bending;
+
+impl Words for Bending {
+    type Value = Theory;
+    const WORDS: &'static [(&'static str, Theory, &'static str)] = &[
+        ("slender", Theory::Slender, "sections stay normal to the axis (Euler and Bernoulli)"),
+        (
+            "shear",
+            Theory::Shear,
+            "flexible in shear (Timoshenko; Simo and Reissner): for deep beams and for forces just after an impact; needs `poisson` or \
+             `shear_modulus` of the material",
         ),
     ];
 }

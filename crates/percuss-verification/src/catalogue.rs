@@ -1,17 +1,19 @@
 //! The catalogue of cases.
 
 mod published;
+mod shear;
 mod yielding;
 
 use self::published::PUBLISHED;
+use self::shear::SHEAR;
 use self::yielding::YIELDING;
 use crate::*;
 
 /// Every case, in the order of the manual.
 pub const CASES: &[Case] = &joined::<COUNT>(LISTS);
 
-const LISTS: &[&[Case]] = &[OWN, YIELDING, PUBLISHED];
-const COUNT: usize = OWN.len() + YIELDING.len() + PUBLISHED.len();
+const LISTS: &[&[Case]] = &[OWN, YIELDING, PUBLISHED, SHEAR];
+const COUNT: usize = OWN.len() + YIELDING.len() + PUBLISHED.len() + SHEAR.len();
 
 /// Concatenation of several lists.
 const fn joined<const N: usize>(lists: &[&[Case]]) -> [Case; N] {

@@ -23,6 +23,7 @@ mod rigid;
 mod rigid_plastic;
 mod scene;
 mod section_forces;
+mod shear;
 mod sliding;
 mod stability;
 mod statics;

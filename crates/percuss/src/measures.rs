@@ -90,6 +90,11 @@ impl Measures {
                     own.bending += row.weighed.bending * kappa * kappa;
                 }
             }
+            if let Some(shear) = span.shear_at(k) {
+                let [axial, sheared, bent] = shear.energies(&shear.strains(&u));
+                own.axial += axial;
+                own.bending += sheared + bent;
+            }
             if let (Some(samples), None) = (&table.membrane, &span.fibres) {
                 let mut eps = samples.strains(span.measure, &u);
                 if stored {

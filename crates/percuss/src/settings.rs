@@ -178,6 +178,11 @@ impl Settings {
             let expected = "energy-momentum: the work of plastic flow is exact only in it";
             add("integrator.scheme", found.into(), expected);
         }
+        if self.scheme != Scheme::EnergyMomentum && model.has_shear() {
+            let found = "a scheme other than energy-momentum, with shear-flexible beams";
+            let expected = "energy-momentum: no other scheme has their unit vectors";
+            add("integrator.scheme", found.into(), expected);
+        }
         if self.scheme != Scheme::EnergyMomentum && model.crushes() {
             let found = "a scheme other than energy-momentum, with a contact that crushes";
             let expected = "energy-momentum: the work of crushing is exact only in it";

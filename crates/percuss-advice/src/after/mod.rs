@@ -32,10 +32,14 @@ pub fn comparisons(
     }
     match &case.meeting {
         Meeting::Struck(struck) => {
-            let mut all = waves::infinite_beam(&observed, struck);
-            all.extend(span::two_masses(&observed, struck));
-            all.extend(span::cox(&observed, struck));
-            all.extend(span::impact_factor(&observed, struck));
+            let mut all = Vec::new();
+            // These are formulas of slender beams.
+            if struck.place.shear_stiffness().is_none() {
+                all.extend(waves::infinite_beam(&observed, struck));
+                all.extend(span::two_masses(&observed, struck));
+                all.extend(span::cox(&observed, struck));
+                all.extend(span::impact_factor(&observed, struck));
+            }
             all.extend(bodies::free_beam(&observed, struck));
             all.extend(bodies::impulse_of_struck(&observed, struck));
             if all.is_empty() {

@@ -6,3 +6,4 @@ mod advice_resolution;
 #[path = "../../../percuss/tests/suite/common/mod.rs"]
 mod common;
 mod hand_formulas;
+mod shear_flexible;

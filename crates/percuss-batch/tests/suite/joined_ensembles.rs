@@ -168,6 +168,20 @@ fn joined_beams_give_the_same_bits_alone_and_in_company() {
 }
 
 #[test]
+fn shear_flexible_beams_run_alone() {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material { poisson: Some(0.3), ..Material::new("m", 2e10, 3e3) });
+    let section = b.section(Section::rectangle("s", 0.2, 0.5));
+    let slender = beam("arm", [0.0; 2], [3.0, 0.0], 3, material, section);
+    let arm = b.beam(Beam { theory: Theory::Shear, ..slender });
+    b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+    let (model, settings) = (b.build().unwrap(), Settings::new(0.1, 2e-4));
+    assert_eq!(runs_alone(&model, &settings, Detail::Motion), Some("shear-flexible beams"));
+    let refused = sensitivities(&model, &settings, &[]).err().map(|why| why.to_string());
+    assert!(refused.is_some_and(|why| why.contains("shear-flexible beams")));
+}
+
+#[test]
 fn joints_of_a_given_strength_run_alone() {
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("m", 2e10, 3e3));

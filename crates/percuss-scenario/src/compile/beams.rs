@@ -103,6 +103,8 @@ fn materials<'c>(
         // Values that could not be read are reported already.
         let (young, density) = (table.young.unwrap_or(1.0), table.density.unwrap_or(1.0));
         let material = percuss::Material {
+            poisson: table.poisson,
+            shear_modulus: table.shear_modulus,
             strain: table.strain,
             retardation: table.retardation,
             mass_damping: table.mass_damping,
@@ -153,6 +155,7 @@ fn beam(
         section,
         changes: table.changes.iter().map(change).collect(),
         ends: table.ends,
+        theory: table.theory,
     }
 }
 

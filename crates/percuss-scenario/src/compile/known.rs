@@ -54,6 +54,7 @@ impl Scenario {
             let table = content::Section {
                 rotary_inertia: percuss::RotaryInertia::Density,
                 fibres: Section::FIBRES,
+                shear_factor: None,
                 shape: Shape::Profile { profile },
             };
             self.content.section.push(Named { name, table });

@@ -35,8 +35,8 @@ pub(super) fn sections(
             _ => uniform.get(named.name.as_str()).cloned().flatten(),
         };
         let section = section.unwrap_or_else(|| Section::new(named.name.as_str(), 1.0, 1.0));
-        let (rotary_inertia, fibres) = (named.table.rotary_inertia, named.table.fibres);
-        Section { rotary_inertia, fibres, ..section }
+        let content::Section { rotary_inertia, fibres, shear_factor, .. } = named.table;
+        Section { rotary_inertia, fibres, shear_factor, ..section }
     };
     content.section.iter().map(one).collect()
 }

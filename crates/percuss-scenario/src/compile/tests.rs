@@ -24,6 +24,10 @@ fn definitions_are_those_of_the_file() {
         "curve: Arc, mesh: Mesh { size: Length(0.1), \
          grading: Some(Grading { towards: Fraction(0.5), ratio: 2.0 }) }",
         "curve: Spline",
+        "ends: Flat, theory: Shear",
+        "poisson: Some(0.3), shear_modulus: None",
+        "poisson: None, shear_modulus: Some(700000000.0)",
+        "shear_factor: Some(0.8)",
         "changes: [Change { at: Fraction(0.25), material: None, section: Some(SectionId(5)) }, \
          Change { at: Distance(3.5), material: Some(MaterialId(1)), section: Some(SectionId(0)) }, \
          Change { at: Fraction(1.0), material: Some(MaterialId(0)), section: None }]",

@@ -96,6 +96,8 @@ table! {
         rotary_inertia: RotaryInertia as Rotary = RotaryInertia::Density,
         /// Fibres through the depth where the material yields; an even number.
         fibres: usize as Count = percuss::Section::FIBRES,
+        /// Shear factor of a shear-flexible beam, the part of the area that carries shear; that of its shape after Cowper if omitted.
+        shear_factor: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,
     }
     with {
         /// Its shape.

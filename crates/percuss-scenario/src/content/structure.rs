@@ -1,6 +1,6 @@
 //! Materials and beams.
 
-use percuss::{Along, Curve, Ends, Slack, StrainMeasure};
+use percuss::{Along, Curve, Ends, Slack, StrainMeasure, Theory};
 
 use super::yielding::{Hardening, RateLaw, RateText, settle_yield};
 
@@ -13,13 +13,12 @@ use crate::point::Place;
 use crate::preset::{Preset, Presets};
 use crate::quantity::Quantity;
 use crate::table::{Braces, exclude};
-use crate::words::{Bears, Closed, Curved, OfPreset, OrEndless, Strain, Word};
+use crate::words::{Bears, Bending, Closed, Curved, OfPreset, OrEndless, Strain, Word};
 use crate::write::Writer;
 
-/// Keys of other programs that beams do not use.
-const NO_POISSON: &str = "no Poisson's ratio: beams do not use it (only `young` and `density`)";
-const NO_SHEAR: &str =
-    "no shear modulus: beams have no shear deformation (only `young` and `density`)";
+/// Keys of other programs, and those of this one.
+const POISSON: &str = "`poisson`, used by shear-flexible beams alone";
+const SHEAR: &str = "`shear_modulus`, used by shear-flexible beams alone";
 
 table! {
     /// Material of a beam.
@@ -31,7 +30,11 @@ table! {
         young: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
         /// Density (kg/m^3); required without `preset`.
         density: Option<f64> as Maybe<Quantity<measure::Density>> = None,
-        /// Strain measure of the strain energy.
+        /// Poisson's ratio; used by shear-flexible beams alone, for shear modulus and shear factor.
+        poisson: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,
+        /// Shear modulus (Pa) of a material that is not isotropic, such as timber; used by shear-flexible beams alone.
+        shear_modulus: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
+        /// Strain measure of the strain energy; shear-flexible beams have strains of their own.
         strain: StrainMeasure as Word<Strain> = StrainMeasure::Green,
         /// Retardation time of Kelvin-Voigt damping (s), which adds E times this time the strain rate to the stress: stiffness-proportional
         /// damping, Rayleigh's beta.
@@ -55,12 +58,10 @@ table! {
     }
     either preset | young & density
     not {
-        nu: NO_POISSON,
-        poisson: NO_POISSON,
-        poissons_ratio: NO_POISSON,
-        poisson_ratio: NO_POISSON,
-        G: NO_SHEAR,
-        shear_modulus: NO_SHEAR,
+        nu: POISSON,
+        poissons_ratio: POISSON,
+        poisson_ratio: POISSON,
+        G: SHEAR,
     }
     then settle_material
 }
@@ -106,6 +107,8 @@ table! {
         changes: Vec<Change> as List<Braces<Change>> = Vec::new(),
         /// Shape of both ends for contact, within its length.
         ends: Ends as Word<Closed> = Ends::Flat,
+        /// Theory of bending: whether its sections stay normal to the axis.
+        theory: Theory as Word<Bending> = Theory::Slender,
     }
     either elements | element_length
     then settle_beam

@@ -386,7 +386,7 @@ fn words_of_other_programs_are_answered_by_ours() {
     let beams = reported(&table("nodes.a]\nx = 0"));
     assert!(beams.contains("did you mean `beam`?"), "{beams}");
     let poisson = one(ELASTIC, "young =", "nu = 0.3\nyoung =");
-    assert!(poisson.contains("no Poisson's ratio"), "{poisson}");
+    assert!(poisson.contains("`poisson`, used by shear-flexible beams"), "{poisson}");
 }
 
 /// Gravity pulls down, in the example of the message too.

@@ -114,4 +114,9 @@ cases! {
     struck_rod = "struck-rod",
     bead_column = "bead-column",
     fibre_bar = "fibre-bar",
+    shear_cantilevers = "shear-cantilevers",
+    shear_frequencies = "shear-frequencies",
+    shear_columns = "shear-columns",
+    shear_tumbling = "shear-tumbling",
+    shear_impact = "shear-impact",
 }

@@ -13,11 +13,11 @@ use super::static_contacts::{Pressing, StaticContacts};
 use crate::element::beam::{ElementValues, step_point};
 use crate::element::collocation;
 use crate::element::membrane::green_or_engineering;
+use crate::element::shear::{self, moved};
 use crate::linalg::block::inner;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, scale};
 use crate::model::Model;
-use crate::model::frozen::ConstraintKind;
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::constraint::ConstraintStep;
@@ -262,6 +262,10 @@ impl<'m> StaticSearch<'m> {
             let (u, d) = (values(&base.displacement), values(&work.increment));
             let c = if still { nothing } else { values(&work.correction) };
             let stored = &mut base.strain[element];
+            if let Some(shear) = span.shear_at(k) {
+                *stored = shear::stored(shear.foresee(&moved(&u, &d, 1.0), &c));
+                continue;
+            }
             for (row, stored) in table.rows.iter().zip(stored.iter_mut()) {
                 let point = step_point(row, &u, &d);
                 let (slope, bend) = (c.at(&row.first), c.at(&row.second));
@@ -306,11 +310,8 @@ impl<'m> StaticSearch<'m> {
         let step = constraint_step(base, increment, forcing);
         for (i, (c, multiplier)) in model.constraints.iter().zip(multiplier.iter()).enumerate() {
             step.add_gradient(c, *multiplier, residual);
-            if TANGENT
-                && let ConstraintKind::Angle { points, .. } = &c.kind
-                && let Some(k) = step.hessian(c, *multiplier)
-            {
-                tangent.add_hessian(i, points, &k);
+            if TANGENT {
+                tangent.add_constraint(i, c, &step, *multiplier);
             }
         }
         self.hold_back();

@@ -41,6 +41,8 @@ pub struct SectionValues {
     pub density: f64,
     /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
     pub half_depth: f64,
+    /// Shear stiffness kappa G A \[N\]; NaN if unknown.
+    pub shear: f64,
 }
 
 /// Nodal values of one element in the form the interpolation uses.

@@ -177,7 +177,8 @@ mod tests {
     fn table(measure: StrainMeasure, axial: f64) -> ElementTable {
         let law = SectionLaw { axial, bending: 3.0, rotary: 0.1, measure };
         let [area, inertia, young, density, half_depth] = [1.0, 1.0, 1.0, 1.0, 0.1];
-        let values = SectionValues { law, mass: 2.0, area, inertia, young, density, half_depth };
+        let (mass, shear) = (2.0, f64::NAN);
+        let values = SectionValues { law, mass, area, inertia, young, density, half_depth, shear };
         let end = |x: f64, angle: f64| NodeFrame {
             position: [x, 0.1 * x],
             tangent: [angle.cos(), angle.sin()],

@@ -2,7 +2,8 @@
 //!
 //! The schemes ([`energy_momentum`], [`strain_rate`], [`collocation`]) turn the two ends of a step into generalised forces at a
 //! Gauss point, [`gauss`] adds them over an element, [`beam`] holds its constants, [`membrane`] adds the membrane strains of slender ones,
-//! [`given_strain`] those that heat gives.
+//! [`given_strain`] those that heat gives. Shear-flexible elements have strains of their own
+//! ([`shear`]).
 
 // Items that only `internals` re-exports have no documentation.
 #[allow(missing_docs)]
@@ -27,6 +28,7 @@ pub mod motion;
 pub mod point;
 #[allow(missing_docs)]
 pub mod rotary;
+pub mod shear;
 pub mod strain;
 #[allow(missing_docs)]
 pub mod strain_rate;

@@ -90,6 +90,11 @@ impl<'m> SpanView<'m> {
         self.data.is_damped()
     }
 
+    /// Shear stiffness kappa G A at an arc length from the start of the beam \[N\]; of shear-flexible beams alone.
+    pub fn shear_stiffness_at(&self, s: f64) -> Option<f64> {
+        self.data.shear.as_ref().map(|_| self.data.section.at(s).shear)
+    }
+
     /// Whether its section varies from element to element.
     pub fn varies(&self) -> bool {
         !self.data.section.is_uniform()
@@ -151,7 +156,7 @@ impl SectionConstants {
     }
 
     pub(super) fn of(values: &SectionValues) -> Self {
-        let SectionValues { law, mass, area, inertia, young, density, half_depth } = *values;
+        let SectionValues { law, mass, area, inertia, young, density, half_depth, .. } = *values;
         let SectionLaw { axial, bending, rotary, .. } = law;
         Self { axial, bending, rotary, mass, area, inertia, young, density, half_depth }
     }

@@ -14,6 +14,7 @@ pub use loose::*;
 pub use ties::*;
 
 use crate::math::vec2::{add, rot90, scale, sub};
+use crate::model::frozen::{Constraint, ConstraintKind};
 pub use crate::model::striking::{Body, BodyKind};
 pub use crate::model::ties::{ActsFrom, ConnectorLaw, ForceTable};
 use crate::model::{InitialMotion, Model};
@@ -65,7 +66,9 @@ impl Model {
 
     /// Constraints.
     pub fn constraints(&self) -> impl Iterator<Item = ConstraintView<'_>> {
-        self.constraints.iter().map(ConstraintView)
+        // The unit length of a node's vector ties nothing.
+        let ties = |c: &&Constraint| !matches!(c.kind, ConstraintKind::Length { .. });
+        self.constraints.iter().filter(ties).map(ConstraintView)
     }
 
     /// Springs and dampers, those of foundations left out.

@@ -16,7 +16,7 @@ pub struct Measures<S = f64> {
     pub kinetic_projectiles: S,
     /// Axial strain energy \[J\].
     pub strain_axial: S,
-    /// Bending strain energy \[J\].
+    /// Bending strain energy, of shear-flexible beams with that of shear \[J\].
     pub strain_bending: S,
     /// Energy that hardening has stored \[J\].
     pub hardening: S,

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::builder::ModelBuilder;
 use super::centre_line::CentreLine;
+use super::definition::{Material, StrainMeasure, Theory};
 use super::frozen::*;
 use super::material_points::locate;
 use super::mesh::SpanPlan;
@@ -14,6 +15,7 @@ use super::{
     Fault, bodies, check, connect, constrain, fibres, foundation, loads, mesh, outline, pairs,
 };
 use crate::element::beam::{ElementTable, NodeFrame};
+use crate::element::shear::ShearTable;
 use crate::geometry::axis::{AxisElement, AxisElements};
 use crate::math::hermite;
 use crate::math::vec2::{cross, sub};
@@ -83,7 +85,8 @@ impl ModelBuilder {
             let Some(line) = CentreLine::new(beam) else { continue }; // checked before
             let first = (model.spans.len(), model.nodes.len(), model.element_count());
             let plans = mesh::spans(beam, &line, &places.of_beam(index, &line));
-            plans.iter().for_each(|plan| self.add_span(&line, plan, &mut model));
+            let add = |plan| self.add_span(&line, (plan, beam.theory), &mut model);
+            plans.iter().for_each(add);
             model.beams.push(BeamData {
                 name: beam.name.clone(),
                 spans: first.0..model.spans.len(),
@@ -96,8 +99,14 @@ impl ModelBuilder {
         model
     }
 
-    fn add_span(&self, line: &CentreLine, plan: &SpanPlan, model: &mut Model) {
-        let material = &self.materials[plan.material.0 as usize];
+    fn add_span(&self, line: &CentreLine, (plan, theory): (&SpanPlan, Theory), model: &mut Model) {
+        let mut material = &self.materials[plan.material.0 as usize];
+        // Shear-flexible beams have the strains of Simo and Reissner, which are of engineering in stretching.
+        let engineering;
+        if theory == Theory::Shear {
+            engineering = Material { strain: StrainMeasure::Engineering, ..material.clone() };
+            material = &engineering;
+        }
         let section = &self.sections[plan.section.0 as usize];
         let make = fibres::Make { material, section, materials: &self.materials };
         let stations = &plan.stations;
@@ -110,10 +119,17 @@ impl ModelBuilder {
             .collect();
         let total = line.length();
         let section_line = SectionLine::new(&make, total);
-        let table = |k: usize, length: f64| {
+        let mut shear = Vec::new();
+        let mut table = |k: usize, length: f64| {
             let (ends, from) = ([frames[k], frames[k + 1]], stations[k]);
             let at = |xi: f64| section_line.at(from + xi * length);
-            ElementTable::new(length, ends, make.has_fibres(), at)
+            let table = ElementTable::new(length, ends, make.has_fibres(), at);
+            if theory == Theory::Slender {
+                return table;
+            }
+            let flexible = ShearTable::new(length, ends, &at(0.5));
+            shear.push(flexible);
+            flexible.carried_by(table, &at(0.5))
         };
         let share = |w: &[f64]| n as f64 * (w[1] - w[0]) / (stations[n] - stations[0]);
         let alike = mesh::is_straight(&line.pieces[plan.piece])
@@ -142,6 +158,7 @@ impl ModelBuilder {
                 .strength
                 .filter(|_| material.inelasticity.is_none() && make.is_plain()),
             fibres: fibres::of_span(&make, &stretch, fibres_before),
+            shear: (theory == Theory::Shear).then_some(shear),
         };
         for k in 0..n {
             let m = &span.table(k).mass;

@@ -1,4 +1,4 @@
-//! Supports and joints as fixed components of nodes and as constraints with multipliers.
+//! Supports and joints as fixed components of nodes and as constraints with multipliers, with the unit vectors of shear-flexible beams.
 
 use std::collections::BTreeMap;
 
@@ -43,6 +43,7 @@ pub(super) fn all(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec<F
             constrain_points(index, support, model, &mut independent);
         }
     }
+    lengths(model, &mut independent);
     corners(model, &mut independent);
     let mut faults = joints(builder, model, &mut independent);
     // Of two equal temporary constraints, the one with the longer duration is kept.
@@ -184,6 +185,24 @@ fn constrain_points(
     }
 }
 
+/// Unit length of the vectors of the nodes of shear-flexible beams.
+fn lengths(model: &mut Model, independent: &mut Independent) {
+    for beam in 0..model.beams.len() {
+        let path = format!("beam.{}", model.beams[beam].name);
+        for span in model.beams[beam].spans.clone() {
+            if model.spans[span].shear.is_none() {
+                continue;
+            }
+            for k in 0..model.spans[span].nodes.len() {
+                let kind = ConstraintKind::Length { point: node_point(model, beam, span, k) };
+                let (drive, until) = (Vec::new(), f64::INFINITY);
+                let constraint = Constraint { kind, support: None, joint: None, drive, until };
+                independent.keep(model, constraint, &path);
+            }
+        }
+    }
+}
+
 /// Rigid joints between the spans of each beam.
 fn corners(model: &mut Model, independent: &mut Independent) {
     for beam in 0..model.beams.len() {
@@ -198,16 +217,20 @@ fn corners(model: &mut Model, independent: &mut Independent) {
 
 /// The point at the last or first node of a span.
 fn end_point(model: &Model, beam: usize, span: usize, last: bool) -> MaterialPoint {
+    let k = if last { model.spans[span].nodes.len() - 1 } else { 0 };
+    node_point(model, beam, span, k)
+}
+
+/// The point at node `k` of a span.
+fn node_point(model: &Model, beam: usize, span: usize, k: usize) -> MaterialPoint {
     let span = &model.spans[span];
-    let n = span.nodes.len();
-    let (node, shape, slope, frame, s) = if last {
-        let node = span.nodes.end - 2;
-        let unit = [0.0, 0.0, 1.0, 0.0];
-        (node, unit, [0.0, 0.0, 0.0, 1.0], model.nodes[node + 1], span.stations[n - 1])
+    let (own, s) = (span.nodes.start + k, span.stations[k]);
+    let frame = model.nodes[own];
+    // No element begins at the last one.
+    let (node, shape, slope) = if own + 1 == span.nodes.end {
+        (own - 1, [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0])
     } else {
-        let node = span.nodes.start;
-        let unit = [1.0, 0.0, 0.0, 0.0];
-        (node, unit, [0.0, 1.0, 0.0, 0.0], model.nodes[node], span.stations[0])
+        (own, [1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0])
     };
     let (position, tangent) = (frame.position, frame.tangent);
     MaterialPoint { label: String::new(), beam, node, s, shape, slope, position, tangent }
@@ -357,6 +380,7 @@ impl Independent<'_> {
                 add(point, *direction, *gradient, 1.0)
             }
             ConstraintKind::Turned { point } => add(point, rot90(point.tangent), true, 1.0),
+            ConstraintKind::Length { point } => add(point, point.tangent, true, 1.0),
             ConstraintKind::Shared { points, direction } => {
                 add(&points[0], *direction, false, 1.0);
                 add(&points[1], *direction, false, -1.0);

@@ -13,6 +13,7 @@ pub use super::striking::*;
 pub use super::ties::*;
 use super::time_function::PreparedFunction;
 use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
+use crate::element::shear::ShearTable;
 use crate::geometry::Axes;
 use crate::geometry::axis::AxisElements;
 use crate::geometry::pair::Pair;
@@ -123,6 +124,8 @@ pub struct Span {
     pub strength: Option<Strength>,
     /// Its fibres, if its material is nonlinear or its section is given by them.
     pub fibres: Option<SpanFibres>,
+    /// Elements of a shear-flexible beam, as many as tables, shape (1 or elements).
+    pub shear: Option<Vec<ShearTable>>,
 }
 
 impl Span {
@@ -130,6 +133,13 @@ impl Span {
     #[inline(always)]
     pub fn table(&self, k: usize) -> &ElementTable {
         &self.tables[if self.tables.len() == 1 { 0 } else { k }]
+    }
+
+    /// The element of number `k` in the span of a shear-flexible beam.
+    #[inline]
+    pub fn shear_at(&self, k: usize) -> Option<&ShearTable> {
+        let tables = self.shear.as_ref()?;
+        Some(&tables[if tables.len() == 1 { 0 } else { k }])
     }
 
     /// Section of the element of number `k` in the span at a share `xi` of its length.
@@ -186,6 +196,12 @@ impl Model {
                 .iter()
                 .filter_map(|c| c.yielding.as_ref())
                 .any(|own| own.law.is_some())
+    }
+
+    /// Whether any beam is shear-flexible.
+    #[doc(hidden)]
+    pub fn has_shear(&self) -> bool {
+        self.spans.iter().any(|s| s.shear.is_some())
     }
 
     /// Whether the law of any contact crushes.

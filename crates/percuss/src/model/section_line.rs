@@ -1,6 +1,6 @@
 //! The section of a span along its beam.
 
-use super::definition::{RotaryInertia, SectionSize};
+use super::definition::{Profile, RotaryInertia, SectionSize, Station};
 use super::fibres::Make;
 use crate::element::beam::SectionValues;
 use crate::element::point::SectionLaw;
@@ -17,8 +17,11 @@ impl SectionLine {
     /// That of a part of a beam of the given arc length \[m\].
     pub(super) fn new(make: &Make, length: f64) -> Self {
         let stations = match make.section.stations.as_slice() {
-            [] => vec![(0.0, values(make, make.section.size()))],
-            some => some.iter().map(|s| (s.at * length, values(make, s.size()))).collect(),
+            [] => vec![(0.0, values(make, (make.section.size(), &make.section.profile)))],
+            some => {
+                let at = |s: &Station| (s.at * length, values(make, (s.size(), &s.profile)));
+                some.iter().map(at).collect()
+            }
         };
         Self { stations }
     }
@@ -61,11 +64,12 @@ fn mixed(from: &SectionValues, to: &SectionValues, share: f64) -> SectionValues 
         young: mix(|s| s.young),
         density: mix(|s| s.density),
         half_depth: mix(|s| s.half_depth),
+        shear: mix(|s| s.shear),
     }
 }
 
-/// Constants of a section of a size.
-fn values(make: &Make, size: SectionSize) -> SectionValues {
+/// Constants of a section of a size and profile.
+fn values(make: &Make, (size, profile): (SectionSize, &Profile)) -> SectionValues {
     let Make { material, section, .. } = *make;
     let SectionSize { area, inertia, depth } = size;
     let half_depth = depth.map_or(f64::NAN, |d| 0.5 * d);
@@ -75,7 +79,8 @@ fn values(make: &Make, size: SectionSize) -> SectionValues {
         let (young, density) = (law.axial / area, mass / area);
         let young = if plain { material.young } else { young };
         let density = if plain { material.density } else { density };
-        return SectionValues { law, mass, area, inertia, young, density, half_depth };
+        let shear = f64::NAN;
+        return SectionValues { law, mass, area, inertia, young, density, half_depth, shear };
     }
     let (young, density) = (material.young, material.density);
     let rotary = match section.rotary_inertia {
@@ -85,5 +90,8 @@ fn values(make: &Make, size: SectionSize) -> SectionValues {
     };
     let (axial, bending) = (young * area, young * inertia);
     let law = SectionLaw { axial, bending, rotary, measure: material.strain };
-    SectionValues { law, mass: density * area, area, inertia, young, density, half_depth }
+    let factor = section.shear_factor_of(profile, material.poisson_in_shear());
+    let shear = factor * material.shear_stiffness().unwrap_or(f64::NAN) * area;
+    let mass = density * area;
+    SectionValues { law, mass, area, inertia, young, density, half_depth, shear }
 }

@@ -151,6 +151,8 @@ pub enum ConstraintKind<S = f64> {
         cosine: S,
         sine: S,
     },
+    /// `(|g(point)|^2 - 1) / 2 = 0`: unit length of the vector of a node of a shear-flexible beam.
+    Length { point: MaterialPoint<S> },
 }
 
 impl<S: Copy> ConstraintKind<S> {
@@ -158,7 +160,7 @@ impl<S: Copy> ConstraintKind<S> {
     pub fn is_of_slopes(&self) -> bool {
         match self {
             Self::Held { gradient, .. } => *gradient,
-            Self::Turned { .. } | Self::Angle { .. } => true,
+            Self::Turned { .. } | Self::Angle { .. } | Self::Length { .. } => true,
             Self::Shared { .. } => false,
         }
     }
@@ -172,6 +174,7 @@ impl<S: Copy> ConstraintKind<S> {
                 gradient: *gradient,
             },
             Self::Turned { point } => ConstraintKind::Turned { point: point.map(f) },
+            Self::Length { point } => ConstraintKind::Length { point: point.map(f) },
             Self::Shared { points, direction } => ConstraintKind::Shared {
                 points: Box::new(points.each_ref().map(|p| p.map(f))),
                 direction: direction.map(f),
@@ -202,9 +205,9 @@ impl<S> Constraint<S> {
     /// The points it ties.
     pub fn points(&self) -> &[MaterialPoint<S>] {
         match &self.kind {
-            ConstraintKind::Held { point, .. } | ConstraintKind::Turned { point } => {
-                std::slice::from_ref(point)
-            }
+            ConstraintKind::Held { point, .. }
+            | ConstraintKind::Turned { point }
+            | ConstraintKind::Length { point } => std::slice::from_ref(point),
             ConstraintKind::Shared { points, .. } | ConstraintKind::Angle { points, .. } => {
                 points.as_slice()
             }

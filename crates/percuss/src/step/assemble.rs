@@ -163,6 +163,10 @@ impl StepState<'_> {
         membrane: impl Fn(&MembraneStep<f64>, PointAt) -> MembranePoint<f64>,
     ) {
         let forces_of = |at: &ElementAt, _: &mut Sweep| {
+            if let Some(shear) = at.span.shear_at(at.k) {
+                // As fibres, they support only the invariant scheme and rest.
+                return shear.at_end::<f64, TANGENT>(&at.old, &at.step);
+            }
             let mut sums = ElementSums::zero(0.0);
             if let Some(fibres) = &at.span.fibres {
                 let fibres = self.state.fibres_of(fibres, at.k);
@@ -240,6 +244,9 @@ impl StepState<'_> {
         at: &ElementAt,
         sweep: &mut Sweep,
     ) -> ElementSums<f64> {
+        if let Some(shear) = at.span.shear_at(at.k) {
+            return shear.mean::<f64, TANGENT>(&at.old, &at.step, at.lag);
+        }
         let fibres = at.span.fibres.as_ref().map(|own| self.state.fibres_of(own, at.k));
         let h = self.integration.h;
         let step = InvariantStep {

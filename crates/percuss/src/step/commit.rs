@@ -12,8 +12,8 @@ use crate::element::beam::{ElementValues, step_point};
 use crate::element::point::Strains;
 use crate::element::rotary::{Turn, spin_of_slope};
 use crate::element::strain_rate;
-use crate::math::hermite::GAUSS;
-use crate::math::vec2::{add, dot};
+use crate::math::hermite::{self, GAUSS};
+use crate::math::vec2::{add, cross, dot};
 use crate::model::Model;
 use crate::model::frozen::{BodyKind, Connector, Coordinate};
 use crate::state::State;
@@ -42,6 +42,7 @@ pub fn commit(
     work.lead.add_spins(model, displacement, &work.increment, spin, mass_spin);
     let before = std::mem::take(&mut state.coordinates);
     advance_nodes(state, &integration, work);
+    spin_of_vectors(model, state);
     state.coordinates = coordinates(model, state, forcing, &before, work);
     if matches!(integration.rule, Rule::Alpha(_)) {
         spin_from_velocity(model, state);
@@ -156,6 +157,21 @@ fn advance_nodes(state: &mut State, rule: &Integration, work: &Workspace) {
     }
 }
 
+/// Angular rates in shear-flexible elements, between those of the vectors of their nodes, `d x d_dot`.
+fn spin_of_vectors(model: &Model, state: &mut State) {
+    let State { displacement, velocity, spin, .. } = state;
+    for span in model.spans.iter().filter(|span| span.shear.is_some()) {
+        let rate = |n: usize| {
+            let ([d1, d2], u, v) = (model.nodes[n].tangent, &displacement[n], &velocity[n]);
+            cross([d1 + u[2], d2 + u[3]], [v[2], v[3]])
+        };
+        for (k, element) in span.elements.clone().enumerate() {
+            let (a, b) = (rate(span.nodes.start + k), rate(span.nodes.start + k + 1));
+            spin[element] = hermite::gauss_points().map(|xi| a + xi * (b - a));
+        }
+    }
+}
+
 /// Angular rates `(g x g_dot) / a` of the configuration and its velocity.
 pub fn spin_from_velocity(model: &Model, state: &mut State) {
     for (span, k, a, element) in model.each_element() {
@@ -166,6 +182,7 @@ pub fn spin_from_velocity(model: &Model, state: &mut State) {
             state.spin[element][j] = spin_of_slope(g, at(&state.velocity));
         }
     }
+    spin_of_vectors(model, state);
     for (i, mass) in model.masses.iter().enumerate() {
         let p = &mass.point;
         let g = add(p.tangent, p.gradient(&state.displacement));

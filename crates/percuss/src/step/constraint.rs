@@ -1,7 +1,7 @@
 //! Values and gradients of constraints.
 //!
 //! Linear ones are exact. The angle of a rigid corner, `c = g_a x R g_b`, is quadratic: along its gradient at the midpoint a multiplier does no
-//! work, and `c` vanishes at the end of the step (theory, page 1).
+//! work, and `c` vanishes at the end of the step (theory, page 1). So is the unit length of a node's vector, `c = (|g|^2 - 1) / 2`.
 
 use super::forcing::Forcing;
 use crate::linalg::condensed::BorderVector;
@@ -102,6 +102,10 @@ impl<S: Real> ConstraintStep<'_, S> {
             ConstraintKind::Angle { points, cosine, sine } => {
                 cross(g(&points[0]), turn([*cosine, *sine], g(&points[1])))
             }
+            ConstraintKind::Length { point } => {
+                let g = g(point);
+                (dot(g, g) - g[0].constant(1.0)) * 0.5
+            }
         }
     }
 
@@ -124,7 +128,7 @@ impl<S: Real> ConstraintStep<'_, S> {
                     + dot(along, self.tangent(point, 0.5)) * (2.0 * half.sin())
             }
             ConstraintKind::Shared { .. } => self.derivative(c, d),
-            ConstraintKind::Angle { .. } => self.along(c, 0.5, d),
+            ConstraintKind::Angle { .. } | ConstraintKind::Length { .. } => self.along(c, 0.5, d),
         }
     }
 
@@ -134,6 +138,7 @@ impl<S: Real> ConstraintStep<'_, S> {
         match &c.kind {
             ConstraintKind::Held { direction, gradient, .. } => [(*direction, *gradient); 2],
             ConstraintKind::Turned { point } => [(self.across(c, point, share), true); 2],
+            ConstraintKind::Length { point } => [(self.tangent(point, share), true); 2],
             ConstraintKind::Shared { direction, .. } => {
                 [(*direction, false), ([-direction[0], -direction[1]], false)]
             }

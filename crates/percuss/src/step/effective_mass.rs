@@ -14,7 +14,7 @@ use crate::geometry::touch::Touch;
 use crate::linalg::chain::Chain;
 use crate::math::vec2::{add, cross, dot, norm, scale};
 use crate::model::Model;
-use crate::model::frozen::{BodyKind, MaterialPoint, ProjectileData};
+use crate::model::frozen::{BodyKind, Constraint, ConstraintKind, MaterialPoint, ProjectileData};
 
 /// A point that moves by less than this share of the whole under an impulse is fixed.
 const HELD: f64 = 1e-12;
@@ -24,7 +24,7 @@ const HELD: f64 = 1e-12;
 pub struct EffectiveMass {
     /// On the current mesh, `1 / (n M^-1 n^T)` \[kg\]; infinite for a fixed point.
     pub on_mesh: f64,
-    /// In the limit of mesh refinement, `2 sqrt(rhoA rhoI)` across a beam's interior \[kg\].
+    /// In the limit of mesh refinement, `2 sqrt(rhoA rhoI)` across a beam's interior, none of a shear-flexible one \[kg\].
     pub limit: f64,
 }
 
@@ -160,7 +160,11 @@ impl StruckPlace {
         if dot(direction, self.tangent).abs() > leans {
             return own;
         }
-        let section = model.element_of(self.node).0.section.at(self.s);
+        let span = model.element_of(self.node).0;
+        if span.shear.is_some() {
+            return own; // its sections do not turn with its axis
+        }
+        let section = span.section.at(self.s);
         let interior = 2.0 * (section.mass * section.law.rotary).sqrt();
         own + if self.is_free_end(model) {
             0.5 * interior * cross(self.tangent, direction).abs()
@@ -172,7 +176,10 @@ impl StruckPlace {
     fn is_free_end(&self, model: &Model) -> bool {
         let length = model.beams[self.beam].length;
         let at_end = self.s <= 1e-9 * length || self.s >= length * (1.0 - 1e-9);
-        let joined = model.constraints.iter().filter(|c| c.support.is_none()).any(|c| {
+        let joins = |c: &&Constraint| {
+            c.support.is_none() && !matches!(c.kind, ConstraintKind::Length { .. })
+        };
+        let joined = model.constraints.iter().filter(joins).any(|c| {
             let mut points = c.points().iter();
             points.any(|p| p.beam == self.beam && (p.s - self.s).abs() < 1e-9 * length)
         });

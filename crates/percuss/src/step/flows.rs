@@ -230,6 +230,10 @@ impl Entry<'_> {
             (ElementValues::new(&u[a], &u[a + 1]), ElementValues::new(&d[a], &d[a + 1]));
         let [at_a, at_b] = [a, a + 1].map(|n| array(|i| u[n][i] + d[n][i]));
         let end = ElementValues::new(&at_a, &at_b);
+        if let Some(shear) = span.shear_at(k) {
+            let (s0, s1) = (shear.strains(&old), shear.strains(&end));
+            return shear.energies(&array(|i| s1[i] - s0[i])).iter().sum();
+        }
         let invariant =
             Integration::new(Scheme::EnergyMomentum, self.rule.h).rule == self.rule.rule;
         let changes = table.rows.each_ref().map(|row| {

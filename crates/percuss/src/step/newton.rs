@@ -20,7 +20,6 @@ use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
 use crate::geometry::touch::SearchRegion;
 use crate::model::Model;
-use crate::model::frozen::ConstraintKind;
 use crate::state::{PairState, State};
 
 /// A step to be solved: from `state`, by `integration`, with the `active` contacts.
@@ -244,11 +243,8 @@ impl StepProblem<'_> {
         let step = self.constraint_step(increment);
         for (i, (c, multiplier)) in model.constraints.iter().zip(&work.multiplier).enumerate() {
             step.add_gradient(c, *multiplier, residual);
-            if TANGENT
-                && let ConstraintKind::Angle { points, .. } = &c.kind
-                && let Some(k) = step.hessian(c, *multiplier)
-            {
-                tangent.add_hessian(i, points, &k);
+            if TANGENT {
+                tangent.add_constraint(i, c, &step, *multiplier);
             }
         }
         self.measure_arcs_if_needed(work);

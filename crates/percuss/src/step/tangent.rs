@@ -160,10 +160,33 @@ impl Tangent {
     }
 
     /// Adds the derivative of the force of constraint `i`, a matrix between the slopes at its two points.
-    pub fn add_hessian(&mut self, i: usize, points: &[MaterialPoint; 2], k: &[[f64; 2]; 2]) {
+    fn add_hessian(&mut self, i: usize, points: &[MaterialPoint; 2], k: &[[f64; 2]; 2]) {
         let transposed = [[k[0][0], k[1][0]], [k[0][1], k[1][1]]];
         let first = self.of_constraint[i];
         self.add_between(first, (&points[0], true), (&points[1], true), k, &transposed);
+    }
+
+    /// Adds the derivative of the force of constraint `i` with a multiplier, if it is quadratic.
+    pub fn add_constraint(
+        &mut self,
+        i: usize,
+        c: &Constraint,
+        step: &ConstraintStep,
+        multiplier: f64,
+    ) {
+        match &c.kind {
+            ConstraintKind::Angle { points, .. } => {
+                if let Some(k) = step.hessian(c, multiplier) {
+                    self.add_hessian(i, points, &k);
+                }
+            }
+            ConstraintKind::Length { point } => {
+                let k = multiplier * step.share;
+                let block = [[k, 0.0], [0.0, k]];
+                self.matrix.chain.add_outer(point.node, &point.slope, &point.slope, &block);
+            }
+            _ => {}
+        }
     }
 
     fn add_between(

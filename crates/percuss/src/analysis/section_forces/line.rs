@@ -48,7 +48,7 @@ pub struct Inner {
 /// The configuration of an element: its nodes in the reference, their displacements, its length.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementShape<S = f64> {
-    /// Tangents x' at both nodes, shape (2, 2) \[-\].
+    /// Tangents x' at both nodes, of a shear-flexible element their unit vectors, shape (2, 2) \[-\].
     pub tangents: [[S; 2]; 2],
     /// From the first node to the second, shape (2) \[m\].
     pub chord: [S; 2],
@@ -251,6 +251,33 @@ impl Line {
     pub fn new(shape: &ElementShape, ends: &OnNodes, along: &OnNodes, inner: &mut [Inner]) -> Self {
         let (mut line, left) = Self::open(shape, ends, along);
         line.close(left, inner);
+        line
+    }
+
+    /// Of a shear-flexible element, whose axis is straight: the moments at its ends are those on the vectors d of its nodes, given as tangents. The
+    /// force along it is linear; rotary inertia is what the balance of moments leaves over.
+    pub fn sheared(
+        shape: &ElementShape,
+        ends: &OnNodes,
+        along: &OnNodes,
+        inner: &mut [Inner],
+    ) -> Self {
+        let mut line = Self { way: [[0.0; 2]; 3], force: [[0.0; 2]; 5], moment: [0.0; 8] };
+        let [da, db] = &shape.tangents;
+        line.way[0] = shape.chord;
+        for i in 0..2 {
+            let (on_a, on_b) = (along[0][i], along[1][i]);
+            line.force[0][i] = -ends[0][i];
+            line.force[1][i] = 4.0 * on_a - 2.0 * on_b;
+            line.force[2][i] = 3.0 * (on_b - on_a);
+        }
+        line.moment[0] = -across(da, &[ends[0][2], ends[0][3]]);
+        let mut sum = line.moment[0];
+        for (j, force) in line.force.iter().enumerate() {
+            line.moment[j + 1] = -across(&line.way[0], force) / (j + 1) as f64;
+            sum += line.moment[j + 1];
+        }
+        line.close(across(db, &[ends[1][2], ends[1][3]]) - sum, inner);
         line
     }
 

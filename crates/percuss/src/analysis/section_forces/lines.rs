@@ -167,7 +167,11 @@ impl Lines {
             take(&mut ends, load);
         }
         inner.iter().for_each(|one| take(&mut ends, &one.on_nodes));
-        let numbers = Line::new(&shape, &ends, &along, inner).numbers();
+        let line = match span.shear {
+            Some(_) => Line::sheared(&shape, &ends, &along, inner),
+            None => Line::new(&shape, &ends, &along, inner),
+        };
+        let numbers = line.numbers();
         for (column, x) in numbers.into_iter().enumerate() {
             self.lines.set(column, element, x);
         }

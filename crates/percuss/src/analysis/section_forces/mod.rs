@@ -101,7 +101,7 @@ fn is_plain(span: &Span) -> bool {
 
 /// Strains of a span whose stresses tell of more than strains; else they follow from the forces.
 fn strained(span: &Span, k: usize, state: &State) -> Option<[Strained; 2]> {
-    let wanted = span.retardation > 0.0 && span.has_depth();
+    let wanted = span.retardation > 0.0 && span.has_depth() && span.shear.is_none();
     wanted.then(|| fibres::strained(span, k, state))
 }
 

@@ -6,7 +6,7 @@ use super::wide_element::{element, unit};
 use crate::linalg::block;
 use crate::linalg::condensed::BorderVector;
 use crate::math::vec2::{dot, dot4};
-use crate::model::frozen::{Connector, ConstraintKind, Span};
+use crate::model::frozen::{Connector, Span};
 use crate::scalar::Wide;
 use crate::step::connectors::{self, ConnectorStep};
 use crate::step::constraint::{self, ConstraintStep};
@@ -207,11 +207,7 @@ impl Layout<'_> {
         external::apply::<true>(self.model, base, forcing, &RULE, still, &mut residual, rest);
         let step = at_rest(search, still);
         for (i, c) in self.model.constraints.iter().enumerate() {
-            if let ConstraintKind::Angle { points, .. } = &c.kind
-                && let Some(k) = step.hessian(c, search.work.multiplier[i])
-            {
-                rest.add_hessian(i, points, &k);
-            }
+            rest.add_constraint(i, c, &step, search.work.multiplier[i]);
         }
     }
 

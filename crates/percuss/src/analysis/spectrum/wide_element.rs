@@ -5,6 +5,7 @@ use crate::element::beam::{ElementSums, ElementTable, ElementValues, GaussRow, s
 use crate::element::collocation;
 use crate::element::membrane::{MembranePoint, MembraneTable};
 use crate::element::point::{Reference, SectionLaw, Strains};
+use crate::element::shear::from_stored;
 use crate::model::frozen::Span;
 use crate::scalar::Wide;
 
@@ -26,6 +27,9 @@ pub(super) fn element(
     let old = ElementValues::new(&nodal(&u[a]), &nodal(&u[a + 1]));
     let zero = [Wide::ZERO; 2];
     let still = ElementValues { chord: zero, slope_a: zero, slope_b: zero };
+    if let Some(shear) = span.shear_at(k) {
+        return shear.tangent(&old, from_stored(stored));
+    }
     let mut sums = ElementSums::zero(Wide::ZERO);
     for (row, [membrane, bending]) in table.rows.iter().zip(stored) {
         let row = widened(row);

@@ -6,6 +6,7 @@ mod contacts;
 mod faults;
 mod foundations;
 mod functions;
+mod shear;
 mod supports;
 mod yielding;
 
@@ -19,6 +20,7 @@ use beams::{check_beam, check_point, check_stations};
 use contacts::{check_contact, check_disc, check_obstacle};
 use faults::{Faults, quantity};
 use foundations::check_foundation;
+use shear::{check_shear_factor, check_shear_moduli, check_stretch, check_theory};
 use supports::{check_joint, check_spring, check_support};
 use yielding::{check_fibres, check_given_fibres, check_one_sided, check_plasticity};
 
@@ -36,9 +38,11 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
     for beam in &model.beams {
         check_beam(model, beam, &mut out);
         check_fibres(model, beam, &mut out);
+        check_theory(model, beam, &mut out);
     }
     for support in &model.supports {
         check_support(model, support, &mut out);
+        check_stretch(model, support, &mut out);
     }
     for joint in &model.joints {
         check_joint(model, joint, &mut out);
@@ -94,6 +98,7 @@ fn check_materials(model: &ModelBuilder, out: &mut Faults) {
         out.finite(path("expansion"), &[m.expansion], "1/K");
         out.not_negative(path("retardation"), m.retardation, "a time", "s");
         out.not_negative(path("mass_damping"), m.mass_damping, "a rate", "1/s");
+        check_shear_moduli(m, out);
         match &m.inelasticity {
             Some(Inelasticity::Plastic(plasticity)) => check_plasticity(m, plasticity, out),
             Some(Inelasticity::OneSidedPlastic(_, plasticity)) => {
@@ -118,6 +123,7 @@ fn check_sections(model: &ModelBuilder, out: &mut Faults) {
             out.positive(path("depth"), depth, "a depth", "m");
         }
         check_stations(s, out);
+        check_shear_factor(s, out);
         if let RotaryInertia::Given(value) = s.rotary_inertia
             && !(value >= 0.0 && value.is_finite())
         {

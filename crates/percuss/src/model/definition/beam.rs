@@ -1,6 +1,6 @@
 //! Beams, their lines and meshes, and places on them.
 
-use super::{BeamId, MaterialId, SectionId};
+use super::{BeamId, MaterialId, SectionId, Theory};
 
 /// Connection of the points of a beam to a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -88,6 +88,8 @@ pub struct Beam {
     pub changes: Vec<Change>,
     /// Closure of its outline at its ends.
     pub ends: Ends,
+    /// What its sections do when it bends.
+    pub theory: Theory,
 }
 
 impl Beam {
@@ -108,6 +110,7 @@ impl Beam {
             section,
             changes: Vec::new(),
             ends: Ends::Flat,
+            theory: Theory::Slender,
         }
     }
 }

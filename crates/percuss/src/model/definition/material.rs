@@ -24,6 +24,10 @@ pub struct Material {
     pub inelasticity: Option<Inelasticity>,
     /// Usual yield stresses, if known. They have no effect on the mechanics: larger stresses of an elastic material are reported.
     pub strength: Option<Strength>,
+    /// Poisson's ratio, of which only shear-flexible beams make use.
+    pub poisson: Option<f64>,
+    /// Shear modulus G, if it is not that of an isotropic material \[Pa\].
+    pub shear_modulus: Option<f64>,
 }
 
 /// Stresses up to which a material is elastic, or whole; infinite where unknown.
@@ -55,6 +59,8 @@ impl Material {
             expansion: 0.0,
             inelasticity: None,
             strength: None,
+            poisson: None,
+            shear_modulus: None,
         }
     }
 }

@@ -12,6 +12,7 @@ mod profile;
 mod projectile;
 mod rounding;
 mod section;
+mod shear;
 mod support;
 
 pub use beam::*;
@@ -23,6 +24,7 @@ pub use material::*;
 pub use profile::*;
 pub use projectile::*;
 pub use section::*;
+pub use shear::*;
 pub use support::*;
 
 /// Index of a material, given by [`ModelBuilder::material`](super::ModelBuilder::material).

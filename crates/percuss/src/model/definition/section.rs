@@ -2,6 +2,7 @@
 
 use super::profile::{Profile, SectionFibre, Strip};
 use super::rounding::Moments;
+use super::shear::Walls;
 
 /// Rotary inertia per unit length of a section, rhoI \[kg m\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -35,6 +36,10 @@ pub struct Section {
     pub profile: Profile,
     /// Fibres through the depth where it can yield; an even number.
     pub fibres: usize,
+    /// Shear factor kappa in place of that of its shape \[-\].
+    pub shear_factor: Option<f64>,
+    /// Its walls, if it is an I or a box.
+    pub walls: Option<Walls>,
 }
 
 /// A tapered section at a fraction of the beam's length.
@@ -95,6 +100,8 @@ impl Section {
             stations: Vec::new(),
             profile: Profile::Unknown,
             fibres: Self::FIBRES,
+            shear_factor: None,
+            walls: None,
         }
     }
 
@@ -135,7 +142,9 @@ impl Section {
         let clear = depth - 2.0 * flange;
         let area = 2.0 * width * flange + web * clear;
         let inertia = (width * depth.powi(3) - (width - web) * clear.powi(3)) / 12.0;
-        Self::deep(name, area, inertia, depth).with(Profile::flanged(width, depth, clear, web))
+        let profile = Profile::flanged(width, depth, clear, web);
+        let walls = Some(Walls::new([width, depth], flange, web, false));
+        Self { walls, ..Self::deep(name, area, inertia, depth).with(profile) }
     }
 
     /// A rectangular box of uniform wall thickness.
@@ -143,7 +152,8 @@ impl Section {
         let (w, d) = (width - 2.0 * thickness, depth - 2.0 * thickness);
         let inertia = (width * depth.powi(3) - w * d.powi(3)) / 12.0;
         let profile = Profile::flanged(width, depth, d, 2.0 * thickness);
-        Self::deep(name, width * depth - w * d, inertia, depth).with(profile)
+        let walls = Some(Walls::new([width, depth], thickness, 2.0 * thickness, true));
+        Self { walls, ..Self::deep(name, width * depth - w * d, inertia, depth).with(profile) }
     }
 
     /// A rolled I: as [`i_shape`](Self::i_shape), with fillets of a radius between web and flanges, half the clear height at most.

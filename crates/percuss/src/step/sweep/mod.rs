@@ -247,7 +247,7 @@ impl<P: Simd> Replacement<f64, Lanes<P>> for Each<'_, P> {
 fn tables(span: &Span) -> Option<Columns> {
     let sampled = |t: &ElementTable| t.membrane.as_ref().map(|m| m.is_nodal);
     let alike = span.tables.windows(2).all(|t| sampled(&t[0]) == sampled(&t[1]));
-    if !alike || !SweptFibres::can_hold(span) {
+    if !alike || span.shear.is_some() || !SweptFibres::can_hold(span) {
         return None;
     }
     if span.tables.len() == 1 {

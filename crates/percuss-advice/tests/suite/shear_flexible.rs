@@ -1,0 +1,58 @@
+//! Advice on shear-flexible beams: none that holds of slender ones alone.
+
+use crate::common::at;
+use percuss::*;
+use percuss_advice::*;
+
+/// A steel beam struck in its middle.
+fn struck(theory: Theory, kind: ProjectileKind) -> Model {
+    let mut b = ModelBuilder::new();
+    let material =
+        b.material(Material { poisson: Some(0.3), ..Material::new("steel", 2.1e11, 7850.0) });
+    let section = b.section(Section::rectangle("bar", 0.1, 0.2));
+    let beam = Beam { theory, ..Beam::new("beam", &[[0.0; 2], [3.0, 0.0]], 24, material, section) };
+    let beam = b.beam(beam);
+    for end in [0.0, 1.0] {
+        b.support(Support::new(format!("at {end}"), at("end", beam, end), SupportKind::Pin));
+    }
+    b.projectile(Projectile::new("mass", kind, 50.0, [0.0, -4.0], at("mid", beam, 0.5)));
+    b.build().unwrap_or_else(|faults| panic!("{faults:?}"))
+}
+
+fn reported(theory: Theory, kind: ProjectileKind, topic: Topic) -> Option<Advice> {
+    let all = advise(&struck(theory, kind), &Settings::new(0.05, 2e-5));
+    all.into_iter().find(|advice| advice.topic == topic)
+}
+
+#[test]
+fn shear_that_a_beam_has_is_not_said_to_be_neglected() {
+    let spring = || ProjectileKind::spring(5e5);
+    assert!(reported(Theory::Slender, spring(), Topic::Shear).is_some());
+    assert_eq!(reported(Theory::Shear, spring(), Topic::Shear), None);
+    // Formulas of slender beams stand beside no run of another.
+    let settings = Settings::new(0.05, 2e-5);
+    let formulas = |theory: Theory| {
+        let model = struck(theory, spring());
+        let summary = simulate(&model, &settings, &mut NoRecorder).unwrap();
+        let all = compare(&model, &settings, &summary);
+        all.into_iter().map(|row| row.formula).collect::<Vec<_>>()
+    };
+    let slender = formulas(Theory::Slender);
+    assert!(slender.iter().any(|name| name.contains("two-degree")), "{slender:?}");
+    let shear = formulas(Theory::Shear);
+    assert!(!shear.iter().any(|name| name.contains("two-degree")), "{shear:?}");
+}
+
+#[test]
+fn the_force_after_a_rigid_impact_is_reported_with_its_limit() {
+    let kind = |restitution: f64| ProjectileKind::Rigid { restitution };
+    for (restitution, verdict) in [(0.0, Verdict::Note), (0.5, Verdict::Warning)] {
+        let found = reported(Theory::Shear, kind(restitution), Topic::EffectiveMass).unwrap();
+        assert_eq!(found.verdict, verdict);
+        assert!(found.text.contains("2 v sqrt(kappa G A rho A)"), "{}", found.text);
+        // Of the limit, an effective mass, nothing is left.
+        assert!(found.text.contains("tends to 0 kg"), "{}", found.text);
+    }
+    let slender = reported(Theory::Slender, kind(0.0), Topic::EffectiveMass).unwrap();
+    assert!(!slender.text.contains("kappa"), "{}", slender.text);
+}

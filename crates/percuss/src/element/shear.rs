@@ -1,0 +1,227 @@
+//! The shear-flexible element (Simo and Reissner, in the plane), with linear interpolation and one integration point.
+//!
+//! A node carries its position x and a unit vector d, the normal of its section, in the place of the tangent of a slender beam. The strains
+//! `Gamma1 = x'.d - 1`, `Gamma2 = x'.(J d)`, `K = d'.(J d)`, less those of the reference, are bilinear in (x, d): with their means over a
+//! step and their variations in its middle, energy and momenta are conserved for any step (theory, page 2). The unit length of d is a
+//! constraint of each node.
+
+use super::beam::{ElementSums, ElementTable, ElementValues, NodeFrame};
+use super::gauss::SectionValues;
+use crate::math::hermite::GAUSS;
+use crate::math::vec2::{add, cross, dot, rot90, scale};
+use crate::scalar::Real;
+
+/// Interpolated values: chord, d of the first and of the second node, shape (6), in the order of [`ElementSums`].
+type Form<S> = [S; 6];
+
+/// A shear-flexible element: its reference and stiffnesses.
+#[derive(Clone, Copy, Debug)]
+pub struct ShearTable {
+    /// Arc length between its nodes \[m\].
+    length: f64,
+    /// From the first node to the second in the reference, shape (2) \[m\].
+    chord: [f64; 2],
+    /// Vectors d of both nodes in the reference, shape (2, 2) \[-\].
+    directors: [[f64; 2]; 2],
+    /// EA, shear stiffness and EI, times the length, shape (3) \[N m, N m, N m^3\].
+    stiffness: [f64; 3],
+}
+
+/// Forces at an evaluation of the element.
+struct Evaluated<S> {
+    /// Integrated stresses, shape (3) \[N m, N m, N m^2\].
+    stress: [S; 3],
+    /// Nodal values where the variations are taken.
+    at: ElementValues<S>,
+    /// Nodal values at the end of the step.
+    end: ElementValues<S>,
+    /// Derivative of the stresses with respect to the strains at the end, over the stiffness.
+    weight: S,
+    /// Share of the step at which the variations are taken.
+    share: f64,
+}
+
+impl ShearTable {
+    /// Table of an element between two nodes, with the section in its middle.
+    ///
+    /// Linear elements with one point cannot bend between their nodes: the flexibility missed, `L^2 / (12 EI)` per unit of shear, is added to that
+    /// of shear (MacNeal's residual bending flexibility). Nodal displacements of a straight uniform beam in equilibrium are then exact, for any
+    /// slenderness and any number of elements.
+    pub fn new(length: f64, ends: [NodeFrame; 2], middle: &SectionValues) -> Self {
+        let [a, b] = ends;
+        let (axial, bending) = (middle.law.axial, middle.law.bending);
+        let shear = (1.0 / middle.shear + length * length / (12.0 * bending)).recip();
+        Self {
+            length,
+            chord: [0, 1].map(|i| b.position[i] - a.position[i]),
+            directors: [a.tangent, b.tangent],
+            stiffness: [axial, shear, bending].map(|stiffness| stiffness * length),
+        }
+    }
+
+    /// The table that shares mass, loads and drawing with slender elements: linear interpolation of its mass and rotary inertia, the latter on d,
+    /// and no stiffness, which is that of `self`.
+    pub fn carried_by(&self, table: ElementTable, middle: &SectionValues) -> ElementTable {
+        let mut mass = [[0.0; 4]; 4];
+        for a in 0..2 {
+            for b in 0..2 {
+                let share = self.length / if a == b { 3.0 } else { 6.0 };
+                mass[2 * a][2 * b] = middle.mass * share;
+                mass[2 * a + 1][2 * b + 1] = middle.law.rotary * share;
+            }
+        }
+        let mut rows = table.rows;
+        for row in &mut rows {
+            (row.weighed.axial, row.weighed.bending, row.weighed.rotary) = (0.0, 0.0, 0.0);
+        }
+        ElementTable { rows, mass, membrane: None, ..table }
+    }
+
+    /// Strains Gamma1, Gamma2 and K less those of the reference, shape (3) \[-, -, 1/m\]. Formed from displacements: small ones keep their digits.
+    #[inline]
+    pub fn strains<S: Real>(&self, u: &ElementValues<S>) -> [S; 3] {
+        let wide = |x: [f64; 2]| x.map(|x| u.chord[0].constant(x));
+        let (c0, [a0, b0]) = (wide(self.chord), self.directors.map(wide));
+        let mean = |a: [S; 2], b: [S; 2]| add(a, b).map(|x| x * 0.5);
+        let turned = mean(u.slope_a, u.slope_b);
+        let d = add(mean(a0, b0), turned);
+        let stretch = dot(c0, turned) + dot(u.chord, d);
+        let shear = cross(d, u.chord) + cross(turned, c0);
+        let bend = cross(add(a0, u.slope_a), u.slope_b) + cross(u.slope_a, b0);
+        [stretch, shear, bend].map(|strain| strain * self.length.recip())
+    }
+
+    /// Forces of a step of a scheme with mean strains, and their tangent if `TANGENT`; `lag` is the retardation time over the step size.
+    pub fn mean<S: Real, const TANGENT: bool>(
+        &self,
+        start: &ElementValues<S>,
+        increment: &ElementValues<S>,
+        lag: f64,
+    ) -> ElementSums<S> {
+        let end = moved(start, increment, 1.0);
+        let (old, new) = (self.strains(start), self.strains(&end));
+        let one = |k: usize| {
+            let viscous = (new[k] - old[k]) * lag;
+            ((old[k] + new[k]) * 0.5 + viscous) * self.stiffness[k]
+        };
+        let (stress, at) = ([one(0), one(1), one(2)], moved(start, increment, 0.5));
+        let weight = start.chord[0].constant(0.5 + lag);
+        self.sums::<S, TANGENT>(&Evaluated { stress, at, end, weight, share: 0.5 })
+    }
+
+    /// Forces at the end of a step, as in an equilibrium, and their tangent if `TANGENT`.
+    pub fn at_end<S: Real, const TANGENT: bool>(
+        &self,
+        start: &ElementValues<S>,
+        increment: &ElementValues<S>,
+    ) -> ElementSums<S> {
+        let end = moved(start, increment, 1.0);
+        let strains = self.strains(&end);
+        let stress = [0, 1, 2].map(|k| strains[k] * self.stiffness[k]);
+        let weight = start.chord[0].constant(1.0);
+        self.sums::<S, TANGENT>(&Evaluated { stress, at: end, end, weight, share: 1.0 })
+    }
+
+    /// Tangent at displacements with the geometric stiffness of given strains, in the order of [`strains`](Self::strains()).
+    pub fn tangent<S: Real>(&self, at: &ElementValues<S>, strains: [f64; 3]) -> ElementSums<S> {
+        let weight = at.chord[0].constant(1.0);
+        let stress = [0, 1, 2].map(|k| weight * (strains[k] * self.stiffness[k]));
+        self.sums::<S, true>(&Evaluated { stress, at: *at, end: *at, weight, share: 1.0 })
+    }
+
+    /// Strains after a correction of displacements, to first order.
+    pub fn foresee(&self, at: &ElementValues<f64>, correction: &ElementValues<f64>) -> [f64; 3] {
+        let ElementValues { chord: [c1, c2], slope_a: [a1, a2], slope_b: [b1, b2] } = *correction;
+        let (now, forms) = (self.strains(at), self.gradients(at));
+        let moved = [c1, c2, a1, a2, b1, b2];
+        [0, 1, 2].map(|k| now[k] + forms[k].iter().zip(moved).map(|(f, d)| f * d).sum::<f64>())
+    }
+
+    /// Twice the energies of stretching, of shear and of bending at displacements, or such sums of changes of strain, shape (3) \[J\].
+    pub fn energies(&self, strains: &[f64; 3]) -> [f64; 3] {
+        [0, 1, 2].map(|k| self.stiffness[k] * strains[k] * strains[k])
+    }
+
+    fn sums<S: Real, const TANGENT: bool>(&self, of: &Evaluated<S>) -> ElementSums<S> {
+        let mut sums = ElementSums::zero(of.weight);
+        let at = self.gradients(&of.at);
+        for (form, stress) in at.iter().zip(of.stress) {
+            for i in 0..6 {
+                sums.force[i] = sums.force[i].add_product(stress, form[i]);
+            }
+        }
+        if !TANGENT {
+            return sums;
+        }
+        let end = self.gradients(&of.end);
+        for k in 0..3 {
+            let stiffness = of.weight * self.stiffness[k];
+            for i in 0..6 {
+                let left = at[k][i] * stiffness;
+                for j in 0..6 {
+                    sums.tangent[i][j] = sums.tangent[i][j].add_product(left, end[k][j]);
+                }
+            }
+        }
+        add_second(&of.stress.map(|s| s * (of.share / self.length)), &mut sums);
+        sums
+    }
+
+    /// Derivatives of the strains with respect to the nodal values, shape (3, 6) \[1/m, -, -\] and, of the last, \[1/m^2, 1/m, 1/m\].
+    fn gradients<S: Real>(&self, u: &ElementValues<S>) -> [Form<S>; 3] {
+        let wide = |x: [f64; 2]| x.map(|x| u.chord[0].constant(x));
+        let per_length = u.chord[0].constant(self.length.recip());
+        let [a0, b0] = self.directors.map(wide);
+        let (c, a, b) = (add(wide(self.chord), u.chord), add(a0, u.slope_a), add(b0, u.slope_b));
+        let d = scale(per_length * 0.5, add(a, b));
+        let along = scale(per_length * 0.5, c);
+        let ([s1, s2], [n1, n2]) = (along, rot90(d));
+        let ([a1, a2], [b1, b2]) = (scale(per_length, a), scale(per_length, b));
+        let zero = per_length.constant(0.0);
+        [[d[0], d[1], s1, s2, s1, s2], [n1, n2, s2, -s1, s2, -s1], [zero, zero, b2, -b1, -a2, a1]]
+    }
+}
+
+/// Adds second derivatives of the strains, times `stress`, the stresses over the length.
+fn add_second<S: Real>(stress: &[S; 3], sums: &mut ElementSums<S>) {
+    let [axial, shear, moment] = *stress;
+    let mut both = |i: usize, j: usize, value: S| {
+        sums.tangent[i][j] += value;
+        sums.tangent[j][i] += value;
+    };
+    for d in [2, 4] {
+        both(0, d, axial * 0.5);
+        both(1, d + 1, axial * 0.5);
+        both(0, d + 1, shear * -0.5);
+        both(1, d, shear * 0.5);
+    }
+    both(2, 5, moment);
+    both(3, 4, -moment);
+}
+
+/// Strains as they are stored beside those of slender elements: Gamma1 and K, then Gamma2.
+pub fn stored([stretch, shear, bend]: [f64; 3]) -> [[f64; 2]; GAUSS] {
+    [[stretch, bend], [shear, 0.0], [0.0; 2]]
+}
+
+/// The strains stored.
+pub fn from_stored([[stretch, bend], [shear, _], _]: &[[f64; 2]; GAUSS]) -> [f64; 3] {
+    [*stretch, *shear, *bend]
+}
+
+/// Nodal values after a share of a step.
+pub fn moved<S: Real>(
+    start: &ElementValues<S>,
+    increment: &ElementValues<S>,
+    share: f64,
+) -> ElementValues<S> {
+    let after = |from: [S; 2], by: [S; 2]| add(from, by.map(|x| x * share));
+    ElementValues {
+        chord: after(start.chord, increment.chord),
+        slope_a: after(start.slope_a, increment.slope_a),
+        slope_b: after(start.slope_b, increment.slope_b),
+    }
+}
+
+#[cfg(test)]
+mod tests;

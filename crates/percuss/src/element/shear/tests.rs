@@ -1,0 +1,153 @@
+use super::*;
+use crate::element::point::SectionLaw;
+use crate::element::strain::StrainMeasure;
+
+const LENGTH: f64 = 0.3;
+
+fn section(axial: f64, shear: f64, bending: f64) -> SectionValues {
+    let law = SectionLaw { axial, bending, rotary: 0.01, measure: StrainMeasure::Engineering };
+    let none = f64::NAN;
+    SectionValues {
+        law,
+        shear,
+        mass: 2.0,
+        area: none,
+        inertia: none,
+        young: none,
+        density: none,
+        half_depth: none,
+    }
+}
+
+/// A bent element that is not aligned with the axes.
+fn element() -> ShearTable {
+    let frame = |position, angle: f64| NodeFrame { position, tangent: [angle.cos(), angle.sin()] };
+    let ends = [frame([0.1, -0.2], 0.4), frame([0.37, -0.08], 0.7)];
+    ShearTable::new(LENGTH, ends, &section(400.0, 150.0, 4.0))
+}
+
+fn values(x: [f64; 6]) -> ElementValues<f64> {
+    let [c1, c2, a1, a2, b1, b2] = x;
+    ElementValues { chord: [c1, c2], slope_a: [a1, a2], slope_b: [b1, b2] }
+}
+
+const START: [f64; 6] = [0.02, -0.05, 0.1, -0.3, -0.2, 0.15];
+const STEP: [f64; 6] = [-0.07, 0.04, 0.3, 0.2, -0.1, 0.25];
+
+fn energy(table: &ShearTable, x: [f64; 6]) -> f64 {
+    0.5 * table.energies(&table.strains(&values(x))).iter().sum::<f64>()
+}
+
+/// The displacement of an element that turns and moves as a rigid body.
+fn turned(table: &ShearTable, angle: f64) -> [f64; 6] {
+    let (cosine, sine) = (angle.cos(), angle.sin());
+    let by = |[x, y]: [f64; 2]| [(cosine - 1.0) * x - sine * y, sine * x + (cosine - 1.0) * y];
+    let [c, a, b] = [table.chord, table.directors[0], table.directors[1]].map(by);
+    [c[0], c[1], a[0], a[1], b[0], b[1]]
+}
+
+#[test]
+fn rigid_motions_do_not_strain_it() {
+    let table = element();
+    for angle in [1e-3, 0.5, 3.0] {
+        for strain in table.strains(&values(turned(&table, angle))) {
+            assert!(strain.abs() < 1e-14, "{angle}: {strain:e}");
+        }
+    }
+}
+
+#[test]
+fn forces_of_a_step_do_the_work_of_its_energy() {
+    let table = element();
+    let end: [f64; 6] = std::array::from_fn(|i| START[i] + STEP[i]);
+    let sums = table.mean::<f64, false>(&values(START), &values(STEP), 0.0);
+    let work: f64 = sums.force.iter().zip(STEP).map(|(f, d)| f * d).sum();
+    let gained = energy(&table, end) - energy(&table, START);
+    assert!((work - gained).abs() < 1e-13 * gained.abs(), "{work:e} {gained:e}");
+    // A step with a retardation time loses that times the squares of the changes.
+    let lag = 0.3;
+    let damped = table.mean::<f64, false>(&values(START), &values(STEP), lag);
+    let lost: f64 = damped.force.iter().zip(STEP).map(|(f, d)| f * d).sum::<f64>() - work;
+    let (old, new) = (table.strains(&values(START)), table.strains(&values(end)));
+    let changes = std::array::from_fn(|k| new[k] - old[k]);
+    let expected = lag * table.energies(&changes).iter().sum::<f64>();
+    assert!(expected > 0.0 && (lost - expected).abs() < 1e-12 * expected, "{lost:e} {expected:e}");
+}
+
+#[test]
+fn forces_of_a_step_have_no_resultant_moment() {
+    let table = element();
+    let [c, a, b] = [table.chord, table.directors[0], table.directors[1]];
+    let f = table.mean::<f64, false>(&values(START), &values(STEP), 0.0).force;
+    let at = |x: [f64; 2], k: usize| {
+        let middle = [0, 1].map(|i| x[i] + START[k + i] + 0.5 * STEP[k + i]);
+        cross(middle, [f[k], f[k + 1]])
+    };
+    let parts = [at(c, 0), at(a, 2), at(b, 4)];
+    let gross: f64 = parts.iter().map(|m| m.abs()).sum();
+    assert!(parts.iter().sum::<f64>().abs() < 1e-14 * gross, "{parts:?}");
+}
+
+#[test]
+fn tangents_are_the_derivatives_of_the_forces() {
+    let table = element();
+    type Forces<'a> = &'a dyn Fn([f64; 6]) -> ElementSums<f64>;
+    let start = values(START);
+    let mean: Forces = &|d| table.mean::<f64, true>(&start, &values(d), 0.3);
+    let end: Forces = &|d| table.at_end::<f64, true>(&start, &values(d));
+    for forces in [mean, end] {
+        let tangent = forces(STEP).tangent;
+        let most = tangent.as_flattened().iter().fold(0.0_f64, |m, k| m.max(k.abs()));
+        for j in 0..6 {
+            let e = 1e-6;
+            let beside = |by: f64| {
+                let mut step = STEP;
+                step[j] += by;
+                forces(step).force
+            };
+            let (up, down) = (beside(e), beside(-e));
+            for i in 0..6 {
+                let found = (up[i] - down[i]) / (2.0 * e);
+                assert!((tangent[i][j] - found).abs() < 1e-8 * most, "{i} {j}: {found}");
+            }
+        }
+    }
+}
+
+#[test]
+fn one_element_bends_as_a_cantilever_of_any_slenderness() {
+    // E = 1, width 1, nu = 0.5: a rectangle of depth h, the length one.
+    for depth in [0.5, 0.1, 1e-3] {
+        let (axial, bending, shear) = (depth, f64::powi(depth, 3) / 12.0, depth / 3.6);
+        let ends =
+            [[0.0, 0.0], [1.0, 0.0]].map(|position| NodeFrame { position, tangent: [1.0, 0.0] });
+        let table = ShearTable::new(1.0, ends, &section(axial, shear, bending));
+        let still = values([0.0; 6]);
+        let k = table.at_end::<f64, true>(&still, &still).tangent;
+        // Deflection of the tip, and its turn: the other values stay zero, to first order.
+        let [[a, b], [c, d]] = [[k[1][1], k[1][5]], [k[5][1], k[5][5]]];
+        let tip = d / (a * d - b * c);
+        let turn = -c / (a * d - b * c);
+        let expected = [1.0 / (3.0 * bending) + 1.0 / shear, 1.0 / (2.0 * bending)];
+        for (found, expected) in [tip, turn].into_iter().zip(expected) {
+            assert!((found / expected - 1.0).abs() < 1e-9, "{depth}: {found} {expected}");
+        }
+    }
+}
+
+#[test]
+fn its_mass_is_interpolated_linearly() {
+    let of = section(400.0, 150.0, 4.0);
+    let ends =
+        [[0.0, 0.0], [LENGTH, 0.0]].map(|position| NodeFrame { position, tangent: [1.0, 0.0] });
+    let slender = ElementTable::new(LENGTH, ends, false, |_| of);
+    let table = ShearTable::new(LENGTH, ends, &of).carried_by(slender, &of);
+    let m = &table.mass;
+    let close = |a: f64, b: f64| (a - b).abs() < 1e-15;
+    assert!(close(m[0][0] + 2.0 * m[0][2] + m[2][2], 2.0 * LENGTH));
+    assert!(close(m[1][1] + 2.0 * m[1][3] + m[3][3], 0.01 * LENGTH));
+    assert!(close(m[0][0], 2.0 * m[0][2]) && m[0][1] == 0.0 && m[0][3] == 0.0);
+    let weights = table.rows.map(|row| row.weighed);
+    assert!(weights.iter().all(|w| [w.axial, w.bending, w.rotary] == [0.0; 3]));
+    assert!(table.membrane.is_none());
+}

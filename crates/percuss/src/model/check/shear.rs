@@ -1,0 +1,88 @@
+//! Faults of shear-flexible beams.
+
+use super::super::builder::ModelBuilder;
+use super::super::definition::*;
+use super::faults::{Faults, quantity};
+
+/// Poisson's ratio and shear modulus of a material.
+pub(super) fn check_shear_moduli(m: &Material, out: &mut Faults) {
+    let path = |field: &str| format!("material.{}.{field}", m.name);
+    if let Some(poisson) = m.poisson
+        && !(poisson > -1.0 && poisson <= 0.5)
+    {
+        out.add(path("poisson"), quantity(poisson, ""), "a ratio above -1, up to 0.5");
+    }
+    if let Some(shear) = m.shear_modulus {
+        out.positive(path("shear_modulus"), shear, "a shear modulus", "Pa");
+    }
+}
+
+/// Shear factor of a section.
+pub(super) fn check_shear_factor(s: &Section, out: &mut Faults) {
+    if let Some(factor) = s.shear_factor {
+        let path = format!("section.{}.shear_factor", s.name);
+        out.positive(path, factor, "a shear factor", "");
+    }
+}
+
+/// A shear-flexible beam needs a shear stiffness, and its sections need rotary inertia; it is elastic.
+pub(super) fn check_theory(model: &ModelBuilder, beam: &Beam, out: &mut Faults) {
+    if beam.theory == Theory::Slender {
+        return;
+    }
+    let pairs =
+        std::iter::once((None, None)).chain(beam.changes.iter().map(|c| (c.material, c.section)));
+    let (mut material, mut section) = (beam.material, beam.section);
+    for (m, s) in pairs {
+        (material, section) = (m.unwrap_or(material), s.unwrap_or(section));
+        let (Some(m), Some(s)) =
+            (model.materials.get(material.0 as usize), model.sections.get(section.0 as usize))
+        else {
+            continue; // a fault of its own
+        };
+        check_pair(beam, m, s, out);
+    }
+}
+
+fn check_pair(beam: &Beam, m: &Material, s: &Section, out: &mut Faults) {
+    let theory = || format!("beam.{}.theory", beam.name);
+    let elastic = "an elastic material of one kind, or theory = \"slender\"";
+    if m.inelasticity.is_some() {
+        let found = format!("\"shear\", with the nonlinear material `{}`", m.name);
+        return out.add(theory(), found, elastic);
+    }
+    if s.given_fibres().is_some() {
+        let found = format!("\"shear\", with the section `{}`, which is made of fibres", s.name);
+        return out.add(theory(), found, elastic);
+    }
+    if m.shear_stiffness().is_none() {
+        let found =
+            format!("neither Poisson's ratio nor shear modulus for shear-flexible `{}`", beam.name);
+        let expected = "`poisson`, such as 0.3, or `shear_modulus`";
+        out.add(format!("material.{}.poisson", m.name), found, expected);
+    }
+    let known = |(profile, _)| !s.shear_factor_of(profile, m.poisson_in_shear()).is_nan();
+    if !s.profiles().all(known) {
+        let found = format!("no shear factor for shear-flexible `{}`", beam.name);
+        let expected = "`shear_factor`, such as 0.85, or a `shape` that has one \
+                        (a tapered I or box has none)";
+        out.add(format!("section.{}.shear_factor", s.name), found, expected);
+    }
+    if matches!(s.rotary_inertia, RotaryInertia::Neglected | RotaryInertia::Given(0.0)) {
+        let found = format!("no rotary inertia for shear-flexible `{}`", beam.name);
+        let expected = "true, or a value above zero: its sections turn by themselves";
+        out.add(format!("section.{}.rotary_inertia", s.name), found, expected);
+    }
+}
+
+/// The vector of a node has no stretch that could be held.
+pub(super) fn check_stretch(model: &ModelBuilder, support: &Support, out: &mut Faults) {
+    let SupportKind::Fix { components } = &support.kind else { return };
+    let shear =
+        model.beams.get(support.at.beam.0 as usize).is_some_and(|b| b.theory == Theory::Shear);
+    if shear && components.contains(&Component::Stretch) {
+        let expected = "components among u1, u2 and rotation: its sections have no stretch";
+        let path = format!("support.{}.components", support.name);
+        out.add(path, "the stretch of a shear-flexible beam", expected);
+    }
+}
