@@ -7,6 +7,7 @@ use super::beam::{ElementSums, ElementTable, ElementValues, step_point};
 use super::collocation::bending_at;
 use super::energy_momentum::{End, PointStep, Quotients, Step};
 use super::membrane::{MembranePoint, MembraneStep, SAMPLES};
+use super::shear::ShearTable;
 use super::strain::{StrainMeasure, strains};
 use crate::math::hermite::GAUSS;
 
@@ -15,6 +16,8 @@ use crate::math::hermite::GAUSS;
 pub struct GivenStrain<'a> {
     /// The element.
     pub table: &'a ElementTable,
+    /// Its own strains and stiffnesses, if it is shear-flexible.
+    pub shear: Option<&'a ShearTable>,
     /// Strain measure of its material.
     pub measure: StrainMeasure,
     /// Membrane strain without forces \[-\].
@@ -50,6 +53,11 @@ impl Evaluation {
 }
 
 impl GivenStrain<'_> {
+    /// Stretch and bend of a shear-flexible element, whose bend is positive where its sections turn counterclockwise, shape (2) \[-, 1/m\].
+    fn stretch_and_bend(&self) -> [f64; 2] {
+        [self.strain, -self.bending]
+    }
+
     /// Resultants at the sampling points of the membrane, `int EA L_i eps_0 ds` \[N m\].
     fn sampled(&self) -> Option<[f64; SAMPLES]> {
         let samples = self.table.membrane.as_ref()?;
@@ -64,8 +72,11 @@ impl GivenStrain<'_> {
         increment: &ElementValues<f64>,
     ) -> ElementSums<f64> {
         let Self { table, measure, .. } = *self;
-        let mut sums = ElementSums::zero(0.0);
         let theta = evaluation.theta();
+        if let Some(shear) = self.shear {
+            return shear.relieved::<_, TANGENT>(start, increment, theta, self.stretch_and_bend());
+        }
+        let mut sums = ElementSums::zero(0.0);
         match (&table.membrane, self.sampled()) {
             (Some(samples), Some(forces)) => {
                 for (i, step) in samples.step(start, increment).iter().enumerate() {
@@ -120,6 +131,9 @@ impl GivenStrain<'_> {
     /// What the given strains add to the axial and to the bending strain energy of a configuration, shape (2) \[J\].
     pub fn energy(&self, u: &ElementValues<f64>) -> [f64; 2] {
         let Self { table, measure, strain, bending, .. } = *self;
+        if let Some(shear) = self.shear {
+            return shear.energy_relieved(u, self.stretch_and_bend());
+        }
         let (mut axial, mut bent) = (0.0, 0.0);
         for row in &table.rows {
             let s = strains(measure, &row.reference, u.at(&row.first), u.at(&row.second));
@@ -173,17 +187,19 @@ mod tests {
 
     const MEASURES: [StrainMeasure; 2] = [StrainMeasure::Green, StrainMeasure::Engineering];
 
-    /// A slightly curved element, short or long against its radius of gyration.
-    fn table(measure: StrainMeasure, axial: f64) -> ElementTable {
+    /// A slightly curved element, short or long against its radius of gyration, slender and flexible in shear.
+    fn tables(measure: StrainMeasure, axial: f64) -> (ElementTable, ShearTable) {
         let law = SectionLaw { axial, bending: 3.0, rotary: 0.1, measure };
         let [area, inertia, young, density, half_depth] = [1.0, 1.0, 1.0, 1.0, 0.1];
-        let (mass, shear) = (2.0, f64::NAN);
+        let (mass, shear) = (2.0, 30.0);
         let values = SectionValues { law, mass, area, inertia, young, density, half_depth, shear };
         let end = |x: f64, angle: f64| NodeFrame {
             position: [x, 0.1 * x],
             tangent: [angle.cos(), angle.sin()],
         };
-        ElementTable::new(1.05, [end(0.0, 0.05), end(1.04, 0.2)], false, |_| values)
+        let ends = [end(0.0, 0.05), end(1.04, 0.2)];
+        let slender = ElementTable::new(1.05, ends, false, |_| values);
+        (slender, ShearTable::new(1.05, ends, &values))
     }
 
     fn values(v: [f64; 6]) -> ElementValues<f64> {
@@ -197,9 +213,12 @@ mod tests {
         for measure in MEASURES {
             // Of the second the membrane is sampled at the nodes.
             for axial in [40.0, 2e5] {
-                let table = table(measure, axial);
+                let (table, shear) = tables(measure, axial);
                 assert_eq!(table.membrane.is_some(), axial > 1e3);
-                see(GivenStrain { table: &table, measure, strain: 0.03, bending: -0.2 });
+                for shear in [None, Some(&shear)] {
+                    let (strain, bending) = (0.03, -0.2);
+                    see(GivenStrain { table: &table, shear, measure, strain, bending });
+                }
             }
         }
     }

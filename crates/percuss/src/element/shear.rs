@@ -122,6 +122,28 @@ impl ShearTable {
         self.sums::<S, TANGENT>(&Evaluated { stress, at: end, end, weight, share: 1.0 })
     }
 
+    /// What stretch and bend that need no force add to the forces, with the gradient at a share of the step, and to their tangent if `TANGENT`. The
+    /// strains are quadratic: with the gradient in the middle, the work is exact for any step.
+    pub fn relieved<S: Real, const TANGENT: bool>(
+        &self,
+        start: &ElementValues<S>,
+        increment: &ElementValues<S>,
+        share: f64,
+        [stretch, bend]: [f64; 2],
+    ) -> ElementSums<S> {
+        let (end, at) = (moved(start, increment, 1.0), moved(start, increment, share));
+        let weight = start.chord[0].constant(0.0); // constant stresses
+        let stress = [stretch, 0.0, bend];
+        let stress = [0, 1, 2].map(|k| weight.constant(-stress[k] * self.stiffness[k]));
+        self.sums::<S, TANGENT>(&Evaluated { stress, at, end, weight, share })
+    }
+
+    /// What they add to the energies of stretching and of bending, shape (2) \[J\].
+    pub fn energy_relieved(&self, at: &ElementValues<f64>, [stretch, bend]: [f64; 2]) -> [f64; 2] {
+        let ([axial, _, bending], [own, _, bent]) = (self.stiffness, self.strains(at));
+        [axial * stretch * (0.5 * stretch - own), bending * bend * (0.5 * bend - bent)]
+    }
+
     /// Tangent at displacements with the geometric stiffness of given strains, in the order of [`strains`](Self::strains()).
     pub fn tangent<S: Real>(&self, at: &ElementValues<S>, strains: [f64; 3]) -> ElementSums<S> {
         let weight = at.chord[0].constant(1.0);

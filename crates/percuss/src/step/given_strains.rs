@@ -17,6 +17,12 @@ fn evaluation(rule: &Integration) -> Evaluation {
     }
 }
 
+/// Membrane and bending strains given to element `k` of a span.
+fn of_element(span: &Span, k: usize, [strain, bending]: [f64; 2]) -> GivenStrain<'_> {
+    let (table, shear, measure) = (span.table(k), span.shear_at(k), span.measure);
+    GivenStrain { table, shear, measure, strain, bending }
+}
+
 /// Elements with given strains: of each load with a factor its element, span and number in the span, and its strains times the factor.
 fn each<'m>(
     model: &'m Model,
@@ -30,9 +36,8 @@ fn each<'m>(
         };
         elements.iter().map(move |own| {
             let (span, k) = model.element_of(own.node);
-            let (table, measure) = (span.table(k), span.measure);
-            let (strain, bending) = (factor * own.strain, factor * own.bending);
-            (own, span, GivenStrain { table, measure, strain, bending })
+            let strains = [own.strain, own.bending].map(|strain| factor * strain);
+            (own, span, of_element(span, k, strains))
         })
     })
 }
@@ -108,7 +113,7 @@ pub fn energy(model: &Model, displacement: &[[f64; 4]], factors: &[f64]) -> [f64
         if strain == 0.0 && bending == 0.0 {
             continue;
         }
-        let given = GivenStrain { table: span.table(k), measure: span.measure, strain, bending };
+        let given = of_element(span, k, [strain, bending]);
         let [axial, bent] = given.energy(&values(displacement, a));
         (sum[0], sum[1]) = (sum[0] + axial, sum[1] + bent);
     }

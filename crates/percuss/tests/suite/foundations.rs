@@ -104,6 +104,42 @@ fn balances_close_on_every_kind_of_foundation() {
     }
 }
 
+/// A long beam under a force in its middle, `w = P / (2 sqrt(b + 2 c)) (1 / (EI c) + 1 / S)` with `b = k / S`, `c = sqrt(k / EI)` and the shear
+/// stiffness S (Timoshenko's beam on Winkler's foundation, by Fourier transformation).
+#[test]
+fn a_foundation_bears_a_shear_flexible_beam() {
+    let (young, depth, force) = (2e9, 0.5, -1e3);
+    let bending = young * f64::powi(depth, 3) / 12.0;
+    for shear_modulus in [2e12, 1e8] {
+        let mut b = ModelBuilder::new();
+        let shear_modulus = Some(shear_modulus);
+        let material = b.material(Material { shear_modulus, ..Material::new("m", young, 3e3) });
+        let factor = Some(0.8);
+        let rectangle = Section::rectangle("s", 1.0, depth);
+        let section = b.section(Section { shear_factor: factor, ..rectangle });
+        let slender = beam("long", [0.0, 0.0], [60.0, 0.0], 240, material, section);
+        let long = b.beam(Beam { theory: Theory::Shear, ..slender });
+        b.foundation(ground(long, elastic_ground(), None));
+        let (place, moment) = (at("middle", long, 0.5), 0.0);
+        let kind = LoadKind::Point { at: place, force: [0.0, force], moment, follower: false };
+        b.load(Load::new("force", kind));
+        b.support(Support::new(
+            "held",
+            at("start", long, 0.0),
+            SupportKind::Roller { direction: [0.0, 1.0] },
+        ));
+        b.record_point(at("middle", long, 0.5));
+        let found = equilibrium(&b.build().unwrap()).unwrap();
+        let stiffness = 0.8 * shear_modulus.unwrap_or(f64::NAN) * depth;
+        let (q, c) = (STIFFNESS / stiffness, (STIFFNESS / bending).sqrt());
+        let exact = force / (2.0 * (q + 2.0 * c).sqrt()) * (1.0 / (bending * c) + 1.0 / stiffness);
+        let [_, y] = found.points[0].1;
+        assert!((y / exact - 1.0).abs() < 2e-3, "{shear_modulus:?}: {y:e} {exact:e}");
+        let borne = found.foundations[0].force[1];
+        assert!((borne / force + 1.0).abs() < 1e-6, "{borne}");
+    }
+}
+
 /// Other schemes do not conserve energy but have the same foundation: the deflections of a resolved run agree.
 #[test]
 fn schemes_agree_on_a_foundation() {

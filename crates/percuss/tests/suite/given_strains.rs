@@ -7,12 +7,20 @@ use percuss::*;
 
 /// A heated plank that a mass strikes; `change` of the temperature and its gradient.
 fn heated(function: TimeFunction, strain: StrainMeasure) -> Model {
+    heated_with(function, strain, Theory::Slender)
+}
+
+fn heated_with(function: TimeFunction, strain: StrainMeasure, theory: Theory) -> Model {
     let mut b = ModelBuilder::new();
-    let expansion = 1e-5;
-    let material =
-        b.material(Material { strain, expansion, ..Material::new("composite", 0.2e10, 3e3) });
-    let section = b.section(Section::new("plank", 0.1, 8.33e-5));
-    let plank = b.beam(beam("plank", [0.0, 0.0], [3.0, 0.4], 12, material, section));
+    let (expansion, poisson) = (1e-5, Some(0.3));
+    let composite = Material::new("composite", 0.2e10, 3e3);
+    let material = b.material(Material { strain, expansion, poisson, ..composite });
+    let section = b.section(match theory {
+        Theory::Slender => Section::new("plank", 0.1, 8.33e-5),
+        Theory::Shear => Section::rectangle("plank", 1.0, 0.1),
+    });
+    let slender = beam("plank", [0.0, 0.0], [3.0, 0.4], 12, material, section);
+    let plank = b.beam(Beam { theory, ..slender });
     b.support(Support::new("left", at("left", plank, 0.0), SupportKind::Pin));
     b.support(Support::new("right", at("right", plank, 1.0), SupportKind::Pin));
     b.projectile(elastic("mass", at("place", plank, 0.4), [0.0, -3.0]));
@@ -36,17 +44,65 @@ fn functions() -> [TimeFunction; 3] {
 /// Energy and momenta balance under an impact while the temperature changes, whatever the strain measure, with strains that jump within a step.
 #[test]
 fn balances_close_while_strains_are_given() {
-    for strain in [StrainMeasure::Green, StrainMeasure::Engineering] {
+    let (green, engineering) = (StrainMeasure::Green, StrainMeasure::Engineering);
+    let (slender, shear) = (Theory::Slender, Theory::Shear);
+    for (strain, theory) in [(green, slender), (engineering, slender), (engineering, shear)] {
         for function in functions() {
-            let model = heated(function.clone(), strain);
+            let model = heated_with(function.clone(), strain, theory);
             let summary = simulate(&model, &Settings::new(0.15, 1.7e-4), &mut NoRecorder).unwrap();
-            let name = format!("{strain:?} {function:?}");
+            let name = format!("{strain:?} {theory:?} {function:?}");
             assert!(matches!(summary.termination, Termination::Completed), "{name}: {summary:?}");
             assert!(summary.energy.residual_max < 1e-10, "{name}: {:?}", summary.energy);
             assert!(summary.momentum.linear_residual_max < 1e-10, "{name}");
             assert!(summary.momentum.angular_residual_max < 1e-10, "{name}");
             assert!(summary.energy.work_loads.abs() > 1.0, "{name}: {:?}", summary.energy);
         }
+    }
+}
+
+/// Uniform heat and a gradient bend and lengthen a free end, and press on walls, alike in slender and in shear-flexible beams: there is no shear.
+#[test]
+fn shear_flexible_beams_expand_as_slender_ones() {
+    let (length, area, young) = (3.0, 0.1, 0.2e10);
+    let (stretch, curvature) = (1e-5 * 40.0, 1e-5 * 300.0);
+    let of = |theory: Theory, places: &[f64]| {
+        let mut b = ModelBuilder::new();
+        let strain = StrainMeasure::Engineering;
+        let (expansion, poisson) = (1e-5, Some(0.3));
+        let composite = Material::new("composite", young, 3e3);
+        let material = b.material(Material { strain, expansion, poisson, ..composite });
+        let section = b.section(Section::rectangle("plank", 1.0, 0.1));
+        let slender = beam("plank", [0.0, 0.0], [length, 0.0], 12, material, section);
+        let plank = b.beam(Beam { theory, ..slender });
+        for place in places {
+            let name = format!("wall{place}");
+            b.support(Support::new(&name, at(&name, plank, *place), SupportKind::Clamp));
+        }
+        let whole = [0.0, 1.0].map(Along::Fraction);
+        let kind =
+            LoadKind::Temperature { beam: plank, stretch: whole, change: 40.0, gradient: 300.0 };
+        b.load(Load::new("heat", kind));
+        b.record_point(at("end", plank, 1.0));
+        equilibrium(&b.build().unwrap()).unwrap()
+    };
+    let close = |found: f64, exact: f64| (found / exact - 1.0).abs() < 2e-3;
+    for theory in [Theory::Slender, Theory::Shear] {
+        let free = of(theory, &[0.0]);
+        let [along, across] = free.points[0].1;
+        // The warmer top is longer: the end turns clockwise, on a circle, of the stretched length.
+        let angle = curvature * length;
+        let exact = [(1.0 + stretch) * angle.sin() / curvature - length, -0.5 * angle * length];
+        assert!(close(along, exact[0]) && close(across, exact[1]), "{theory:?}: {along} {across}");
+        let size = young * area * stretch;
+        let forces = free.element_forces.iter().flatten();
+        let most = forces.flatten().fold(0.0_f64, |most, force| most.max(force.abs()));
+        assert!(most < 1e-6 * size, "{theory:?}: {most}");
+        let held = of(theory, &[0.0, 1.0]);
+        let [axial, shear, moment] = held.element_forces[5][0];
+        let bending = young * area * 0.1 * 0.1 / 12.0;
+        assert!(close(axial, -size), "{theory:?}: {axial} {size}");
+        assert!(close(moment.abs(), bending * curvature), "{theory:?}: {moment}");
+        assert!(shear.abs() < 1e-6 * size, "{theory:?}: {shear}");
     }
 }
 
