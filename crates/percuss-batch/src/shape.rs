@@ -76,6 +76,7 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
             "impacts one after another",
         ),
         (model.has_shear(), "shear-flexible beams"),
+        (!model.foundations.is_empty(), "foundations along beams"),
         (model.memory_count() > 0, "springs or joints that yield"),
         (settings.accuracy.is_some(), "an accuracy in place of a step"),
         (settings.start != Start::Reference, "a start in static equilibrium"),
@@ -84,7 +85,6 @@ pub fn numbers(model: &Model, settings: &Settings) -> Result<Numbers<f64>, &'sta
         (!model.motions.is_empty(), "prescribed motions"),
         (!model.modal_damping.is_empty(), "modal damping"),
         (!model.obstacles.is_empty(), "obstacles"),
-        (!model.foundations.is_empty(), "foundations along beams"),
         (model.bodies.iter().any(|b| b.kind != BodyKind::Guided), "discs and rear masses"),
         (model.contacts.len() != model.projectiles.len(), "contacts that move along a beam"),
     ] {

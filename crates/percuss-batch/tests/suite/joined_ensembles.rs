@@ -196,3 +196,39 @@ fn joints_of_a_given_strength_run_alone() {
     let (model, settings) = (b.build().unwrap(), Settings::new(0.1, 2e-4));
     assert_eq!(runs_alone(&model, &settings, Detail::Motion), Some("joints of a given strength"));
 }
+
+#[test]
+fn foundations_and_heat_run_alone() {
+    let reason = |add: &dyn Fn(&mut ModelBuilder, BeamId)| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material { expansion: 1e-5, ..Material::new("m", 2e10, 3e3) });
+        let section = b.section(Section::new("s", 0.1, 8.33e-4));
+        let girder = b.beam(beam("girder", [0.0; 2], [4.0, 0.0], 4, material, section));
+        b.support(Support::new("end", at("end", girder, 1.0), SupportKind::Clamp));
+        add(&mut b, girder);
+        runs_alone(&b.build().unwrap(), &Settings::new(0.1, 2e-4), Detail::Motion)
+    };
+    assert_eq!(reason(&|_, _| ()), None);
+    let stretch = [0.0, 1.0].map(Along::Fraction);
+    let curve = vec![Hardening { from: 0.0, stress: 1e4, modulus: 0.0 }];
+    let limit = Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: None };
+    for yielding in [None, Some(limit)] {
+        let found = reason(&|b, beam| {
+            b.foundation(Foundation {
+                name: "ground".into(),
+                beam,
+                stretch,
+                direction: None,
+                law: FoundationLaw::Linear { stiffness: 1e6 },
+                damping: 0.0,
+                yielding: yielding.clone(),
+            });
+        });
+        assert_eq!(found, Some("foundations along beams"));
+    }
+    let found = reason(&|b, beam| {
+        let heat = LoadKind::Temperature { beam, stretch, change: 10.0, gradient: 0.0 };
+        b.load(Load::new("heat", heat));
+    });
+    assert_eq!(found, Some("given strains and temperatures"));
+}

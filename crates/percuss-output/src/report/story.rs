@@ -2,6 +2,7 @@
 //! stress, what yielded, and the error of the energy balance. Every number in it is in `summary.json`.
 
 mod contacts;
+mod foundations;
 mod words;
 mod yielding;
 
@@ -23,6 +24,7 @@ pub fn story(summary: &Value) -> String {
     out.extend(yielding::fractures(summary));
     out.extend(yielding::beams(summary));
     out.extend(yielding::connectors(summary));
+    out.extend(foundations::foundations(summary));
     out.push(balance(summary));
     out.retain(|sentence| !sentence.is_empty());
     out.join(" ")

@@ -1,9 +1,9 @@
 //! Summaries of runs in which everything has happened that can: they show what keys there are.
 
 use percuss::{
-    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, FirstYield, Impact,
-    JointParting, JointSummary, Parting, Peak, PermanentSet, PlasticHinge, PlasticSummary,
-    SectionPeak, SetOfBeam, YieldingSummary,
+    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, FirstYield,
+    FoundationSummary, Impact, JointParting, JointSummary, Parting, Peak, PermanentSet,
+    PlasticHinge, PlasticSummary, SectionPeak, SetOfBeam, YieldingSummary,
 };
 
 /// The contact with an interval and an impact.
@@ -71,6 +71,12 @@ pub(super) fn yielding_with_every_event(connector: &YieldingSummary) -> Yielding
     let set = PermanentSet { s: 0.0, displacement: [0.0; 2] };
     let permanent_set = Ok(SetOfBeam { beam: String::new(), set });
     YieldingSummary { permanent_set, ..connector.clone() }
+}
+
+/// The foundation has yielded.
+pub(super) fn foundation_with_every_event(foundation: &FoundationSummary) -> FoundationSummary {
+    let plastic = SectionPeak { value: 1.0, s: 0.0, time: 0.0 };
+    FoundationSummary { plastic, first_yield: Some(0.0), ..foundation.clone() }
 }
 
 /// The joint parted.

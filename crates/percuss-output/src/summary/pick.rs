@@ -4,12 +4,12 @@ use percuss::{Fault, RunSummary, path_steps};
 use serde_json::Value;
 
 use super::every_event::{
-    contact_with_every_event, joint_with_every_event, plastic_with_every_event,
-    yielding_with_every_event,
+    contact_with_every_event, foundation_with_every_event, joint_with_every_event,
+    plastic_with_every_event, yielding_with_every_event,
 };
 use super::{
-    audit, contact, energy, momentum, plastic, point, projectile, section_forces, step_control,
-    support,
+    audit, contact, energy, foundation, momentum, plastic, point, projectile, section_forces,
+    step_control, support,
 };
 
 /// Parts of a summary that stand once, by their names.
@@ -27,8 +27,17 @@ const PLAIN: [&str; 9] = [
 /// Parts of a summary that are tables.
 const TABLES: [&str; 4] = ["energy", "momentum", "audit", "step_control"];
 /// Parts of a summary with one table a name.
-const NAMED: [&str; 8] =
-    ["projectile", "contact", "point", "support", "plastic", "yielding", "joint", "section_forces"];
+const NAMED: [&str; 9] = [
+    "projectile",
+    "contact",
+    "point",
+    "support",
+    "plastic",
+    "yielding",
+    "foundation",
+    "joint",
+    "section_forces",
+];
 
 /// The path of a number in a summary: `contact.mass.peak_force.value`, `projectile.mass.velocity_final[1]`.
 ///
@@ -208,6 +217,7 @@ fn names(part: &str, run: &RunSummary) -> Vec<String> {
         "support" => run.supports.iter().map(|s| s.name.clone()).collect(),
         "plastic" => run.plastic.iter().map(|beam| beam.name.clone()).collect(),
         "yielding" => run.yielding.iter().map(|c| c.name.clone()).collect(),
+        "foundation" => run.foundations.iter().map(|f| f.name.clone()).collect(),
         "joint" => run.joints.iter().map(|joint| joint.name.clone()).collect(),
         "section_forces" => run.section_forces.iter().map(|s| s.name.clone()).collect(),
         _ => Vec::new(),
@@ -239,6 +249,7 @@ fn part(part: &str, name: &str, run: &RunSummary) -> Value {
         "support" => one(&run.supports, |s| s.name == name, support),
         "plastic" => one(&run.plastic, |beam| beam.name == name, plastic::value),
         "yielding" => one(&run.yielding, |c| c.name == name, plastic::yielding),
+        "foundation" => one(&run.foundations, |f| f.name == name, foundation),
         "joint" => one(&run.joints, |joint| joint.name == name, plastic::joint),
         "section_forces" => one(&run.section_forces, |s| s.name == name, section_forces),
         _ => Value::Null,
@@ -252,6 +263,9 @@ fn part_with_every_event(key: &str, name: &str, run: &RunSummary) -> Value {
     let joint = run.joints.iter().find(|joint| key == "joint" && joint.name == name);
     if let Some(joint) = joint {
         return plastic::joint(&joint_with_every_event(joint));
+    }
+    if let Some(own) = run.foundations.iter().find(|f| key == "foundation" && f.name == name) {
+        return foundation(&foundation_with_every_event(own));
     }
     if let Some(own) = run.yielding.iter().find(|c| key == "yielding" && c.name == name) {
         return plastic::yielding(&yielding_with_every_event(own));
@@ -324,6 +338,9 @@ fn unit(keys: &[&str]) -> &'static str {
         "plastic_extension" | "accumulated_extension" => "m",
         "plastic_rotation" | "accumulated_rotation" => "rad",
         "dissipated" | "dissipated_by_preload" | "hardening" | "friction_work" => "J",
+        "value" if has("pressure") || has("pressure_max") => "N/m",
+        "value" if has("lifted_max") || has("plastic_deflection") => "m",
+        "value" if has("energy_max") => "J",
         "value" if has("stress") => "Pa",
         "value" if has("strain") => "1",
         "value" if has("moment") || has("moment_max") => "N*m",

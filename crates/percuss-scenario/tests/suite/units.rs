@@ -57,6 +57,8 @@ fn every_unit_has_its_factor() {
     close("20 µs", 2e-5);
     close("20 us", 2e-5);
     close("2 t", 2000.0);
+    close("60 K", 60.0);
+    close("12e-6 1/K", 12e-6);
     close("1 bar", 1e5);
     close("1 ft", 12.0 * 0.0254);
     close("1 kip", 1000.0 * 4.4482216152605);

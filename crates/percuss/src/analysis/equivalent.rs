@@ -111,6 +111,7 @@ fn refuse_springs(model: &Model) -> Result<(), &'static str> {
         }
         if !matches!(c.law, ConnectorLaw::Linear { .. }) {
             return Err(match c.support {
+                _ if c.foundation.is_some() => "a foundation is not linear",
                 Some(_) => "the structure has stops",
                 None => "a spring is not linear",
             });
