@@ -202,7 +202,7 @@ pub fn tumbling() -> Report {
     let (mut b, _) = stub.begun([None, None]);
     b.initial_motion(InitialMotion { velocity: [1.0, 0.5], spin: 10.0, about: [0.3, 0.1] });
     let model = b.build().expect("a verification case builds");
-    let mut run = Simulation::new(&model, &Settings::new(500.0, 0.05)).expect("sound settings");
+    let mut run = Simulation::new(&model, &Settings::new(500.0, 0.05)).expect("valid settings");
     let (mut energy, mut momentum, mut length) = (0.0_f64, 0.0_f64, 0.0_f64);
     while run.state().step < run.step_count() {
         if run.advance(&mut NoRecorder).is_err() {
@@ -253,7 +253,7 @@ pub fn impact() -> Report {
         local_mass: 0.0,
     });
     let model = b.build().expect("a verification case builds");
-    let mut run = Simulation::new(&model, &Settings::new(1.02e-4, step)).expect("sound settings");
+    let mut run = Simulation::new(&model, &Settings::new(1.02e-4, step)).expect("valid settings");
     let mut places = vec![0.0];
     while run.state().step < run.step_count() {
         if run.advance(&mut NoRecorder).is_err() {
