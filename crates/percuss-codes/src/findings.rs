@@ -58,7 +58,7 @@ catalogue! {
         Reactions = "W013", "mesh-dependent reactions",
             "Rigid impacts on a beam, and velocity jumps of driven supports, excite waves as short as an element: peak reactions and \
              section forces depend on mesh and step, and grow with refinement. Use impulses and displacements, a compliant contact, or \
-             a smooth motion.";
+             a smooth motion. On a shear-flexible beam (`theory = \"shear\"`) forces have a limit where a mass stays in contact.";
         /// A section that varies along a beam, against one whose depth does.
         Taper = "W014", "tapered section",
             "The second moment of area is interpolated linearly between two stations of a beam. Where the depth varies linearly, it \

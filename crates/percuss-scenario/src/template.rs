@@ -59,6 +59,11 @@ pub fn templates() -> &'static [Template] {
             summary: "a puck is thrown obliquely at a free beam and slides along it",
             text: include_str!("../templates/surface.toml"),
         },
+        Template {
+            name: "deep-girder",
+            summary: "a mass meets a deep timber girder, which is flexible in shear",
+            text: include_str!("../templates/deep-girder.toml"),
+        },
     ]
 }
 

@@ -11,9 +11,6 @@ use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, cross, dot, rot90, scale};
 use crate::scalar::Real;
 
-/// Interpolated values: chord, d of the first and of the second node, shape (6), in the order of [`ElementSums`].
-type Form<S> = [S; 6];
-
 /// A shear-flexible element: its reference and stiffnesses.
 #[derive(Clone, Copy, Debug)]
 pub struct ShearTable {
@@ -190,7 +187,7 @@ impl ShearTable {
     }
 
     /// Derivatives of the strains with respect to the nodal values, shape (3, 6) \[1/m, -, -\] and, of the last, \[1/m^2, 1/m, 1/m\].
-    fn gradients<S: Real>(&self, u: &ElementValues<S>) -> [Form<S>; 3] {
+    fn gradients<S: Real>(&self, u: &ElementValues<S>) -> [[S; 6]; 3] {
         let wide = |x: [f64; 2]| x.map(|x| u.chord[0].constant(x));
         let per_length = u.chord[0].constant(self.length.recip());
         let [a0, b0] = self.directors.map(wide);
