@@ -740,7 +740,7 @@ class Fit:
         for name in self.names:
             one = self.params[name]
             reported.append(f"{name} = {one.value:.6g} {'' if one.unit == '1' else one.unit}".rstrip())
-        return f"<percuss.Fit: {', '.join(told)}; reduced chi-square {self.redchi:.3g}>"
+        return f"<percuss.Fit: {', '.join(reported)}; reduced chi-square {self.redchi:.3g}>"
 
     def _repr_html_(self) -> str:
         rows = ""

@@ -42,7 +42,7 @@ class Progress:
 
     @property
     def listener(self) -> Callable[[float, float], None] | None:
-        """What is told of a run, if somebody wants to know."""
+        """What a run calls with its time; None if nobody follows it."""
         return self.to if self._wanted or self._listener is not None else None
 
     def to(self, done: float, total: float | None = None) -> None:

@@ -9,12 +9,12 @@ pub struct ColumnSample {
     /// Name of the column, such as `contact.bag.force`.
     pub column: String,
     /// The number.
-    pub taken: Taken,
+    pub taken: ColumnValue,
 }
 
 /// A number taken from a column, which is linear between the rows of the history.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Taken {
+pub enum ColumnValue {
     /// Value at a time \[s\].
     At(f64),
     /// Largest value in a window.
@@ -36,7 +36,7 @@ pub enum Taken {
 impl ColumnSample {
     /// The value of a column at a time \[s\].
     pub fn at(column: impl Into<String>, time: f64) -> Self {
-        Self { column: column.into(), taken: Taken::At(time) }
+        Self { column: column.into(), taken: ColumnValue::At(time) }
     }
 }
 
@@ -51,15 +51,15 @@ pub(crate) struct Found<S> {
 /// A number taken from a column, row after row.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Taking<S> {
-    taken: Taken,
-    /// Time and value of the last row \[s, unit of the column\].
+    taken: ColumnValue,
+    /// Time and value of the last row, shape (2) \[s, unit of the column\].
     last: Option<[S; 2]>,
     pub found: Option<Found<S>>,
 }
 
 impl<S: Number> Taking<S> {
     /// Before the first row.
-    pub fn new(taken: Taken) -> Self {
+    pub fn new(taken: ColumnValue) -> Self {
         Self { taken, last: None, found: None }
     }
 
@@ -67,13 +67,15 @@ impl<S: Number> Taking<S> {
     pub fn row(&mut self, time: S, value: S) {
         let last = self.last.replace([time, value]);
         match self.taken {
-            Taken::At(at) => {
+            ColumnValue::At(at) => {
                 if self.found.is_none() {
                     self.found = at_time(last, [time, value], at);
                 }
             }
-            Taken::Largest { from, to } => self.compare(last, [time, value], [from, to], 1.0),
-            Taken::Smallest { from, to } => self.compare(last, [time, value], [from, to], -1.0),
+            ColumnValue::Largest { from, to } => self.compare(last, [time, value], [from, to], 1.0),
+            ColumnValue::Smallest { from, to } => {
+                self.compare(last, [time, value], [from, to], -1.0)
+            }
         }
     }
 
@@ -109,6 +111,7 @@ fn at_time<S: Number>(last: Option<[S; 2]>, [time, value]: [S; 2], at: f64) -> O
 
 /// Takes numbers from the columns of a run.
 struct ColumnRecorder<'a> {
+    /// Numbers to take, shape (samples).
     samples: &'a [ColumnSample],
     /// Number of the column of each sample, shape (samples) \[index of a channel\].
     columns: Vec<usize>,
@@ -171,7 +174,7 @@ pub fn simulate_with_columns(
 mod tests {
     use super::*;
 
-    fn taken(taken: Taken, rows: &[[f64; 2]]) -> Option<f64> {
+    fn taken(taken: ColumnValue, rows: &[[f64; 2]]) -> Option<f64> {
         let mut taking = Taking::new(taken);
         rows.iter().for_each(|[time, value]| taking.row(*time, *value));
         taking.found.map(|found| found.value)
@@ -181,17 +184,17 @@ mod tests {
     fn values_between_rows_lie_on_the_line_between_them() {
         let rows = [[0.0, 1.0], [1.0, 3.0], [1.5, 2.0]];
         for (at, value) in [(0.0, 1.0), (0.25, 1.5), (1.0, 3.0), (1.25, 2.5), (1.5, 2.0)] {
-            assert_eq!(taken(Taken::At(at), &rows), Some(value));
+            assert_eq!(taken(ColumnValue::At(at), &rows), Some(value));
         }
-        assert_eq!(taken(Taken::At(1.6), &rows), None);
-        assert_eq!(taken(Taken::At(-0.1), &rows), None);
+        assert_eq!(taken(ColumnValue::At(1.6), &rows), None);
+        assert_eq!(taken(ColumnValue::At(-0.1), &rows), None);
     }
 
     #[test]
     fn extremes_are_those_of_the_lines_within_the_window() {
         let rows = [[0.0, 1.0], [1.0, 3.0], [2.0, -1.0]];
-        let largest = |from, to| taken(Taken::Largest { from, to }, &rows);
-        let smallest = |from, to| taken(Taken::Smallest { from, to }, &rows);
+        let largest = |from, to| taken(ColumnValue::Largest { from, to }, &rows);
+        let smallest = |from, to| taken(ColumnValue::Smallest { from, to }, &rows);
         assert_eq!((largest(0.0, 2.0), smallest(0.0, 2.0)), (Some(3.0), Some(-1.0)));
         assert_eq!((largest(0.25, 0.5), smallest(0.25, 0.5)), (Some(2.0), Some(1.5)));
         assert_eq!((largest(1.5, 9.0), smallest(1.5, 9.0)), (Some(1.0), Some(-1.0)));

@@ -6,7 +6,7 @@ use percuss::internals::scalar::Number;
 
 /// A column whose derivatives are known.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Known {
+pub enum KnownColumn {
     Time,
     /// Position or velocity of a guided projectile \[index of a projectile, index of a component\].
     Position(usize, usize),
@@ -65,7 +65,7 @@ const BALANCES: [(&str, Balance); 17] = [
     ("momentum.angular", Balance::Angular),
 ];
 
-impl Known {
+impl KnownColumn {
     /// The column of a name, if its derivatives are known.
     pub fn of(name: &str, model: &Model) -> Option<Self> {
         if name == "time" {
@@ -102,14 +102,14 @@ impl Known {
 
 /// Whether the derivatives of a column are known.
 pub fn has_derivatives(column: &str, model: &Model) -> bool {
-    Known::of(column, model).is_some()
+    KnownColumn::of(column, model).is_some()
 }
 
 /// Numbers taken from the columns of a run with its derivatives.
 #[derive(Clone, Debug)]
 pub struct KnownColumns<S> {
     /// The column of each sample, shape (samples).
-    pub columns: Vec<Option<Known>>,
+    pub columns: Vec<Option<KnownColumn>>,
     /// The samples, shape (samples).
     pub taking: Vec<Taking<S>>,
     /// Impulses of the contacts up to the last row, shape (guided projectiles) \[N s\].
@@ -124,7 +124,7 @@ impl<S: Number> KnownColumns<S> {
     /// Before the first row.
     pub fn new(samples: &[ColumnSample], model: &Model, zero: S) -> Self {
         Self {
-            columns: samples.iter().map(|sample| Known::of(&sample.column, model)).collect(),
+            columns: samples.iter().map(|sample| KnownColumn::of(&sample.column, model)).collect(),
             taking: samples.iter().map(|sample| Taking::new(sample.taken)).collect(),
             impulses: vec![zero; model.projectiles.len()],
             rotations: vec![0.0; model.points.len()],

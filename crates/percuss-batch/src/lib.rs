@@ -47,7 +47,7 @@ mod yield_log;
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use batch::simulate_batch;
-pub use column::{ColumnSample, Taken, simulate_with_columns};
+pub use column::{ColumnSample, ColumnValue, simulate_with_columns};
 pub use detail::Detail;
 pub use grazing::{Grazing, Onset};
 pub use horizon::Horizon;

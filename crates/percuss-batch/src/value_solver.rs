@@ -19,13 +19,13 @@ pub trait SolvesValues<D: Number> {
 
 /// A solver in the widest registers of the processor.
 pub fn value_solver<D: Number + 'static>(numbers: &Numbers<D>) -> Box<dyn SolvesValues<D>> {
-    in_lanes(Make(numbers))
+    in_lanes(MakeSolver(numbers))
 }
 
 /// See [`value_solver`].
-struct Make<'a, D>(&'a Numbers<D>);
+struct MakeSolver<'a, D>(&'a Numbers<D>);
 
-impl<D: Number + 'static> pulp::WithSimd for Make<'_, D> {
+impl<D: Number + 'static> pulp::WithSimd for MakeSolver<'_, D> {
     type Output = Box<dyn SolvesValues<D>>;
     #[inline(always)]
     fn with_simd<P: pulp::Simd>(self, family: P) -> Self::Output {

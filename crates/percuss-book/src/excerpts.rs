@@ -161,6 +161,14 @@ impl Walk<'_> {
         let Some(table) = item.as_table_like() else { return };
         match of.form {
             TableForm::File => {}
+            // Tables in braces behind names of the user's.
+            TableForm::Braces if !of.body.keys.iter().any(|key| table.contains_key(key.name)) => {
+                for (name, item) in table.iter() {
+                    if let Some(table) = item.as_inline_table() {
+                        self.table(of, table, &join(path, name), self.lines(path));
+                    }
+                }
+            }
             TableForm::Braces => self.table(of, table, path, shown.into()),
             TableForm::Once => self.table(of, table, path, self.lines(path)),
             TableForm::Named => {

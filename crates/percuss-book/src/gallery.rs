@@ -3,7 +3,7 @@
 use std::io;
 use std::path::Path;
 
-use percuss_scenario::{is_study, read};
+use percuss_scenario::{is_fit, is_study, read};
 use serde_json::Value;
 use toml_edit::{DocumentMut, Item, TableLike};
 
@@ -82,7 +82,8 @@ pub fn sections(path: &Path) -> io::Result<Vec<GallerySection>> {
 pub fn is_shown(sample: &Sample) -> bool {
     let given = sample.text.contains("\"given\"");
     let template = sample.name.contains("/templates/");
-    !is_study(&sample.text) && !given && !template && !sample.name.ends_with("-paper.toml")
+    let scenario = !is_study(&sample.text) && !is_fit(&sample.text);
+    scenario && !given && !template && !sample.name.ends_with("-paper.toml")
 }
 
 impl Scene {

@@ -95,7 +95,7 @@ pub fn converged(
             _ => Ok(()),
         }
     };
-    let found = source.attend_telling(py, work, report)?;
+    let found = source.attend_reporting(py, work, report)?;
     let found = found.map_err(|error| exception(py, quantity.as_deref(), error))?;
     let results = found.results.iter();
     let chosen = match &quantity {

@@ -20,7 +20,7 @@ use crate::structure::{array, shaped};
 use crate::watch::{Stop, Watch};
 
 /// Headers and values of the columns of a record, shape (columns).
-type Columns = Vec<(String, Vec<f64>)>;
+type RecordColumns = Vec<(String, Vec<f64>)>;
 
 /// Start, coordinates, cost, whether it converged, why it ended, and evaluations of a minimum.
 type Found = (Vec<f64>, Vec<f64>, f64, bool, String, u64);
@@ -71,7 +71,7 @@ impl FitProblem {
         text: &str,
         base: Source,
         scenarios: Vec<(String, Source)>,
-        records: Vec<(String, Columns)>,
+        records: Vec<(String, RecordColumns)>,
         jobs: usize,
     ) -> PyResult<Self> {
         let scenario = |source: Source| source.attend(py, |ready, _| Ok(ready.scenario.clone()));

@@ -55,14 +55,14 @@ impl Source {
         py: Python<'_>,
         work: impl FnOnce(&Ready, &Stop) -> Result<T, Refusal> + Send + 'static,
     ) -> PyResult<T> {
-        self.attend_telling(py, work, |_| Ok(()))
+        self.attend_reporting(py, work, |_| Ok(()))
     }
 
     /// The same; `tell` is called some times a second, and what it raises ends the work.
     ///
     /// # Errors
     /// As [`Source::attend`], and what `tell` raised.
-    pub fn attend_telling<T: Send + 'static>(
+    pub fn attend_reporting<T: Send + 'static>(
         self,
         py: Python<'_>,
         work: impl FnOnce(&Ready, &Stop) -> Result<T, Refusal> + Send + 'static,
@@ -74,7 +74,7 @@ impl Source {
             let ready = self.compile()?;
             if stop.is_wanted() { Err(Refusal::Stopped) } else { work(&ready, stop) }
         };
-        let done = watch.run_telling(py, work, tell);
+        let done = watch.run_reporting(py, work, tell);
         match raised.take() {
             Some(error) => Err(error),
             None => done?.map_err(|refusal| refusal.exception(py)),

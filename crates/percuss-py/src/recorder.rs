@@ -12,7 +12,10 @@ use crate::given::Raised;
 
 /// How far a run is, known to both threads.
 #[derive(Clone, Debug, Default)]
-pub struct Reached(Arc<[AtomicU64; 2]>);
+pub struct Reached(
+    /// Bits of the time and of the end, shape (2) \[s\].
+    Arc<[AtomicU64; 2]>,
+);
 
 impl Reached {
     /// A time of a run up to an end \[s\].

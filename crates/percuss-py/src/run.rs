@@ -77,7 +77,7 @@ pub fn run<'py>(
         _ => Ok(()),
     };
     let work = move |ready: &Ready, stop: &Stop| wanted.run(ready, stop);
-    let Done { columns, fields, text, place, ended } = source.attend_telling(py, work, tell)?;
+    let Done { columns, fields, text, place, ended } = source.attend_reporting(py, work, tell)?;
     let result = PyDict::new(py);
     let names: Vec<&str> = columns.channels.iter().map(|c| c.name.as_str()).collect();
     let units: Vec<&str> = columns.channels.iter().map(|c| c.unit).collect();

@@ -108,7 +108,7 @@ pub fn column_values<'py>(
 }
 
 /// What `column_jacobian` gives: values, derivatives, how they were found, and sentences about one-sided ones.
-type Columns<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, String, Vec<String>);
+type ColumnDerivatives<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>, String, Vec<String>);
 
 /// Values of columns at times and their derivatives.
 ///
@@ -152,7 +152,7 @@ pub fn column_jacobian<'py>(
     columns: Vec<String>,
     times: Vec<f64>,
     jobs: usize,
-) -> PyResult<Columns<'py>> {
+) -> PyResult<ColumnDerivatives<'py>> {
     let samples = samples(columns, &times)?;
     let shape = [samples.len(), parameters.len()];
     let found = source.attend(py, move |ready, _| {

@@ -23,7 +23,10 @@ pub fn shaped<'py, T: Element>(
 
 /// Elements of the beams of a model.
 #[derive(Debug)]
-pub struct Beams(Vec<Beam>);
+pub struct Beams(
+    /// Shape (beams).
+    Vec<Beam>,
+);
 
 #[derive(Debug)]
 struct Beam {

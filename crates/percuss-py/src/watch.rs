@@ -77,14 +77,14 @@ impl Watch {
         py: Python<'_>,
         work: impl FnOnce(&Stop) -> T + Send + 'static,
     ) -> PyResult<T> {
-        self.run_telling(py, work, |_| Ok(()))
+        self.run_reporting(py, work, |_| Ok(()))
     }
 
     /// The same; `tell` is called as often as signals are looked for, and what it raises ends the work, too.
     ///
     /// # Errors
     /// As [`Watch::run`], and what `tell` raised.
-    pub fn run_telling<T: Send + 'static>(
+    pub fn run_reporting<T: Send + 'static>(
         &self,
         py: Python<'_>,
         work: impl FnOnce(&Stop) -> T + Send + 'static,

@@ -38,7 +38,7 @@ pub fn sweep(
     };
     let tell =
         |py: Python<'_>| progress.call1(py, (raised.load(Ordering::Relaxed), runs)).map(drop);
-    match Watch::default().run_telling(py, work, tell)? {
+    match Watch::default().run_reporting(py, work, tell)? {
         Ok(Done::All) => Ok(()),
         Ok(_) => Err(incomplete("the study is not complete")),
         Err(error) => Err(study_error(&error)),

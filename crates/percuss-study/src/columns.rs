@@ -1,11 +1,12 @@
 //! Numbers taken from columns of the history, and their derivatives: what a fit to measurements needs.
 
-use percuss::{Channel, Fault, Settings, Simulation, Termination};
+use percuss::{Fault, Settings, Termination};
 use percuss_batch::{ColumnSample, has_derivatives, simulate_with_columns};
 use percuss_codes::AnalysisCode;
-use percuss_scenario::{Compiled, Diagnostics, Scenario, one_of};
+use percuss_scenario::{Compiled, Diagnostics, Scenario};
 use rayon::prelude::*;
 
+use crate::history_columns::{columns_of, unknown_column};
 use crate::means::{Means, SHARE};
 use crate::sensitivity::{
     ExactColumns, OneSided, SensitivityError, beyond, exact_columns, unknown_derivatives,
@@ -152,7 +153,7 @@ fn differenced(
 
 /// The scenario with a parameter changed to both sides.
 struct Sides {
-    /// Below and above; none where the scenario cannot have the value.
+    /// Below and above, shape (2); none where the scenario cannot have the value.
     models: [Option<Compiled>; 2],
     change: f64,
 }
@@ -213,15 +214,4 @@ pub(crate) fn check(
         }
     }
     if faults.is_empty() { Ok(()) } else { Err(scenario.diagnostics(faults)) }
-}
-
-/// Columns of the history of a scenario.
-pub(crate) fn columns_of(compiled: &Compiled) -> Result<Vec<Channel>, Vec<Fault>> {
-    Ok(Simulation::new(&compiled.model, &compiled.settings)?.channels())
-}
-
-/// A column that the history does not have, with names like it.
-pub(crate) fn unknown_column(name: &str, channels: &[Channel]) -> Fault {
-    let names = channels.iter().map(|channel| channel.name.as_str());
-    Fault::new(name, format!("`{name}`, which is no column of the history"), one_of(name, names))
 }

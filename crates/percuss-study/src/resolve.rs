@@ -6,14 +6,14 @@ mod variation;
 use std::path::Path;
 
 use percuss::{Channel, Fault, NoRecorder, RunSummary};
-use percuss_batch::{ColumnSample, Taken};
+use percuss_batch::{ColumnSample, ColumnValue};
 use percuss_output::SummaryPath;
 use percuss_scenario::study::{self, ColumnResult, StudyContent, WantedResult};
 use percuss_scenario::{Diagnostics, FileAccess, Scenario, StudyFile, one_of};
 
 use self::design::design;
 use self::variation::parameter;
-use crate::columns::{columns_of, unknown_column};
+use crate::history_columns::{columns_of, unknown_column};
 use crate::parameter::Parameter;
 use crate::result_path::{ColumnPath, ResultPath};
 use crate::study::{ResultColumn, Study};
@@ -128,14 +128,14 @@ fn of_column(
     let Some(channel) = channels.iter().find(|channel| channel.name == wanted.column) else {
         return Err(unknown_column(&wanted.column, channels));
     };
-    let times = wanted.at.iter().flatten().map(|time| Taken::At(*time));
+    let times = wanted.at.iter().flatten().map(|time| ColumnValue::At(*time));
     let windows = [
-        wanted.max.map(|[from, to]| Taken::Largest { from, to }),
-        wanted.min.map(|[from, to]| Taken::Smallest { from, to }),
+        wanted.max.map(|[from, to]| ColumnValue::Largest { from, to }),
+        wanted.min.map(|[from, to]| ColumnValue::Smallest { from, to }),
     ];
-    let taken: Vec<Taken> = times.chain(windows.into_iter().flatten()).collect();
+    let taken: Vec<ColumnValue> = times.chain(windows.into_iter().flatten()).collect();
     let several = taken.len() > 1;
-    let one = |(k, taken): (usize, Taken)| {
+    let one = |(k, taken): (usize, ColumnValue)| {
         let sample = ColumnSample { column: wanted.column.clone(), taken };
         let name = if several { format!("{name}[{k}]") } else { name.to_string() };
         let path = ResultPath::Column(ColumnPath::new(sample, channel.unit));

@@ -1,7 +1,7 @@
 //! Where a result of a study comes from: the summary of its run, or a column of its history.
 
 use percuss::{Fault, Model, RunSummary, Settings};
-use percuss_batch::{ColumnSample, Detail, Taken, simulate_batch, simulate_with_columns};
+use percuss_batch::{ColumnSample, ColumnValue, Detail, simulate_batch, simulate_with_columns};
 use percuss_output::{SummaryPath, pick};
 
 /// Where a result comes from.
@@ -29,9 +29,13 @@ impl ColumnPath {
     pub fn new(sample: ColumnSample, unit: &'static str) -> Self {
         let column = &sample.column;
         let text = match sample.taken {
-            Taken::At(time) => format!("{column} at {time} s"),
-            Taken::Largest { from, to } => format!("largest {column} from {from} s to {to} s"),
-            Taken::Smallest { from, to } => format!("smallest {column} from {from} s to {to} s"),
+            ColumnValue::At(time) => format!("{column} at {time} s"),
+            ColumnValue::Largest { from, to } => {
+                format!("largest {column} from {from} s to {to} s")
+            }
+            ColumnValue::Smallest { from, to } => {
+                format!("smallest {column} from {from} s to {to} s")
+            }
         };
         Self { sample, unit, text }
     }
@@ -90,7 +94,7 @@ impl ResultPath {
 #[derive(Debug)]
 pub(crate) struct Made {
     pub summary: RunSummary,
-    /// Shape (results that come from columns) \[SI unit of the column\].
+    /// Numbers taken from columns, shape (results that come from columns) \[SI unit of the column\].
     pub columns: Vec<f64>,
 }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::{DerivativeRun, Derived};
-use crate::known_columns::{Balance, Known};
+use crate::known_columns::{Balance, KnownColumn};
 use percuss::internals::scalar::Real;
 use percuss::math::vec2::{add, cross, dot};
 
@@ -29,20 +29,22 @@ impl DerivativeRun<'_> {
     }
 
     /// Value of a column in the current state.
-    fn column(&self, column: Known) -> Derived {
+    fn column(&self, column: KnownColumn) -> Derived {
         let (engine, guides) = (&self.engine, &self.engine.numbers.guides);
         let state = |k: usize| &engine.guides[k];
         match column {
-            Known::Time => self.log.time,
-            Known::Position(k, i) => guides[k].position[i] + guides[k].direction[i] * state(k).way,
-            Known::Velocity(k, i) => guides[k].direction[i] * state(k).velocity,
-            Known::Gap(k) => state(k).gap,
-            Known::Force(k) => guides[k].pushes(state(k).gap, state(k).rate),
-            Known::Impulse(k) => self.log.guides[k].given[0] - self.columns.impulses[k],
-            Known::Displacement(k, i) => engine.point(k)[0][i],
-            Known::PointVelocity(k, i) => engine.point(k)[1][i],
-            Known::Rotation(k) => self.rotation(k),
-            Known::Balance(balance) => self.balance(balance),
+            KnownColumn::Time => self.log.time,
+            KnownColumn::Position(k, i) => {
+                guides[k].position[i] + guides[k].direction[i] * state(k).way
+            }
+            KnownColumn::Velocity(k, i) => guides[k].direction[i] * state(k).velocity,
+            KnownColumn::Gap(k) => state(k).gap,
+            KnownColumn::Force(k) => guides[k].pushes(state(k).gap, state(k).rate),
+            KnownColumn::Impulse(k) => self.log.guides[k].given[0] - self.columns.impulses[k],
+            KnownColumn::Displacement(k, i) => engine.point(k)[0][i],
+            KnownColumn::PointVelocity(k, i) => engine.point(k)[1][i],
+            KnownColumn::Rotation(k) => self.rotation(k),
+            KnownColumn::Balance(balance) => self.balance(balance),
         }
     }
 

@@ -60,7 +60,7 @@ fn samples(kind: Law, end: f64) -> Vec<ColumnSample> {
         all.extend([0.5, 0.671].map(|share| ColumnSample::at(*name, share * end)));
     }
     let (from, to) = (0.15 * end, 0.85 * end);
-    for taken in [Taken::Largest { from, to }, Taken::Smallest { from, to }] {
+    for taken in [ColumnValue::Largest { from, to }, ColumnValue::Smallest { from, to }] {
         all.push(ColumnSample { column: "point.struck.velocity_2".into(), taken });
     }
     all
@@ -134,7 +134,7 @@ fn values_are_those_between_the_rows_of_the_history() {
     let k = force.iter().position(|force| *force > 0.0).unwrap() + 3;
     let middle = 0.5 * (time[k] + time[k + 1]);
     let column = "contact.ball.force";
-    let largest = Taken::Largest { from: 0.0, to: 3e-3 };
+    let largest = ColumnValue::Largest { from: 0.0, to: 3e-3 };
     let samples = [
         ColumnSample::at(column, time[k]),
         ColumnSample::at(column, middle),

@@ -28,7 +28,9 @@ fn faults(text: &str) -> Vec<String> {
     let found = if is_fit(text) {
         let fit = FitFile::read_with(text, "fit.toml", FileAccess::OwnFolder);
         fit.and_then(|fit| fit.settle(Vec::new())).err().map(reported)
-    } else if is_study(text) || text.contains("[[correlation]]") {
+    } else if is_study(text)
+        || ["[[correlation]]", "[results]"].iter().any(|table| text.contains(table))
+    {
         StudyFile::read(text, "study.toml").err().map(reported)
     } else {
         match read(text, "scenario.toml") {

@@ -17,7 +17,7 @@ use percuss::{Fault, Model, RunSummary, Settings, Simulation, Termination};
 use percuss_codes::AnalysisCode;
 use percuss_scenario::Scenario;
 
-use crate::columns::columns_of;
+use crate::history_columns::columns_of;
 
 use meaning::Meaning;
 use results::{Looked, compared, pick_all, results};
