@@ -98,7 +98,9 @@ fn starting_points_need_bounds_and_a_number_is_set_once() {
         reported(&no_bounds)
             .contains("parameter.dissipation.bounds: found no bounds with 4 starting points")
     );
-    let twice = FIT.replace("projectile.hammer.dissipation", "projectile.hammer.stiffness");
+    let twice = FIT
+        .replace("projectile.hammer.dissipation", "projectile.hammer.stiffness")
+        .replace("start = \"0.1 s/m\"\nbounds = [0, \"1 s/m\"]", "start = \"1 MN/m\"");
     assert!(reported(&twice).contains("which another parameter sets too"));
 }
 

@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn an_impact_is_described_from_first_contact_to_separation() {
         let summary = json!({
-            "projectile": { "car": {} },
+            "projectile": { "car": { "direction": [0.0, -1.0] } },
             "contact": {
                 "car": {
                     "between": ["left@0.5m", "car"],

@@ -11,12 +11,12 @@ use crate::summary::SupportSummary;
 /// over a row of the history as over the run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct RowReactions {
-    /// Impulses and angular impulse since the last instant settled, of the parts without jumps of velocities, shape (supports, 3)
+    /// Impulses and angular impulse since the last instant settled, of the parts longer than an impact, shape (supports, 3)
     /// \[N s, N m s\].
     sum: Vec<[f64; 3]>,
     /// Duration \[s\].
     time: f64,
-    /// Whether velocities jumped in a part: its reactions are impulses.
+    /// Whether a part was as short as an impact: a mean over it is an impulse in disguise.
     carries_impulses: bool,
     /// Mean reactions over the time before the last instant settled, shape (supports, 3) \[N, N m\].
     mean: Vec<[f64; 3]>,
@@ -65,9 +65,9 @@ impl RowReactions {
         &self.last_row[1]
     }
 
-    /// Enters a part of a step; reactions in one whose velocities jump are no forces.
+    /// Enters a part of a step; reactions in one as short as an impact interval are no forces.
     pub fn take(&mut self, part: &Accepted<'_>) {
-        if part.solved.jumps {
+        if part.solved.impulsive {
             self.carries_impulses = true;
             return;
         }
@@ -80,7 +80,7 @@ impl RowReactions {
     }
 
     /// Separates forces and impulses at the end of a step, or at an impact within it, and adds the impulses to the summary. The force is the mean
-    /// over the parts without jumps of velocities; without such parts it is the previous one.
+    /// over the parts longer than an impact interval; without such parts it is the previous one.
     pub fn settle(&mut self, state: &State, summary: &mut [SupportSummary]) {
         let since = state.time - self.settled;
         if since <= 0.0 {

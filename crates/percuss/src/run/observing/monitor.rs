@@ -159,8 +159,10 @@ impl Monitor {
     /// Enters a part of a step.
     pub fn take(&mut self, part: &Accepted<'_>) {
         let (model, state, solved) = (part.model, part.after, part.solved);
-        if !solved.jumps {
+        if !solved.impulsive {
             self.take_reactions(state, solved.trial.h);
+        }
+        if !solved.jumps {
             section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
         if part.yielded {
