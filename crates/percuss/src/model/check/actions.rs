@@ -2,10 +2,9 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
-use super::beams::check_point;
+use super::beams::{check_point, check_stretch};
 use super::contacts::check_smooth;
 use super::faults::{Faults, quantity};
-use super::foundations::check_stretch;
 use super::functions::check_function;
 use crate::math::vec2::{cross, dot, norm};
 
