@@ -125,7 +125,7 @@ fn check_strained<'m>(
         return None;
     };
     check_stretch(beam, stretch, path, out);
-    let sections =
+    let mut sections =
         std::iter::once(beam.section).chain(beam.changes.iter().filter_map(|c| c.section));
     let fibres = |id: SectionId| {
         let section = model.sections.get(id.0 as usize);
@@ -138,7 +138,7 @@ fn check_strained<'m>(
             beam.name, material.name
         );
         out.add(path("on"), found, "a beam of elastic materials");
-    } else if sections.into_iter().any(fibres) {
+    } else if sections.any(fibres) {
         let found = format!("`{}`, whose section is given by fibres", beam.name);
         out.add(path("on"), found, "a beam whose sections have a shape or constants");
     }
