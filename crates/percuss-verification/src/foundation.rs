@@ -146,7 +146,7 @@ pub fn yielding_drop() -> Report {
     let (kinetic, elastic) = (0.5 * MASS * speed * speed, 0.5 * limit * limit / STIFFNESS);
     let plastic = (kinetic - elastic) / limit;
     let settings = Settings::new(0.02, 1e-5);
-    let mut run = Simulation::new(&model, &settings).expect("sound settings");
+    let mut run = Simulation::new(&model, &settings).expect("valid settings");
     let mut deepest = 0.0_f64;
     while run.state().step < run.step_count() && run.advance(&mut NoRecorder).is_ok() {
         deepest = deepest.max(-run.state().displacement[0][1]);
