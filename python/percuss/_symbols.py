@@ -124,7 +124,7 @@ class Symbols:
         for foundation in self.scene.get("foundations", []):
             start, end = foundation["stretch"]
             pieces = int(np.clip(round((end - start) / (3.5 * self.unit)), 1, 24))
-            last = None
+            last: Floats | None = None
             for s in np.linspace(start, end, pieces + 1):
                 place = {"beam": foundation["beam"], "s": float(s)}
                 rest, tangent, depth = self.drawing.on(place, rest=True)

@@ -72,7 +72,7 @@ measures! {
     Temperature = (0, 0, 0, kelvin 1) "a difference of temperatures", "K", "\"60 K\"";
     TemperatureGradient = (-1, 0, 0, kelvin 1) "a temperature gradient", "K/m", "\"200 K/m\"";
     Expansion = (0, 0, 0, kelvin -1) "a thermal expansion", "1/K", "\"12e-6 1/K\"";
-    Curvature = (-1, 0, 0) "a curvature", "1/m", "\"0.01 1/m\"";
+    TurnPerLength = (-1, 0, 0) "a curvature", "1/m", "\"0.01 1/m\"";
     LineInertia = (1, 1, 0) "a rotary inertia per length", "kg*m", "\"10 kg*m\"";
 }
 

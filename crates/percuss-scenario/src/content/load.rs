@@ -78,7 +78,7 @@ kinds! {
             /// Elongation per length, in the strain measure of the material; shortening is negative.
             strain: f64 as Quantity<measure::Ratio> = 0.0,
             /// Rotation per length, counter-clockwise along the beam (1/m): the bottom fibre is longer where it is positive.
-            curvature: f64 as Quantity<measure::Curvature> = 0.0,
+            curvature: f64 as Quantity<measure::TurnPerLength> = 0.0,
         },
     }
 }

@@ -157,7 +157,7 @@ pub fn work(
             continue;
         }
         match &load.kind {
-            // What given strains do is reported elsewhere.
+            // For the work of given strains see `given_strains`.
             LoadAction::Gravity { .. } | LoadAction::Strain { .. } => {}
             LoadAction::Point { point, force, moment, follower } => {
                 let g = tangent_at(point, state, increment, theta);

@@ -6,7 +6,7 @@ use crate::element::beam::{ElementSums, ElementValues};
 use crate::element::given_strain::{Evaluation, GivenStrain};
 use crate::linalg::chain::Chain;
 use crate::model::Model;
-use crate::model::frozen::{LoadAction, Span, StrainedElement};
+use crate::model::frozen::{LoadAction, LoadData, StrainedElement};
 use crate::state::State;
 
 /// Where a scheme evaluates forces.
@@ -23,11 +23,11 @@ fn of_element(span: &Span, k: usize, [strain, bending]: [f64; 2]) -> GivenStrain
     GivenStrain { table, shear, measure, strain, bending }
 }
 
-/// Elements with given strains: of each load with a factor its element, span and number in the span, and its strains times the factor.
+/// Elements with given strains: of each load with a factor the element, and its strains times the factor.
 fn each<'m>(
     model: &'m Model,
     factors: &'m [f64],
-) -> impl Iterator<Item = (&'m StrainedElement, &'m Span, GivenStrain<'m>)> + 'm {
+) -> impl Iterator<Item = (&'m StrainedElement, GivenStrain<'m>)> + 'm {
     let loads = model.loads.iter().zip(factors).filter(|(_, factor)| **factor != 0.0);
     loads.flat_map(move |(load, factor)| {
         let elements: &[StrainedElement] = match &load.kind {
@@ -37,7 +37,7 @@ fn each<'m>(
         elements.iter().map(move |own| {
             let (span, k) = model.element_of(own.node);
             let strains = [own.strain, own.bending].map(|strain| factor * strain);
-            (own, span, of_element(span, k, strains))
+            (own, of_element(span, k, strains))
         })
     })
 }
@@ -56,7 +56,7 @@ pub fn apply<const TANGENT: bool>(
     chain: &mut Chain,
 ) {
     let evaluation = evaluation(rule);
-    for (own, _, given) in each(model, factors) {
+    for (own, given) in each(model, factors) {
         let a = own.node;
         let (start, step) = (values(&state.displacement, a), values(increment, a));
         let sums = given.forces::<TANGENT>(evaluation, &start, &step);
@@ -89,7 +89,7 @@ pub fn on_nodes(
     on_nodes: &mut [[[f64; 4]; 2]],
 ) {
     let evaluation = evaluation(rule);
-    for (own, _, given) in each(model, factors) {
+    for (own, given) in each(model, factors) {
         let a = own.node;
         let (start, step) = (values(&state.displacement, a), values(increment, a));
         let forces = given.forces::<false>(evaluation, &start, &step).nodal_force();
@@ -104,7 +104,7 @@ pub fn energy(model: &Model, displacement: &[[f64; 4]], factors: &[f64]) -> [f64
     let mut sum = [0.0; 2];
     // Loads on the same element add up before they are squared.
     let mut all = vec![[0.0; 2]; model.element_count()];
-    for (own, _, given) in each(model, factors) {
+    for (own, given) in each(model, factors) {
         all[own.element][0] += given.strain;
         all[own.element][1] += given.bending;
     }
@@ -139,7 +139,7 @@ pub fn work(
     let after = energy(model, &after, &end);
     let evaluation = evaluation(rule);
     let mut by_forces = 0.0;
-    for (own, _, given) in each(model, &forcing.factors) {
+    for (own, given) in each(model, &forcing.factors) {
         let a = own.node;
         let (start, step) = (values(&state.displacement, a), values(increment, a));
         let forces = given.forces::<false>(evaluation, &start, &step).nodal_force();
@@ -155,7 +155,7 @@ pub fn factors_at(model: &Model, time: f64) -> Vec<f64> {
     if !model.gives_strains() {
         return Vec::new();
     }
-    let factor = |load: &crate::model::frozen::LoadData| match load.kind {
+    let factor = |load: &LoadData| match load.kind {
         LoadAction::Strain { .. } if time > 0.0 => load.factor_at(time),
         LoadAction::Strain { .. } => load.factor_at_start(),
         _ => 0.0,

@@ -181,6 +181,36 @@ fn a_beam_under_its_weight_sinks_evenly() {
     assert!(forces.moment.largest().value.abs() < 1e-7 * weight, "{forces:?}");
 }
 
+/// A foundation that only pushes carries a beam that nothing else holds, and where a force lifts it, it lets the beam go.
+#[test]
+fn a_beam_rests_on_a_foundation_that_only_pushes() {
+    let of = |lift: f64| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let plank = b.beam(beam("plank", [0.0, 0.0], [3.0, 0.0], 12, material, section));
+        let law = FoundationLaw::Compression { stiffness: STIFFNESS, gap: 0.0 };
+        b.foundation(ground(plank, law, None));
+        let components = vec![Component::Displacement1];
+        b.support(Support::new("guide", at("left", plank, 0.0), SupportKind::Fix { components }));
+        b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+        if lift > 0.0 {
+            let (at, force) = (at("end", plank, 1.0), [0.0, lift]);
+            let kind = LoadKind::Point { at, force, moment: 0.0, follower: false };
+            b.load(Load::new("lift", kind));
+        }
+        equilibrium(&b.build().unwrap()).unwrap()
+    };
+    let weight = 3e3 * 0.1 * 9.81;
+    let rests = &of(0.0).foundations[0];
+    assert!(rests.pressure.iter().all(|p| (p / weight - 1.0).abs() < 1e-7), "{rests:?}");
+    assert_eq!(rests.lifted, 0.0);
+    let lifted = of(0.4 * 3.0 * weight);
+    let found = &lifted.foundations[0];
+    assert!((found.force[1] / (0.6 * 3.0 * weight) - 1.0).abs() < 1e-7, "{found:?}");
+    assert!(found.lifted > 0.2 && found.lifted < 2.5, "{found:?}");
+    assert!(found.pressure.iter().all(|p| *p >= 0.0) && lifted.stable, "{found:?}");
+}
+
 /// The reaction enters the balance of the elements: the shear force at a clamp is its reaction, and free ends carry nothing.
 #[test]
 fn section_forces_hold_the_reaction_in_balance() {

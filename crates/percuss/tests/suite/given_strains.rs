@@ -111,7 +111,8 @@ fn shear_flexible_beams_expand_as_slender_ones() {
 fn schemes_agree_on_heated_beams() {
     let model = heated(TimeFunction::Ramp { duration: 0.05 }, StrainMeasure::Green);
     let run = |scheme| {
-        let settings = Settings { scheme, ..Settings::new(0.03, 2e-5) };
+        // It ends before the strains jump: the waves of a jump differ from scheme to scheme.
+        let settings = Settings { scheme, ..Settings::new(0.019, 2e-5) };
         simulate(&model, &settings, &mut NoRecorder).unwrap()
     };
     let own = run(Scheme::EnergyMomentum);

@@ -26,8 +26,13 @@ pub enum Meaning<'r> {
 }
 
 /// Terms of the field for tables and keys that have another name in files.
-const TERMS: [(&str, &str); 3] =
-    [("connector", "spring"), ("grade", "material.preset"), ("base acceleration", "load.base")];
+const TERMS: [(&str, &str); 5] = [
+    ("connector", "spring"),
+    ("grade", "material.preset"),
+    ("base acceleration", "load.base"),
+    ("winkler", "foundation"),
+    ("heat", "load.temperature"),
+];
 
 /// Every location at which a format has a name, or the name in files of a term of the field. The user's name of a table may be in it:
 /// `projectile.hammer.mass`.

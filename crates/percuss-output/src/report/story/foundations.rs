@@ -34,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_foundation_that_reacts_most_is_reported() {
+    fn the_sentence_is_of_the_foundation_that_reacts_most() {
         let of = |pressure: f64, lifted: f64, plastic: Value| {
             json!({
                 "pressure_max": { "value": pressure, "s": 2.0, "time": 5e-3 },
@@ -43,14 +43,14 @@ mod tests {
                 "dissipated": 40.0,
             })
         };
-        let reported = |all: Value| foundations(&all).map(|text| text.replace('\u{a0}', " "));
-        assert_eq!(reported(json!({})), None);
+        let sentence = |all: Value| foundations(&all).map(|text| text.replace('\u{a0}', " "));
+        assert_eq!(sentence(json!({})), None);
         let soft = of(-2e3, 0.0, Value::Null);
-        let text = reported(json!({ "foundation": { "pad": soft } })).unwrap();
+        let text = sentence(json!({ "foundation": { "pad": soft } })).unwrap();
         assert!(text.starts_with("Largest reaction of the foundation: -2"), "{text}");
         assert!(!text.contains("lift-off") && !text.contains("plastic"), "{text}");
         let hard = of(3e4, 1.5, json!({ "value": 4e-3, "s": 2.0, "time": 0.1 }));
-        let text = reported(json!({ "foundation": { "pad": soft, "bed": hard } })).unwrap();
+        let text = sentence(json!({ "foundation": { "pad": soft, "bed": hard } })).unwrap();
         assert!(text.starts_with("Largest reaction of the foundations: 30"), "{text}");
         assert!(text.contains("in 'bed'") && text.contains("lift-off over up to 1.5"), "{text}");
         assert!(

@@ -2,10 +2,9 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
-use super::beams::check_point;
+use super::beams::{check_point, check_stretch};
 use super::contacts::check_smooth;
 use super::faults::{Faults, quantity};
-use super::foundations::check_stretch;
 use super::functions::check_function;
 use crate::math::vec2::{cross, dot, norm};
 
@@ -126,7 +125,7 @@ fn check_strained<'m>(
         return None;
     };
     check_stretch(beam, stretch, path, out);
-    let sections =
+    let mut sections =
         std::iter::once(beam.section).chain(beam.changes.iter().filter_map(|c| c.section));
     let fibres = |id: SectionId| {
         let section = model.sections.get(id.0 as usize);
@@ -139,7 +138,7 @@ fn check_strained<'m>(
             beam.name, material.name
         );
         out.add(path("on"), found, "a beam of elastic materials");
-    } else if sections.into_iter().any(fibres) {
+    } else if sections.any(fibres) {
         let found = format!("`{}`, whose section is given by fibres", beam.name);
         out.add(path("on"), found, "a beam whose sections have a shape or constants");
     }

@@ -186,3 +186,19 @@ pub(super) fn check_point(
 pub(super) fn position(beam: &Beam, along: Along) -> [f64; 2] {
     CentreLine::new(beam).map_or([f64::NAN; 2], |line| line.position(line.arc(along)))
 }
+
+/// A stretch of a beam from one place to another behind it.
+pub(super) fn check_stretch(
+    beam: &Beam,
+    stretch: [Along; 2],
+    path: &impl Fn(&str) -> String,
+    out: &mut Faults,
+) {
+    let on_beam = stretch
+        .map(|along| check_along(beam, along, path("stretch"), "an end of the stretch", out));
+    let [a, b] = stretch.map(|along| arc(beam, along));
+    if on_beam == [true; 2] && a >= b {
+        let found = format!("a stretch from {a} m to {b} m");
+        out.add(path("stretch"), found, "a stretch whose end lies behind its start");
+    }
+}

@@ -2,7 +2,7 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
-use super::beams::{arc, check_along};
+use super::beams::check_stretch;
 use super::faults::Faults;
 use super::supports::check_force_table;
 use super::yielding::check_yielding_foundation;
@@ -45,20 +45,4 @@ pub(super) fn check_foundation(model: &ModelBuilder, foundation: &Foundation, ou
         }
     }
     check_yielding_foundation(foundation, out);
-}
-
-/// A stretch of a beam from one place to another behind it.
-pub(super) fn check_stretch(
-    beam: &Beam,
-    stretch: [Along; 2],
-    path: &impl Fn(&str) -> String,
-    out: &mut Faults,
-) {
-    let on_beam = stretch
-        .map(|along| check_along(beam, along, path("stretch"), "an end of the stretch", out));
-    let [a, b] = stretch.map(|along| arc(beam, along));
-    if on_beam == [true; 2] && a >= b {
-        let found = format!("a stretch from {a} m to {b} m");
-        out.add(path("stretch"), found, "a stretch whose end lies behind its start");
-    }
 }

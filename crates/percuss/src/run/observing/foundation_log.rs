@@ -10,7 +10,7 @@ use crate::summary::{FoundationSummary, Peak, Range, SectionPeak, SectionRange};
 pub struct FoundationSums {
     /// Resultant force on the beam, shape (2) \[N\].
     pub force: [f64; 2],
-    /// Reaction per length of largest magnitude, signed \[N/m\], and its arc length from the start of the beam \[m\], shape (2).
+    /// Reaction per length of largest magnitude, signed, and its arc length from the start of the beam, shape (2) \[N/m, m\].
     pub pressure: [f64; 2],
     /// Length without contact \[m\].
     pub lifted: f64,
