@@ -56,15 +56,25 @@ impl ShearTable {
         }
     }
 
-    /// The table that shares mass, loads and drawing with slender elements: linear interpolation of its mass and rotary inertia, the latter on d,
-    /// and no stiffness, which is that of `self`.
+    /// The table that shares mass, loads and drawing with slender elements: mass, rotary inertia on d, and no stiffness, which is that of `self`.
+    ///
+    /// Its mass moves with positions that follow the turn of the sections, `x + l/2 xi (1 - xi) (d_a - d_b)` beside the straight line: that of an
+    /// element bent without shear. The matrix is constant, as positions are linear in (x, d).
     pub fn carried_by(&self, table: ElementTable, middle: &SectionValues) -> ElementTable {
-        let mut mass = [[0.0; 4]; 4];
+        let l = self.length;
+        let (whole, half) = (l / 3.0, l / 6.0);
+        let (arm, square) = (l * l / 24.0, l * l * l / 120.0);
+        let mut mass = [
+            [whole, arm, half, -arm],
+            [arm, square, arm, -square],
+            [half, arm, whole, -arm],
+            [-arm, -square, -arm, square],
+        ]
+        .map(|row| row.map(|m| middle.mass * m));
         for a in 0..2 {
             for b in 0..2 {
-                let share = self.length / if a == b { 3.0 } else { 6.0 };
-                mass[2 * a][2 * b] = middle.mass * share;
-                mass[2 * a + 1][2 * b + 1] = middle.law.rotary * share;
+                let share = if a == b { whole } else { half };
+                mass[2 * a + 1][2 * b + 1] += middle.law.rotary * share;
             }
         }
         let mut rows = table.rows;

@@ -136,7 +136,7 @@ fn one_element_bends_as_a_cantilever_of_any_slenderness() {
 }
 
 #[test]
-fn its_mass_is_interpolated_linearly() {
+fn its_mass_has_the_inertia_of_a_rigid_bar_and_the_moments_of_a_uniform_load() {
     let of = section(400.0, 150.0, 4.0);
     let ends =
         [[0.0, 0.0], [LENGTH, 0.0]].map(|position| NodeFrame { position, tangent: [1.0, 0.0] });
@@ -145,8 +145,15 @@ fn its_mass_is_interpolated_linearly() {
     let m = &table.mass;
     let close = |a: f64, b: f64| (a - b).abs() < 1e-15;
     assert!(close(m[0][0] + 2.0 * m[0][2] + m[2][2], 2.0 * LENGTH));
-    assert!(close(m[1][1] + 2.0 * m[1][3] + m[3][3], 0.01 * LENGTH));
-    assert!(close(m[0][0], 2.0 * m[0][2]) && m[0][1] == 0.0 && m[0][3] == 0.0);
+    let turning = [-0.5 * LENGTH, 1.0, 0.5 * LENGTH, 1.0];
+    let energy = |x: &[f64; 4]| -> f64 {
+        (0..4).map(|i| (0..4).map(|k| x[i] * m[i][k] * x[k]).sum::<f64>()).sum()
+    };
+    assert!(close(energy(&turning), 2.0 * LENGTH.powi(3) / 12.0 + 0.01 * LENGTH));
+    let moments = [m[1][0] + m[1][2], m[3][0] + m[3][2]];
+    assert!(close(moments[0], 2.0 * LENGTH * LENGTH / 12.0) && close(moments[1], -moments[0]));
+    // No motion is without mass.
+    assert!(energy(&[0.0, 1.0, 0.0, -1.0]) > 0.0 && m[1][1] > 0.0);
     let weights = table.rows.map(|row| row.weighed);
     assert!(weights.iter().all(|w| [w.axial, w.bending, w.rotary] == [0.0; 3]));
     assert!(table.membrane.is_none());
