@@ -28,6 +28,8 @@ pub struct ShearTable {
 struct Evaluated<S> {
     /// Integrated stresses, shape (3) \[N m, N m, N m^2\].
     stress: [S; 3],
+    /// Those that turn with the element in its tangent, shape (3) \[N m, N m, N m^2\].
+    turning: [S; 3],
     /// Nodal values where the variations are taken.
     at: ElementValues<S>,
     /// Nodal values at the end of the step.
@@ -113,27 +115,36 @@ impl ShearTable {
         };
         let (stress, at) = ([one(0), one(1), one(2)], moved(start, increment, 0.5));
         let weight = start.chord[0].constant(0.5 + lag);
-        self.sums::<S, TANGENT>(&Evaluated { stress, at, end, weight, share: 0.5 })
+        let turning = stress;
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, weight, share: 0.5 })
     }
 
-    /// Forces at the end of a step, as in an equilibrium, and their tangent if `TANGENT`.
+    /// Forces at the end of a step, as in an equilibrium, and their tangent if `TANGENT`. Its geometric stiffness is that of the strains
+    /// `foreseen` by the last correction: an iteration for large displacements of a slender beam then takes a few corrections, not dozens.
     pub fn at_end<S: Real, const TANGENT: bool>(
         &self,
         start: &ElementValues<S>,
         increment: &ElementValues<S>,
+        foreseen: Option<[f64; 3]>,
     ) -> ElementSums<S> {
         let end = moved(start, increment, 1.0);
         let strains = self.strains(&end);
         let stress = [0, 1, 2].map(|k| strains[k] * self.stiffness[k]);
         let weight = start.chord[0].constant(1.0);
-        self.sums::<S, TANGENT>(&Evaluated { stress, at: end, end, weight, share: 1.0 })
+        let turning = foreseen.map_or(stress, |strains| self.stresses(weight, strains));
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at: end, end, weight, share: 1.0 })
     }
 
     /// Tangent at displacements with the geometric stiffness of given strains, in the order of [`strains`](Self::strains()).
     pub fn tangent<S: Real>(&self, at: &ElementValues<S>, strains: [f64; 3]) -> ElementSums<S> {
         let weight = at.chord[0].constant(1.0);
-        let stress = [0, 1, 2].map(|k| weight * (strains[k] * self.stiffness[k]));
-        self.sums::<S, true>(&Evaluated { stress, at: *at, end: *at, weight, share: 1.0 })
+        let stress = self.stresses(weight, strains);
+        let turning = stress;
+        self.sums::<S, true>(&Evaluated { stress, turning, at: *at, end: *at, weight, share: 1.0 })
+    }
+
+    fn stresses<S: Real>(&self, one: S, strains: [f64; 3]) -> [S; 3] {
+        [0, 1, 2].map(|k| one * (strains[k] * self.stiffness[k]))
     }
 
     /// Strains after a correction of displacements, to first order.
@@ -170,7 +181,7 @@ impl ShearTable {
                 }
             }
         }
-        add_second(&of.stress.map(|s| s * (of.share / self.length)), &mut sums);
+        add_second(&of.turning.map(|s| s * (of.share / self.length)), &mut sums);
         sums
     }
 

@@ -13,6 +13,7 @@ mod rounding;
 mod section;
 mod shear;
 mod support;
+mod walls;
 
 pub use beam::*;
 pub use contact::*;
@@ -22,8 +23,8 @@ pub use material::*;
 pub use profile::*;
 pub use projectile::*;
 pub use section::*;
-pub use shear::*;
 pub use support::*;
+pub use walls::*;
 
 /// Index of a material, given by [`ModelBuilder::material`](super::ModelBuilder::material).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
