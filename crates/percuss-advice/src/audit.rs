@@ -80,7 +80,7 @@ fn multiple_impacts(run: &RunSummary) -> Option<String> {
 fn meshes(run: &RunSummary, advice: &[Advice]) -> Option<String> {
     let reported = |c: &ContactSummary| {
         advice.iter().any(|one| {
-            let weighs = matches!(one.verdict, Verdict::Warning | Verdict::Allowed);
+            let weighs = one.verdict != Verdict::Fine;
             weighs && one.topic == Topic::EffectiveMass && one.contact == c.name
         })
     };

@@ -162,7 +162,7 @@ pub fn frequencies() -> Report {
                 format!("{name}, mode {} [Hz]", k + 1),
                 limit(both[0], both[1]),
                 exact,
-                5e-6,
+                2e-6,
             );
             let order = ((both[0] - exact) / (both[1] - exact)).log2();
             c.absolute(format!("{name}, mode {}, order", k + 1), order, 2.0, 0.05);

@@ -28,6 +28,8 @@ pub struct ShearTable {
 struct Evaluated<S> {
     /// Integrated stresses, shape (3) \[N m, N m, N m^2\].
     stress: [S; 3],
+    /// Those that turn with the element in its tangent, shape (3) \[N m, N m, N m^2\].
+    turning: [S; 3],
     /// Nodal values where the variations are taken.
     at: ElementValues<S>,
     /// Nodal values at the end of the step.
@@ -56,15 +58,25 @@ impl ShearTable {
         }
     }
 
-    /// The table that shares mass, loads and drawing with slender elements: linear interpolation of its mass and rotary inertia, the latter on d,
-    /// and no stiffness, which is that of `self`.
+    /// The table that shares mass, loads and drawing with slender elements: mass, rotary inertia on d, and no stiffness, which is that of `self`.
+    ///
+    /// Its mass moves with positions that follow the turn of the sections, `x + l/2 xi (1 - xi) (d_a - d_b)` beside the straight line: that of an
+    /// element bent without shear. The matrix is constant, as positions are linear in (x, d).
     pub fn carried_by(&self, table: ElementTable, middle: &SectionValues) -> ElementTable {
-        let mut mass = [[0.0; 4]; 4];
+        let l = self.length;
+        let (whole, half) = (l / 3.0, l / 6.0);
+        let (arm, square) = (l * l / 24.0, l * l * l / 120.0);
+        let mut mass = [
+            [whole, arm, half, -arm],
+            [arm, square, arm, -square],
+            [half, arm, whole, -arm],
+            [-arm, -square, -arm, square],
+        ]
+        .map(|row| row.map(|m| middle.mass * m));
         for a in 0..2 {
             for b in 0..2 {
-                let share = self.length / if a == b { 3.0 } else { 6.0 };
-                mass[2 * a][2 * b] = middle.mass * share;
-                mass[2 * a + 1][2 * b + 1] = middle.law.rotary * share;
+                let share = if a == b { whole } else { half };
+                mass[2 * a + 1][2 * b + 1] += middle.law.rotary * share;
             }
         }
         let mut rows = table.rows;
@@ -103,20 +115,24 @@ impl ShearTable {
         };
         let (stress, at) = ([one(0), one(1), one(2)], moved(start, increment, 0.5));
         let weight = start.chord[0].constant(0.5 + lag);
-        self.sums::<S, TANGENT>(&Evaluated { stress, at, end, weight, share: 0.5 })
+        let turning = stress;
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, weight, share: 0.5 })
     }
 
-    /// Forces at the end of a step, as in an equilibrium, and their tangent if `TANGENT`.
+    /// Forces at the end of a step, as in an equilibrium, and their tangent if `TANGENT`. Its geometric stiffness is that of the strains
+    /// `foreseen` by the last correction: an iteration for large displacements of a slender beam then takes a few corrections, not dozens.
     pub fn at_end<S: Real, const TANGENT: bool>(
         &self,
         start: &ElementValues<S>,
         increment: &ElementValues<S>,
+        foreseen: Option<[f64; 3]>,
     ) -> ElementSums<S> {
         let end = moved(start, increment, 1.0);
         let strains = self.strains(&end);
         let stress = [0, 1, 2].map(|k| strains[k] * self.stiffness[k]);
         let weight = start.chord[0].constant(1.0);
-        self.sums::<S, TANGENT>(&Evaluated { stress, at: end, end, weight, share: 1.0 })
+        let turning = foreseen.map_or(stress, |strains| self.stresses(weight, strains));
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at: end, end, weight, share: 1.0 })
     }
 
     /// What stretch and bend that need no force add to the forces, with the gradient at a share of the step, and to their tangent if `TANGENT`. The
@@ -144,8 +160,13 @@ impl ShearTable {
     /// Tangent at displacements with the geometric stiffness of given strains, in the order of [`strains`](Self::strains()).
     pub fn tangent<S: Real>(&self, at: &ElementValues<S>, strains: [f64; 3]) -> ElementSums<S> {
         let weight = at.chord[0].constant(1.0);
-        let stress = [0, 1, 2].map(|k| weight * (strains[k] * self.stiffness[k]));
-        self.sums::<S, true>(&Evaluated { stress, at: *at, end: *at, weight, share: 1.0 })
+        let stress = self.stresses(weight, strains);
+        let turning = stress;
+        self.sums::<S, true>(&Evaluated { stress, turning, at: *at, end: *at, weight, share: 1.0 })
+    }
+
+    fn stresses<S: Real>(&self, one: S, strains: [f64; 3]) -> [S; 3] {
+        [0, 1, 2].map(|k| one * (strains[k] * self.stiffness[k]))
     }
 
     /// Strains after a correction of displacements, to first order.
@@ -182,7 +203,7 @@ impl ShearTable {
                 }
             }
         }
-        add_second(&of.stress.map(|s| s * (of.share / self.length)), &mut sums);
+        add_second(&of.turning.map(|s| s * (of.share / self.length)), &mut sums);
         sums
     }
 

@@ -10,6 +10,7 @@ use crate::element::invariant::InvariantStep;
 use crate::element::membrane::{MembranePoint, MembraneStep};
 use crate::element::point::{PointResponse, SectionLaw, StepPoint, Strains};
 use crate::element::rotary::{self, Turn};
+use crate::element::shear::from_stored;
 use crate::element::{collocation, strain_rate};
 use crate::linalg::block::ZERO;
 use crate::linalg::chain::{Chain, add_element};
@@ -165,7 +166,8 @@ impl StepState<'_> {
         let forces_of = |at: &ElementAt, _: &mut Sweep| {
             if let Some(shear) = at.span.shear_at(at.k) {
                 // As fibres, they support only the invariant scheme and rest.
-                return shear.at_end::<f64, TANGENT>(&at.old, &at.step);
+                let foreseen = self.state.strain.get(at.element).map(from_stored);
+                return shear.at_end::<f64, TANGENT>(&at.old, &at.step, foreseen);
             }
             let mut sums = ElementSums::zero(0.0);
             if let Some(fibres) = &at.span.fibres {

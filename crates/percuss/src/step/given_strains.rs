@@ -6,7 +6,7 @@ use crate::element::beam::{ElementSums, ElementValues};
 use crate::element::given_strain::{Evaluation, GivenStrain};
 use crate::linalg::chain::Chain;
 use crate::model::Model;
-use crate::model::frozen::{LoadAction, LoadData, StrainedElement};
+use crate::model::frozen::{LoadAction, LoadData, Span, StrainedElement};
 use crate::state::State;
 
 /// Where a scheme evaluates forces.

@@ -88,13 +88,15 @@ fn forces_of_a_step_have_no_resultant_moment() {
     assert!(parts.iter().sum::<f64>().abs() < 1e-14 * gross, "{parts:?}");
 }
 
+/// Forces for an increment.
+type Forces<'a> = &'a dyn Fn([f64; 6]) -> ElementSums<f64>;
+
 #[test]
 fn tangents_are_the_derivatives_of_the_forces() {
     let table = element();
-    type Forces<'a> = &'a dyn Fn([f64; 6]) -> ElementSums<f64>;
     let start = values(START);
     let mean: Forces = &|d| table.mean::<f64, true>(&start, &values(d), 0.3);
-    let end: Forces = &|d| table.at_end::<f64, true>(&start, &values(d));
+    let end: Forces = &|d| table.at_end::<f64, true>(&start, &values(d), None);
     for forces in [mean, end] {
         let tangent = forces(STEP).tangent;
         let most = tangent.as_flattened().iter().fold(0.0_f64, |m, k| m.max(k.abs()));
@@ -115,6 +117,32 @@ fn tangents_are_the_derivatives_of_the_forces() {
 }
 
 #[test]
+fn foreseen_strains_are_those_of_a_small_correction_and_turn_with_the_element() {
+    let table = element();
+    let (start, end) = (values(START), values(std::array::from_fn(|i| START[i] + STEP[i])));
+    let small: [f64; 6] = std::array::from_fn(|i| 1e-5 * STEP[5 - i]);
+    let after = table.strains(&moved(&end, &values(small), 1.0));
+    let foreseen = table.foresee(&end, &values(small));
+    for (found, expected) in foreseen.into_iter().zip(after) {
+        assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+    }
+    assert_eq!(from_stored(&stored(foreseen)), foreseen);
+    // Strains of the configuration itself change nothing; others change the tangent alone.
+    let own = table.strains(&end);
+    let plain = table.at_end::<f64, true>(&start, &values(STEP), None);
+    let same = table.at_end::<f64, true>(&start, &values(STEP), Some(own));
+    let other = table.at_end::<f64, true>(&start, &values(STEP), Some(own.map(|e| e + 0.1)));
+    assert_eq!(plain.force, other.force);
+    let apart = |a: &ElementSums<f64>| -> f64 {
+        let both = a.tangent.as_flattened().iter().zip(plain.tangent.as_flattened());
+        both.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    };
+    assert!(apart(&same) < 1e-10 && apart(&other) > 1.0, "{:e}", apart(&same));
+    // That of an element about a configuration is the same.
+    assert!(apart(&table.tangent(&end, own)) < 1e-10);
+}
+
+#[test]
 fn one_element_bends_as_a_cantilever_of_any_slenderness() {
     // E = 1, width 1, nu = 0.5: a rectangle of depth h, the length one.
     for depth in [0.5, 0.1, 1e-3] {
@@ -123,7 +151,7 @@ fn one_element_bends_as_a_cantilever_of_any_slenderness() {
             [[0.0, 0.0], [1.0, 0.0]].map(|position| NodeFrame { position, tangent: [1.0, 0.0] });
         let table = ShearTable::new(1.0, ends, &section(axial, shear, bending));
         let still = values([0.0; 6]);
-        let k = table.at_end::<f64, true>(&still, &still).tangent;
+        let k = table.at_end::<f64, true>(&still, &still, None).tangent;
         // Deflection of the tip, and its turn: the other values stay zero, to first order.
         let [[a, b], [c, d]] = [[k[1][1], k[1][5]], [k[5][1], k[5][5]]];
         let tip = d / (a * d - b * c);
@@ -136,7 +164,7 @@ fn one_element_bends_as_a_cantilever_of_any_slenderness() {
 }
 
 #[test]
-fn its_mass_is_interpolated_linearly() {
+fn its_mass_has_the_inertia_of_a_rigid_bar_and_the_moments_of_a_uniform_load() {
     let of = section(400.0, 150.0, 4.0);
     let ends =
         [[0.0, 0.0], [LENGTH, 0.0]].map(|position| NodeFrame { position, tangent: [1.0, 0.0] });
@@ -145,8 +173,15 @@ fn its_mass_is_interpolated_linearly() {
     let m = &table.mass;
     let close = |a: f64, b: f64| (a - b).abs() < 1e-15;
     assert!(close(m[0][0] + 2.0 * m[0][2] + m[2][2], 2.0 * LENGTH));
-    assert!(close(m[1][1] + 2.0 * m[1][3] + m[3][3], 0.01 * LENGTH));
-    assert!(close(m[0][0], 2.0 * m[0][2]) && m[0][1] == 0.0 && m[0][3] == 0.0);
+    let turning = [-0.5 * LENGTH, 1.0, 0.5 * LENGTH, 1.0];
+    let energy = |x: &[f64; 4]| -> f64 {
+        (0..4).map(|i| (0..4).map(|k| x[i] * m[i][k] * x[k]).sum::<f64>()).sum()
+    };
+    assert!(close(energy(&turning), 2.0 * LENGTH.powi(3) / 12.0 + 0.01 * LENGTH));
+    let moments = [m[1][0] + m[1][2], m[3][0] + m[3][2]];
+    assert!(close(moments[0], 2.0 * LENGTH * LENGTH / 12.0) && close(moments[1], -moments[0]));
+    // No motion is without mass.
+    assert!(energy(&[0.0, 1.0, 0.0, -1.0]) > 0.0 && m[1][1] > 0.0);
     let weights = table.rows.map(|row| row.weighed);
     assert!(weights.iter().all(|w| [w.axial, w.bending, w.rotary] == [0.0; 3]));
     assert!(table.membrane.is_none());

@@ -1,6 +1,6 @@
 //! Beams, their lines and meshes, and places on them.
 
-use super::{BeamId, MaterialId, SectionId, Theory};
+use super::{BeamId, MaterialId, SectionId};
 
 /// Connection of the points of a beam to a line.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -67,6 +67,16 @@ pub enum Ends {
     Flat,
     /// A half circle from face to face.
     Round,
+}
+
+/// Theory of a beam: what its sections do when it bends.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Theory {
+    /// Sections stay normal to the axis (Euler and Bernoulli, Kirchhoff).
+    #[default]
+    Slender,
+    /// Sections turn by themselves: flexible in shear (Timoshenko; Simo and Reissner).
+    Shear,
 }
 
 /// A beam: a centre line with material, section and mesh.

@@ -14,6 +14,7 @@ mod rounding;
 mod section;
 mod shear;
 mod support;
+mod walls;
 
 pub use beam::*;
 pub use contact::*;
@@ -24,8 +25,8 @@ pub use material::*;
 pub use profile::*;
 pub use projectile::*;
 pub use section::*;
-pub use shear::*;
 pub use support::*;
+pub use walls::*;
 
 /// Index of a material, given by [`ModelBuilder::material`](super::ModelBuilder::material).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -2,7 +2,7 @@
 
 use super::profile::{Profile, SectionFibre, Strip};
 use super::rounding::Moments;
-use super::shear::Walls;
+use super::walls::Walls;
 
 /// Rotary inertia per unit length of a section, rhoI \[kg m\].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
