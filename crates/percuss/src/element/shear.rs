@@ -148,7 +148,8 @@ impl ShearTable {
         let weight = start.chord[0].constant(0.0); // constant stresses
         let stress = [stretch, 0.0, bend];
         let stress = [0, 1, 2].map(|k| weight.constant(-stress[k] * self.stiffness[k]));
-        self.sums::<S, TANGENT>(&Evaluated { stress, at, end, weight, share })
+        let turning = stress;
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, weight, share })
     }
 
     /// What they add to the energies of stretching and of bending, shape (2) \[J\].
