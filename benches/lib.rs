@@ -42,7 +42,7 @@ pub fn rigid_study(count: usize) -> Vec<Model> {
         let speed = 20.0 + 40.0 * share(k, 0.569_840_291);
         let hammer = Projectile::new("hammer", kind, mass, [0.0, -speed], at("mid", 0.5));
         b.projectile(Projectile { standoff: 0.02, ..hammer });
-        b.build().expect("a sound scene")
+        b.build().expect("a valid scene")
     };
     (0..count).map(model).collect()
 }
@@ -113,7 +113,7 @@ fn struck(elements: usize, addition: Addition, kind: ProjectileKind) -> Model {
         let acceleration = [0.0, -9.81];
         b.load(Load::new("gravity", LoadKind::Gravity { acceleration }));
     }
-    b.build().expect("a sound scene")
+    b.build().expect("a valid scene")
 }
 
 /// A clamped beam that oscillates 1 m above a floor; several points of each element have a contact pair of their own.
@@ -142,7 +142,7 @@ pub fn above_floor(elements: usize, points_per_element: usize) -> Model {
     }
     let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
     b.load(Load::new("gravity", kind));
-    b.build().expect("a sound scene")
+    b.build().expect("a valid scene")
 }
 
 /// Discs that slide along a clamped beam of 60 elements, pressed on by their weight, or at the given distance above it \[m\].
@@ -178,7 +178,7 @@ pub fn sliding_discs(count: usize, above: f64) -> Model {
     }
     let kind = LoadKind::Gravity { acceleration: [0.0, -9.81] };
     b.load(Load::new("gravity", kind));
-    b.build().expect("a sound scene")
+    b.build().expect("a valid scene")
 }
 
 /// A frame of storeys and bays of 3 m, `elements` in each member, joints rigid and feet clamped, its lowest left column struck.
@@ -235,5 +235,5 @@ pub fn frame(storeys: usize, bays: usize, elements: usize) -> Model {
         rear: None,
         local_mass: 0.0,
     });
-    b.build().expect("a sound scene")
+    b.build().expect("a valid scene")
 }

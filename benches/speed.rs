@@ -27,7 +27,7 @@ fn main() {
         least(|| {
             let mut recorder = recorder();
             let start = Instant::now();
-            let summary = simulate(&model, &settings, recorder.as_mut()).expect("sound settings");
+            let summary = simulate(&model, &settings, recorder.as_mut()).expect("valid settings");
             start.elapsed().as_secs_f64() / summary.steps as f64 * 1e6
         })
     };
@@ -46,7 +46,7 @@ fn main() {
         let us = least(|| {
             let mut writer = HistoryWriter::new(&dir, format, "");
             let start = Instant::now();
-            let summary = simulate(&model, &long, &mut writer).expect("sound settings");
+            let summary = simulate(&model, &long, &mut writer).expect("valid settings");
             writer.finish().expect("a written history");
             start.elapsed().as_secs_f64() / summary.steps as f64 * 1e6
         });
@@ -79,7 +79,7 @@ fn scaling(model: &Model) {
     let steps = (200_000 / elements).clamp(20, 1500);
     // The runs start shortly before contact, so that most steps include contact.
     let settings = Settings::new((100 + steps) as f64 * 1e-4, 1e-4);
-    let mut simulation = Simulation::new(model, &settings).expect("sound settings");
+    let mut simulation = Simulation::new(model, &settings).expect("valid settings");
     for _ in 0..100 {
         simulation.advance(&mut NoRecorder).expect("the beam is at rest");
     }
@@ -112,7 +112,7 @@ fn surface_contacts() {
         let mut iterations = 0.0;
         let us = least(|| {
             let start = Instant::now();
-            let summary = simulate(&model, &settings, &mut NoRecorder).expect("sound settings");
+            let summary = simulate(&model, &settings, &mut NoRecorder).expect("valid settings");
             iterations = summary.newton_iterations as f64 / summary.steps as f64;
             start.elapsed().as_secs_f64() / summary.steps as f64 * 1e6
         });
@@ -198,7 +198,7 @@ fn report_memory(elements: &str) {
     for steps in [20, 200] {
         let model = elastic_example(elements);
         let settings = Settings::new(0.01 + f64::from(steps) * 1e-4, 1e-4);
-        simulate(&model, &settings, &mut NoRecorder).expect("sound settings");
+        simulate(&model, &settings, &mut NoRecorder).expect("valid settings");
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let peak = status.lines().find_map(|l| l.strip_prefix("VmHWM:")).unwrap_or("unknown");
         println!("  {elements:>6} elements, {} steps: {}", 100 + steps, peak.trim());

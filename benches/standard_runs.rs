@@ -52,7 +52,7 @@ fn main() {
     };
     let mut recorder = MemoryRecorder::default();
     let summary = simulate(&model, &Settings::new(steps * STEP, STEP), &mut recorder)
-        .expect("sound settings");
+        .expect("valid settings");
     println!("{} steps, {} corrections", summary.steps, summary.newton_iterations);
     if arguments.get(2).is_some_and(|argument| argument == "--bits") {
         let forces = format!("{:?}", summary.section_forces);

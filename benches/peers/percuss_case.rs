@@ -31,7 +31,7 @@ fn main() {
     for _ in 0..case["repeat"].as_u64().unwrap_or(1) {
         let start = user_time();
         let mut recorder = MemoryRecorder::default();
-        let summary = simulate(&model, &settings, &mut recorder).expect("sound settings");
+        let summary = simulate(&model, &settings, &mut recorder).expect("valid settings");
         user += user_time() - start;
         let intervals = &summary.contacts[0].record.intervals();
         let force = intervals.iter().map(|i| i.peak_force.value).fold(0.0, f64::max);

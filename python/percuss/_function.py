@@ -129,7 +129,7 @@ class Function:
         if failures and self.failed == "raise":
             point, why = failures[0]
             more = f" (and {len(failures) - 1} more)" if len(failures) > 1 else ""
-            raise _told(f"point {point}{more}: {why}" if points.ndim > 1 else why)
+            raise _error_of(f"point {point}{more}: {why}" if points.ndim > 1 else why)
         return flat.reshape(*points.shape[:-1], len(self.results))
 
     def jacobian(self, x: Any) -> Floats:
@@ -165,7 +165,7 @@ class Function:
             raise ValueError(f"a Jacobian is one of a point, shape ({len(self.names)},), found {point.shape}")
         _, flat, why = _percuss.function_jacobian(self.study, point.tolist())
         if why is not None:
-            raise _told(why)
+            raise _error_of(why)
         return flat.reshape(len(self.results), len(self.names))
 
     def at(self, shares: Any) -> Floats:
@@ -200,7 +200,7 @@ class Function:
         points = self._points(shares)
         flat, why = _percuss.function_points(self.study, np.atleast_2d(points).tolist())
         if why is not None:
-            raise _told(why)
+            raise _error_of(why)
         return flat.reshape(points.shape)
 
     @property
@@ -368,7 +368,7 @@ def openturns_function(study: StudySource | Function) -> openturns.Function:
     return made
 
 
-def _told(why: str) -> PercussError:
+def _error_of(why: str) -> PercussError:
     """An exception whose text ends with its code."""
     found = re.search(r" \[(E\d+)\]$", why)
     code = found[1] if found else None

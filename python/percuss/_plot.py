@@ -140,11 +140,11 @@ class Plots:
         'time [s]'
         """
         ax = ax or pyplot().subplots()[1]
-        told = {name: words(name) for name in names}
-        quantities = {word.quantity for word in told.values()}
+        described = {name: words(name) for name in names}
+        quantities = {word.quantity for word in described.values()}
         units = {unit_words(self._result.units[name]) for name in names if name in self._result}
         for name in names:
-            label = told[name].of if len(quantities) == 1 and told[name].of else told[name].label
+            label = described[name].of if len(quantities) == 1 and described[name].of else described[name].label
             ax.plot(self._result.time, self._result[name], label=label, linewidth=1.2)
         ax.set_xlabel("time [s]")
         ax.set_ylabel(f"{' or '.join(sorted(quantities))} [{' or '.join(sorted(units))}]")

@@ -193,7 +193,7 @@ def blows(run: Run, name: str, contact: dict) -> list[str]:
 
 def struck_back(run: Run, impacts: list[dict], coefficient: float) -> list[str]:
     """An impact of a single point has the coefficient of its law, where no law for shared or accumulated blows takes its place."""
-    if run.summary["shared_blows"] or run.summary["accumulated_steps"]:
+    if run.summary["multiple_impacts"] or run.summary["accumulated_steps"]:
         return []
     fastest = max(event["approach_velocity"] for _, contact in contacts(run) for event in events(contact)) if impacts else 0.0
     plain = [

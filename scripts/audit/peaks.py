@@ -185,7 +185,7 @@ def yielding(run: Run) -> list[str]:
 
 # What may be null without a word beside it, by its meaning in docs/results.md.
 NULLS = {
-    "end", "restitution", "separation_velocity", "duration", "first_yield", "parted", "shared_blows", "reason", "error", "error_code",
+    "end", "restitution", "separation_velocity", "duration", "first_yield", "parted", "multiple_impacts", "reason", "error", "error_code",
     "permanent_set", "permanent_set_at", "direction", "strikes", "reference", "restitution_why", "value", "strain_max_at", "advice",
 }
 

@@ -100,12 +100,12 @@ impl Verdict {
 }
 
 /// What looks like a slip of a unit.
-pub(crate) fn slip(
+pub(crate) fn magnitude_finding(
     part: &str,
     values: [f64; 2],
     unit: &'static str,
     verdict: Verdict,
     text: String,
 ) -> Advice {
-    Advice::new(part, Topic::Slip, values, unit, verdict, text)
+    Advice::new(part, Topic::Magnitude, values, unit, verdict, text)
 }

@@ -24,7 +24,7 @@ pub fn warnings(run: &RunSummary, advice: &[Advice]) -> Vec<(Caution, String)> {
         all.push((Caution::ContactConditions, text));
     }
     all.extend(inside(run).map(|text| (Caution::Inside, text)));
-    all.extend(shared_blows(run).map(|text| (Caution::SharedBlow, text)));
+    all.extend(multiple_impacts(run).map(|text| (Caution::MultipleImpact, text)));
     all.extend(meshes(run, advice).map(|text| (Caution::MeshImpulse, text)));
     let residuals = [
         ("energy", run.energy.residual_max),
@@ -61,8 +61,8 @@ fn inside(run: &RunSummary) -> Option<String> {
 }
 
 /// Impacts on several touching bodies at once.
-fn shared_blows(run: &RunSummary) -> Option<String> {
-    let shared = &run.shared_blows;
+fn multiple_impacts(run: &RunSummary) -> Option<String> {
+    let shared = &run.multiple_impacts;
     let others = match shared.count {
         0 => return None,
         1 => String::new(),
@@ -78,7 +78,7 @@ fn shared_blows(run: &RunSummary) -> Option<String> {
 
 /// Contacts whose rigid impacts depend on the mesh, unless there is a finding about it.
 fn meshes(run: &RunSummary, advice: &[Advice]) -> Option<String> {
-    let told = |c: &ContactSummary| {
+    let reported = |c: &ContactSummary| {
         advice.iter().any(|one| {
             let weighs = one.verdict != Verdict::Fine;
             weighs && one.topic == Topic::EffectiveMass && one.contact == c.name
@@ -87,7 +87,7 @@ fn meshes(run: &RunSummary, advice: &[Advice]) -> Option<String> {
     let depends = |c: &&ContactSummary| {
         // A persistent contact without impacts has forces, which do not depend on the mesh so.
         let impacts = matches!(c.record, ContactRecord::Nonsmooth { impact_count: 1.., .. });
-        impacts && !told(c) && c.effective_mass.is_some_and(|mass| mass.depends_on_mesh())
+        impacts && !reported(c) && c.effective_mass.is_some_and(|mass| mass.depends_on_mesh())
     };
     let mut found = run.contacts.iter().filter(depends);
     let (first, others) = (found.next()?, found.count());

@@ -2,15 +2,15 @@
 
 use std::f64::consts::PI;
 
-use super::case::{Beams, Case, Meeting, Struck, rigid_blow};
-use super::desk::{Desk, STEPS, graded};
+use super::case::{Beams, Case, Meeting, Struck, rigid_impact};
 use super::duration::{From, Lasting, Modes};
 use super::expected::{Expected, Trials};
 use super::formulas::{pulse_frequency, reduced_mass};
+use super::planned::{PlannedContact, STEPS, graded};
 use super::structure::{BeamPlace, gravity, gravity_varies};
 use super::surroundings::Surroundings;
 use super::words::{digits, quantity, round_down};
-use super::{Advice, Topic, Verdict, end_on, faces, shear, touch};
+use super::{Advice, Topic, Verdict, end_on, faces, first_contact, shear};
 use percuss::Settings;
 use percuss::math::vec2::dot;
 use percuss::{EffectiveMass, HertzBody, Model, Potential, PressedIn, TouchLaw};
@@ -35,23 +35,23 @@ pub fn findings(
     mass: Option<EffectiveMass>,
     (modes, trials): (&Modes<'_>, &Trials<'_>),
 ) -> Vec<Advice> {
-    let desk = Desk { model, settings, case };
+    let planned = PlannedContact { model, settings, case };
     let lasting = modes.lasting(case);
     let held = mass.is_some_and(|mass| mass.on_mesh.is_infinite())
         || lasting.as_ref().is_some_and(Lasting::is_held);
     let expected = if held {
         None
     } else {
-        trials.expected(case, lasting.as_ref(), desk.is_certain(lasting.as_ref()))
+        trials.expected(case, lasting.as_ref(), planned.is_certain(lasting.as_ref()))
     };
     let expected = expected.as_ref();
     let found = match &case.meeting {
         // A supported point sends out no waves.
-        Meeting::Struck(struck) if held => desk.held(struck, mass),
-        Meeting::Beams(_) if held => vec![mass.and_then(|mass| desk.effective_mass(mass))],
-        Meeting::Struck(struck) => desk.struck(struck, mass, expected),
-        Meeting::Bodies(_) => vec![expected.map(|expected| desk.duration(expected))],
-        Meeting::Beams(beams) => desk.beams(beams, mass, expected),
+        Meeting::Struck(struck) if held => planned.held(struck, mass),
+        Meeting::Beams(_) if held => vec![mass.and_then(|mass| planned.effective_mass(mass))],
+        Meeting::Struck(struck) => planned.struck(struck, mass, expected),
+        Meeting::Bodies(_) => vec![expected.map(|expected| planned.duration(expected))],
+        Meeting::Beams(beams) => planned.beams(beams, mass, expected),
     };
     // Steps chosen for an accuracy are not known before.
     let of_steps = |topic: Topic| settings.accuracy.is_some() && OF_STEPS.contains(&topic);
@@ -67,7 +67,7 @@ const OF_STEPS: [Topic; 5] = [
     Topic::ForceRise,
 ];
 
-impl Desk<'_> {
+impl PlannedContact<'_> {
     /// Whether an estimate holds without a trial, and if not, why.
     fn is_certain(&self, lasting: Option<&Lasting>) -> Result<(), String> {
         let because = |what: &str| Err(what.to_owned());
@@ -116,7 +116,7 @@ impl Desk<'_> {
         let across = struck.across();
         let mass = mass.filter(|_| struck.begins_with_an_impact());
         vec![
-            touch::finding(self, struck, contact, expected),
+            first_contact::finding(self, struck, contact, expected),
             expected.map(|expected| self.duration(expected)),
             contact.filter(|_| across > 0.5).map(|contact| self.bending(struck, contact)),
             self.transit(&struck.place, across < 0.99, contact),
@@ -134,10 +134,10 @@ impl Desk<'_> {
     /// A supported point: only the projectile moves.
     fn held(&self, struck: &Struck<'_>, mass: Option<EffectiveMass>) -> Vec<Option<Advice>> {
         let weight = struck.mass * struck.pull();
-        let blow = rigid_blow(self.case.law, struck.mass, struck.speed, weight);
-        let contact = blow.map(|blow| blow.duration);
+        let impact = rigid_impact(self.case.law, struck.mass, struck.speed, weight);
+        let contact = impact.map(|impact| impact.duration);
         vec![
-            touch::finding(self, struck, contact, None),
+            first_contact::finding(self, struck, contact, None),
             mass.filter(|_| struck.begins_with_an_impact())
                 .and_then(|mass| self.effective_mass(mass)),
             self.rear(struck),
@@ -276,18 +276,18 @@ impl Desk<'_> {
         let held = Surroundings::of(self.model, struck.place.index).held;
         let target = if held { f64::INFINITY } else { struck.beam_mass() };
         let mass = reduced_mass([struck.mass, target]);
-        let blow = rigid_blow(self.case.law, mass, struck.speed, 0.0)?;
-        let pressed = PressedIn { penetration: blow.penetration, through, time: f64::NAN };
+        let impact = rigid_impact(self.case.law, mass, struck.speed, 0.0)?;
+        let pressed = PressedIn { penetration: impact.penetration, through, time: f64::NAN };
         if !pressed.is_deep() {
             return None;
         }
         let text = format!(
             "estimated penetration up to {}, and centre and axis meet at {}: location and direction of the force are unreliable at such \
              a depth; use a stiffer law",
-            quantity(blow.penetration, "m"),
+            quantity(impact.penetration, "m"),
             quantity(through, "m")
         );
-        let values = [blow.penetration, through];
+        let values = [impact.penetration, through];
         Some(self.finding(Topic::Pressed, values, "m", Verdict::Note, text))
     }
 
@@ -302,8 +302,8 @@ impl Desk<'_> {
         };
         let mass = reduced_mass([struck.mass, struck.beam_mass()]);
         let energy = mass * struck.speed * struck.speed;
-        let chosen = rigid_blow(self.case.law, mass, struck.speed, 0.0)?;
-        let hertz = super::formulas::hertz_blow(mass, constant, struck.speed);
+        let chosen = rigid_impact(self.case.law, mass, struck.speed, 0.0)?;
+        let hertz = super::formulas::hertz_impact(mass, constant, struck.speed);
         // The linear spring with the same peak force at this speed.
         let [value, reference] = [chosen, hertz].map(|b| b.peak_force.powi(2) / energy);
         if !(value.is_finite() && reference.is_finite()) {

@@ -2,7 +2,9 @@
 
 mod struck;
 
-use super::formulas::{Blow, hertz_blow, linear_blow, pressed_blow, reduced_mass, table_blow};
+use super::formulas::{
+    SingleMassImpact, hertz_impact, linear_impact, pressed_impact, reduced_mass, table_impact,
+};
 use super::structure::{BeamPlace, first_hit, gravity, nearest};
 use percuss::ContactPlace;
 use percuss::inspect::{Body, BodyKind, ContactView, MovingPartner, TargetShape};
@@ -53,7 +55,7 @@ pub struct Struck<'a> {
     pub place: BeamPlace<'a>,
 }
 
-/// Shares by which something changes a blow.
+/// Shares by which something changes an impact.
 #[derive(Clone, Copy, Debug)]
 pub struct Change {
     /// Of the largest force.
@@ -306,24 +308,29 @@ pub fn linear_stiffness(law: &TouchLaw) -> Option<f64> {
     }
 }
 
-/// The blow of a mass on a rigid target under a smooth law, its losses left out, while the force `pressed` \[N\] presses it on; none
+/// The impact of a mass on a rigid target under a smooth law, its losses left out, while the force `pressed` \[N\] presses it on; none
 /// under a set-valued law, or at no speed where the speed matters.
-pub fn rigid_blow(law: &TouchLaw, mass: f64, speed: f64, pressed: f64) -> Option<Blow> {
+pub fn rigid_impact(
+    law: &TouchLaw,
+    mass: f64,
+    speed: f64,
+    pressed: f64,
+) -> Option<SingleMassImpact> {
     let law = law.smooth()?;
     if law.unloading.is_some() {
         return None; // what crushes opens otherwise than it closes
     }
     if pressed != 0.0 && !matches!(law.potential, Potential::Function(_)) {
         let (energy, force) = (|p| law.potential.energy(p), |p| law.potential.force(p));
-        return pressed_blow(energy, force, mass, speed, pressed);
+        return pressed_impact(energy, force, mass, speed, pressed);
     }
-    let blow = match &law.potential {
-        Potential::Linear { stiffness } => linear_blow(mass, *stiffness, speed),
-        Potential::Hertz { stiffness } => hertz_blow(mass, *stiffness, speed),
+    let impact = match &law.potential {
+        Potential::Linear { stiffness } => linear_impact(mass, *stiffness, speed),
+        Potential::Hertz { stiffness } => hertz_impact(mass, *stiffness, speed),
         Potential::Table { penetration, force } if speed > 0.0 => {
-            table_blow(penetration, force, mass, speed)
+            table_impact(penetration, force, mass, speed)
         }
         Potential::Table { .. } | Potential::Function(_) => return None,
     };
-    (blow.duration.is_finite() && blow.duration > 0.0).then_some(blow)
+    (impact.duration.is_finite() && impact.duration > 0.0).then_some(impact)
 }

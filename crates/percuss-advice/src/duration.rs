@@ -2,8 +2,8 @@
 
 use std::cell::OnceCell;
 
-use super::case::{Beams, Bodies, Case, Meeting, Struck, force, rigid_blow};
-use super::formulas::{ModalBlow, ModalTarget, Striker, UniformBeam};
+use super::case::{Beams, Bodies, Case, Meeting, Struck, force, rigid_impact};
+use super::formulas::{ModalImpact, ModalTarget, Striker, UniformBeam};
 use super::structure::BeamPlace;
 use percuss::math::vec2::{dot, norm};
 use percuss::{FirstTouches, Mode, modes_about, reference_state};
@@ -54,7 +54,7 @@ pub struct Lasting {
     /// Fine step \[s\], and the largest force in such steps \[N\].
     step: f64,
     peak: f64,
-    /// Largest displacement of the struck point along the blow \[m\].
+    /// Largest displacement of the struck point along the impact \[m\].
     pub deflection: f64,
 }
 
@@ -97,7 +97,7 @@ impl<'m> Modes<'m> {
         let rear = struck.rear.map(|rear| [rear.mass, rear.stiffness, rear.damping]);
         let (mass, speed, pull) = (struck.mass, struck.speed, struck.pull());
         let found = lasting(target, Striker { mass, rear, speed, pull }, law, From::Modes)?;
-        let without_end = struck.infinite_beam(any, speed).and_then(|blow| blow.duration);
+        let without_end = struck.infinite_beam(any, speed).and_then(|impact| impact.duration);
         let (section, free) = (struck.place.section(), struck.place.free_distance());
         match without_end.filter(|t| section.return_time(free, *t) >= *t) {
             Some(duration) => Some(Lasting { duration, from: From::WithoutEnd, ..found }),
@@ -152,24 +152,24 @@ fn lasting(
     if !(striker.speed > 0.0 && striker.mass > 0.0 && striker.mass.is_finite()) {
         return None;
     }
-    let rigid = rigid_blow(&any, striker.mass, striker.speed, striker.mass * striker.pull)?;
+    let rigid = rigid_impact(&any, striker.mass, striker.speed, striker.mass * striker.pull)?;
     let stiffness = rigid.peak_force / rigid.penetration;
     let mobility: f64 = target.modes.iter().map(|[_, shape]| shape * shape).sum();
     let fastest = (stiffness * (1.0 / striker.mass + mobility)).sqrt();
     let step = 2.0 * std::f64::consts::PI / fastest / STEPS;
     let (duration, peak, deflection) = (0.0, 0.0, 0.0);
     let mut found = Lasting { duration, from, target, striker, law, step, peak, deflection };
-    let blow = found.blow(&found.target, step, 0.0)?;
-    (found.duration, found.peak) = (blow.duration, blow.peak_force);
-    found.deflection = blow.deflection;
+    let impact = found.impact(&found.target, step, 0.0)?;
+    (found.duration, found.peak) = (impact.duration, impact.peak_force);
+    found.deflection = impact.deflection;
     (found.duration > 0.0 && found.peak > 0.0).then_some(found)
 }
 
 impl Lasting {
-    fn blow(&self, target: &ModalTarget, step: f64, early: f64) -> Option<ModalBlow> {
+    fn impact(&self, target: &ModalTarget, step: f64, early: f64) -> Option<ModalImpact> {
         let over = |p0: f64, p1: f64, h: f64| self.law.step_force([p0, p1], 0.0, h).force;
         let force = |p: f64, rate: f64| force(&self.law, p, rate);
-        target.blow(&self.striker, [step, early * step], MOST, over, force)
+        target.impact(&self.striker, [step, early * step], MOST, over, force)
     }
 
     /// Whether the struck point moves in no mode.
@@ -180,8 +180,8 @@ impl Lasting {
 
     /// Share by which shear deformation of a section, with its shear stiffness \[N\], would change the largest force.
     pub fn shear(&self, section: &UniformBeam, shear: f64) -> Option<f64> {
-        let blow = self.blow(&self.target.sheared(section, shear), self.step, 0.0)?;
-        Some(blow.peak_force / self.peak - 1.0)
+        let impact = self.impact(&self.target.sheared(section, shear), self.step, 0.0)?;
+        Some(impact.peak_force / self.peak - 1.0)
     }
 
     /// How far off the largest force is likely to be in steps of this size, as a share of it: the mean over instants at which a
@@ -189,7 +189,7 @@ impl Lasting {
     pub fn off(&self, step: f64) -> Option<f64> {
         let mut sum = 0.0;
         for early in EARLY {
-            let off = self.blow(&self.target, step, early)?.peak_force / self.peak - 1.0;
+            let off = self.impact(&self.target, step, early)?.peak_force / self.peak - 1.0;
             sum += off * off;
         }
         Some((sum / EARLY.len() as f64).sqrt())

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::case::{Beams, Struck, force, rigid_blow};
-use super::desk::{Desk, graded};
+use super::case::{Beams, Struck, force, rigid_impact};
 use super::formulas::BarOnWall;
+use super::planned::{PlannedContact, graded};
 use super::structure::BeamPlace;
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
@@ -14,34 +14,38 @@ use percuss::{FirstTouches, Model};
 /// Elements, or steps, in which the force of a bar rises: those that follow it, and those that make it too large by half.
 const RISES: [f64; 2] = [1.0, 0.3];
 const STEPS: [f64; 2] = [4.0, 1.0];
-/// A blow with this share of its direction along a straight beam is end on.
+/// An impact with this share of its direction along a straight beam is end on.
 const END_ON: f64 = 0.99;
 
 /// A beam that meets a wall end on: how long it stays (as a trial expects it, where there is one), and whether the mesh and the step follow its force.
-pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>, expected: Option<f64>) -> Vec<Option<Advice>> {
-    let (place, settings) = (&beams.place, desk.settings);
+pub fn on_wall(
+    planned: &PlannedContact<'_>,
+    beams: &Beams<'_>,
+    expected: Option<f64>,
+) -> Vec<Option<Advice>> {
+    let (place, settings) = (&beams.place, planned.settings);
     let speed = beams.wall.map_or(0.0, |normal| -dot(normal, beams.velocity));
-    if speed <= 0.0 || !place.is_uniform() || desk.case.law.crushes() {
+    if speed <= 0.0 || !place.is_uniform() || planned.case.law.crushes() {
         return Vec::new();
     }
     let (section, length) = (place.section(), place.beam.length());
-    let wave = section.bar_blow(length, speed);
-    let Some(law) = desk.case.law.smooth() else {
-        return vec![Some(stays(desk, wave.duration)), strut_under(desk, place, wave.force)];
+    let wave = section.bar_impact(length, speed);
+    let Some(law) = planned.case.law.smooth() else {
+        return vec![Some(stays(planned, wave.duration)), strut_under(planned, place, wave.force)];
     };
-    let points = points_of_end(desk.model, desk.case.index);
+    let points = points_of_end(planned.model, planned.case.index);
     let found = section.bar_on_wall(length, speed, |p, rate| points * force(law, p, rate));
     let duration = match found {
-        Some(BarOnWall::Waves(blow)) => Some(blow.duration),
+        Some(BarOnWall::Waves(impact)) => Some(impact.duration),
         Some(BarOnWall::OnePiece) => {
             // Each point has its share of the mass.
             let mass = section.mass * length / points;
-            rigid_blow(desk.case.law, mass, speed, 0.0).map(|blow| blow.duration)
+            rigid_impact(planned.case.law, mass, speed, 0.0).map(|impact| impact.duration)
         }
         None => None,
     };
     let peak = match found {
-        Some(BarOnWall::Waves(blow)) => blow.force,
+        Some(BarOnWall::Waves(impact)) => impact.force,
         _ => 0.0,
     };
     let duration = expected.or(duration);
@@ -66,9 +70,9 @@ pub fn on_wall(desk: &Desk<'_>, beams: &Beams<'_>, expected: Option<f64>) -> Vec
                 ": a higher peak depends on mesh and step; use elements of {shorter} and a step of {step} or less, or a softer contact"
             );
         }
-        desk.finding(Topic::ForceRise, [rise, transit], "s", verdict, text)
+        planned.finding(Topic::ForceRise, [rise, transit], "s", verdict, text)
     });
-    vec![duration.map(|duration| stays(desk, duration)), rise, strut_under(desk, place, peak)]
+    vec![duration.map(|duration| stays(planned, duration)), rise, strut_under(planned, place, peak)]
 }
 
 /// Points of a bar that meet a wall at once, each under the law of the contact: the corners of a flat end.
@@ -76,13 +80,13 @@ pub fn points_of_end(model: &Model, contact: usize) -> f64 {
     FirstTouches::new(model).simultaneous(contact) as f64
 }
 
-fn stays(desk: &Desk<'_>, duration: f64) -> Advice {
-    let steps = duration / desk.settings.step;
+fn stays(planned: &PlannedContact<'_>, duration: f64) -> Advice {
+    let steps = duration / planned.settings.step;
     let verdict = graded(steps, [20.0, 8.0]);
     let mut text =
         format!("contact duration about {}, {} steps", quantity(duration, "s"), digits(steps));
-    let points = match desk.case.law.is_rigid() {
-        false => points_of_end(desk.model, desk.case.index),
+    let points = match planned.case.law.is_rigid() {
+        false => points_of_end(planned.model, planned.case.index),
         true => 1.0,
     };
     if points > 1.0 {
@@ -96,25 +100,25 @@ fn stays(desk: &Desk<'_>, duration: f64) -> Advice {
         text +=
             &format!(": set time.step to {} or less", quantity(round_down(duration / 20.0), "s"));
     }
-    desk.finding(Topic::ContactDuration, [duration, desk.settings.step], "s", verdict, text)
+    planned.finding(Topic::ContactDuration, [duration, planned.settings.step], "s", verdict, text)
 }
 
 /// A beam struck along its axis: whether the force is above that under which it buckles.
 ///
 /// The force is at most that of the wave that the striker sends into the beam, `EA v/c`, or of a rigid target, whichever is less, until
 /// the wave is back.
-pub fn strut(desk: &Desk<'_>, struck: &Struck<'_>) -> Option<Advice> {
+pub fn strut(planned: &PlannedContact<'_>, struck: &Struck<'_>) -> Option<Advice> {
     if dot(struck.direction, struck.place.tangent()).abs() < END_ON || !struck.place.is_uniform() {
         return None;
     }
     let section = struck.place.section();
     let wave = section.bar_impedance() * struck.speed;
-    let rigid = rigid_blow(desk.case.law, struck.mass, struck.speed, 0.0);
-    let force = rigid.map_or(wave, |blow| blow.peak_force.min(wave));
-    strut_under(desk, &struck.place, force)
+    let rigid = rigid_impact(planned.case.law, struck.mass, struck.speed, 0.0);
+    let force = rigid.map_or(wave, |impact| impact.peak_force.min(wave));
+    strut_under(planned, &struck.place, force)
 }
 
-fn strut_under(desk: &Desk<'_>, place: &BeamPlace<'_>, force: f64) -> Option<Advice> {
+fn strut_under(planned: &PlannedContact<'_>, place: &BeamPlace<'_>, force: f64) -> Option<Advice> {
     let (section, length) = (place.section(), place.beam.length());
     let euler = PI * PI * section.bending / (length * length);
     if force.is_nan() || force <= euler {
@@ -127,5 +131,5 @@ fn strut_under(desk: &Desk<'_>, place: &BeamPlace<'_>, force: f64) -> Option<Adv
         digits(force / euler),
         quantity(euler, "N")
     );
-    Some(desk.finding(Topic::Stability, [force, euler], "N", Verdict::Warning, text))
+    Some(planned.finding(Topic::Stability, [force, euler], "N", Verdict::Warning, text))
 }

@@ -2,7 +2,7 @@
 
 use std::cell::{Cell, RefCell};
 
-use super::case::{Case, Meeting, rigid_blow};
+use super::case::{Case, Meeting, rigid_impact};
 use super::duration::{From, Lasting};
 use percuss::Model;
 use percuss::Settings;
@@ -184,6 +184,7 @@ fn alone(case: &Case<'_>) -> Option<f64> {
         Meeting::Bodies(two) => (two.mass, two.speed),
         Meeting::Beams(_) => return None,
     };
-    let blow = rigid_blow(case.law, mass, speed, 0.0).filter(|_| speed > 0.0 && mass.is_finite());
-    blow.map(|blow| blow.duration)
+    let impact =
+        rigid_impact(case.law, mass, speed, 0.0).filter(|_| speed > 0.0 && mass.is_finite());
+    impact.map(|impact| impact.duration)
 }

@@ -1,7 +1,7 @@
 //! Contact of beams along faces or with flat ends: its stiffness depends on the mesh.
 
 use super::case::Beams;
-use super::desk::Desk;
+use super::planned::PlannedContact;
 use super::structure::BeamPlace;
 use super::{Advice, Topic, Verdict};
 
@@ -11,25 +11,25 @@ use percuss::math::vec2::{cross, dot, sub};
 const ALIGNED: f64 = 0.1;
 
 /// Each contact point acts with the full law, and finer meshes have more of them.
-pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
-    if desk.case.law.is_rigid() {
+pub fn finding(planned: &PlannedContact<'_>, beams: &Beams<'_>) -> Option<Advice> {
+    if planned.case.law.is_rigid() {
         return None;
     }
     let (first, second) = (beams.numbers.0, beams.numbers.1?);
-    let [one, other] = [first, second].map(|number| desk.model.beam(number));
-    let opposite = BeamPlace::in_the_middle(desk.model, second);
+    let [one, other] = [first, second].map(|number| planned.model.beam(number));
+    let opposite = BeamPlace::in_the_middle(planned.model, second);
     let (own, tangent) = (beams.place.tangent(), opposite.tangent());
-    let middle = BeamPlace::in_the_middle(desk.model, first);
+    let middle = BeamPlace::in_the_middle(planned.model, first);
     let between = sub(opposite.position(), middle.position());
     let along = cross(own, tangent).abs() < ALIGNED;
     let across = dot(own, tangent).abs() < ALIGNED;
-    let contact = desk.model.contact(desk.case.index)?;
+    let contact = planned.model.contact(planned.case.index)?;
     // Ends that point at the other partner; a round one meets it with one point.
     let ends = [(first, own, one.length()), (second, tangent, other.length())];
     let pointing = ends.into_iter().filter(|(_, t, length)| dot(between, *t).abs() > 0.5 * length);
     let pointing: Vec<usize> = pointing.map(|(beam, ..)| beam).collect();
     let flat = !pointing.iter().any(|beam| contact.has_round_ends(*beam));
-    let told =
+    let reported =
         if along { pointing.is_empty() || flat } else { across && flat && !pointing.is_empty() };
     let text = format!(
         "'{}' and '{}' {}: the stiffness grows with the number of contact points, so that force and duration have no limit under \
@@ -44,5 +44,5 @@ pub fn finding(desk: &Desk<'_>, beams: &Beams<'_>) -> Option<Advice> {
         if along { "" } else { " or round ends" }
     );
     let (topic, verdict) = (Topic::FaceStiffness, Verdict::Note);
-    told.then(|| desk.finding(topic, [f64::NAN; 2], "N/m", verdict, text))
+    reported.then(|| planned.finding(topic, [f64::NAN; 2], "N/m", verdict, text))
 }

@@ -8,25 +8,25 @@ mod after;
 mod audit;
 mod before;
 mod case;
-mod desk;
 mod duration;
 mod end_on;
 mod ends;
 mod expected;
 mod faces;
+mod first_contact;
 pub mod formulas;
+mod magnitudes;
 mod millimetres;
+mod planned;
 mod resolution;
 mod review;
 mod shear;
-mod slips;
 mod stability;
 mod structure;
 mod surroundings;
 mod taper;
 #[cfg(test)]
 mod tests;
-mod touch;
 mod words;
 
 pub use advice::{Advice, AuditWarning, Comparison, Verdict};
@@ -38,7 +38,7 @@ pub use percuss_codes::{Caution, Topic};
 pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     if !massless(model).is_empty() {
         // No run in time, so no contact either.
-        let mut all = slips::findings(model, settings);
+        let mut all = magnitudes::findings(model, settings);
         all.extend(ends::findings(model));
         return all;
     }
@@ -47,7 +47,7 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     let trials = expected::Trials::new(model, settings);
     let cases = (0..model.contacts().len()).filter_map(|k| case::read(model, k, None));
     let mut touches = FirstTouches::new(model);
-    let mut all = slips::findings(model, settings);
+    let mut all = magnitudes::findings(model, settings);
     all.extend(ends::findings(model));
     all.extend(taper::findings(model));
     all.extend(stability::of_the_start(model, settings));
@@ -111,7 +111,7 @@ pub fn conclude<'r>(
 /// Puts what a run showed of first touches, and of rigid contacts without impacts, in the place of what was expected of them before it; the
 /// reasons of [`allow`] are still to be given to them.
 pub fn settle(advice: &mut [Advice], settings: &Settings, summary: &RunSummary) {
-    touch::settle(advice, settings, summary);
+    first_contact::settle(advice, settings, summary);
     review::settle(advice, summary);
 }
 

@@ -1,6 +1,6 @@
 //! Scenarios in millimetres and newtons, whose numbers are read as metres and pascals.
 
-use super::advice::slip;
+use super::advice::magnitude_finding;
 use super::structure::BeamPlace;
 use super::words::{digits, quantity};
 use super::{Advice, Verdict};
@@ -52,5 +52,5 @@ pub fn finding(model: &Model) -> Option<Advice> {
         digits(first.length),
         digits(first.young),
     );
-    Some(slip("units", [first.young, YOUNG[1]], "Pa", Verdict::Warning, text))
+    Some(magnitude_finding("units", [first.young, YOUNG[1]], "Pa", Verdict::Warning, text))
 }

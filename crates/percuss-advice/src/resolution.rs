@@ -1,9 +1,9 @@
 //! Whether steps and rows show a contact.
 
 use super::case::Meeting;
-use super::desk::{Desk, STEPS, graded};
 use super::duration::{From, Lasting};
 use super::expected::{Expected, Stays};
+use super::planned::{PlannedContact, STEPS, graded};
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
 use percuss::ContactInterval;
@@ -19,7 +19,7 @@ const ROWS: [f64; 2] = [10.0, 4.0];
 const SMALL: f64 = 0.3;
 const SMALL_SLIDING: f64 = 0.05;
 
-impl Desk<'_> {
+impl PlannedContact<'_> {
     /// How long the contact lasts, and whether steps resolve it.
     pub fn duration(&self, expected: &Expected<'_>) -> Advice {
         let step = self.settings.step;

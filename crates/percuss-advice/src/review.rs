@@ -1,7 +1,7 @@
 //! Findings after a run: where its results are incomplete, inaccurate or depend on the mesh.
 
 use super::case::is_on_a_spring;
-use super::desk::{STEPS, graded};
+use super::planned::{STEPS, graded};
 use super::structure::BeamPlace;
 use super::words::{digits, quantity, round_down};
 use super::{Advice, Topic, Verdict};
@@ -56,10 +56,10 @@ fn unresolved(contact: &ContactSummary, settings: &Settings, before: &[Advice]) 
     let hardest = whole.max_by(|a, b| a.impulse.abs().total_cmp(&b.impulse.abs()))?;
     let (steps, duration) = (hardest.steps as f64, hardest.end - hardest.start);
     let verdict = graded(steps, STEPS);
-    let mut told = (before.iter())
+    let mut reported = (before.iter())
         .filter(|one| one.topic == Topic::ContactDuration && one.contact == contact.name);
     // An estimate that found the steps fine knows more than their number, unless they are next to none.
-    let known = told.any(|one| {
+    let known = reported.any(|one| {
         one.verdict != Verdict::Fine || one.value.is_finite() && verdict != Verdict::Warning
     });
     if known || verdict == Verdict::Fine {

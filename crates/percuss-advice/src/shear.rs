@@ -1,9 +1,9 @@
 //! The effect of shear deformation, which slender beams neglect.
 
 use super::case::Struck;
-use super::desk::{Desk, graded};
 use super::duration::{From, Lasting};
 use super::formulas::shear_stiffness;
+use super::planned::{PlannedContact, graded};
 use super::words::digits;
 use super::{Advice, Topic, Verdict};
 
@@ -12,9 +12,13 @@ const SHARES: [f64; 2] = [0.02, 0.1];
 /// A compliance by shear of this share of that by bending is no correction any more.
 const GOVERNS: f64 = 0.5;
 
-/// The estimate for a struck beam, of a full rectangle with Poisson's ratio 0.3: of a blow that no wave comes back to, the change of its
+/// The estimate for a struck beam, of a full rectangle with Poisson's ratio 0.3: of an impact that no wave comes back to, the change of its
 /// force and rebound; else that of its force by the modes; under a rigid law the compliance of the span.
-pub fn finding(desk: &Desk<'_>, struck: &Struck<'_>, lasting: Option<&Lasting>) -> Option<Advice> {
+pub fn finding(
+    planned: &PlannedContact<'_>,
+    struck: &Struck<'_>,
+    lasting: Option<&Lasting>,
+) -> Option<Advice> {
     if struck.across() < 0.5 || struck.place.shear_stiffness().is_some() {
         return None;
     }
@@ -22,7 +26,7 @@ pub fn finding(desk: &Desk<'_>, struck: &Struck<'_>, lasting: Option<&Lasting>) 
     let shear = shear_stiffness(section.axial);
     let (share, what) = match lasting {
         Some(lasting) if lasting.from == From::WithoutEnd => {
-            let [_, change] = struck.corrections(desk.case.law, struck.speed)?;
+            let [_, change] = struck.corrections(planned.case.law, struck.speed)?;
             let rebound = change.rebound.map_or(String::new(), |share| {
                 format!(" and the rebound velocity by {} %", digits(100.0 * share))
             });
@@ -61,5 +65,5 @@ pub fn finding(desk: &Desk<'_>, struck: &Struck<'_>, lasting: Option<&Lasting>) 
         _ => Verdict::Warning,
     };
     let verdict = of_force.max(of_way);
-    Some(desk.finding(Topic::Shear, [share, SHARES[0]], "1", verdict, text))
+    Some(planned.finding(Topic::Shear, [share, SHARES[0]], "1", verdict, text))
 }

@@ -280,7 +280,7 @@ impl<'a> BeamPlace<'a> {
         })
     }
 
-    /// Mass with which the beam meets a blow across it at the place as one rigid piece \[kg\], if it is uniform, straight and held
+    /// Mass with which the beam meets an impact across it at the place as one rigid piece \[kg\], if it is uniform, straight and held
     /// nowhere.
     pub fn free_mass(&self) -> Option<f64> {
         if !self.is_plain() || !self.is_uniform() || self.ties().next().is_some() {

@@ -262,8 +262,12 @@ fn a_disc_is_seen_flying_to_where_it_strikes() {
     b.contact(Contact::new("blow", between, TouchLaw::Smooth(law)));
     let advice = advise(&freeze(&b), &Settings::new(0.2, 1e-5));
     let found = |topic| advice.iter().find(|a| a.topic == topic);
-    near(found(Topic::Touch).map_or(f64::NAN, |a| a.value), 0.225, 1e-12);
-    assert_eq!(verdict(&advice, Topic::Touch), Some(Verdict::Warning), "the run ends before");
+    near(found(Topic::FirstContact).map_or(f64::NAN, |a| a.value), 0.225, 1e-12);
+    assert_eq!(
+        verdict(&advice, Topic::FirstContact),
+        Some(Verdict::Warning),
+        "the run ends before"
+    );
     near(found(Topic::Span).map_or(f64::NAN, |a| a.value), 0.7, 1e-12);
 }
 

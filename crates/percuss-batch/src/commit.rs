@@ -45,7 +45,7 @@ impl<S: Number> Task for Accept<'_, '_, S> {
         }
         log.end(engine);
         if let Some(go) = go {
-            log.put_back(go);
+            log.restore(go);
         }
         ledger.close(engine, so_far);
     }

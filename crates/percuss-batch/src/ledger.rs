@@ -54,7 +54,7 @@ impl<S: Number> LaneLedger<S> {
         engine.enter_constraints(&mut self.sums);
         engine.enter_springs(&mut self.sums);
         for (guide, state) in engine.numbers.guides.iter().zip(&engine.guides) {
-            // The guide carries the couple of a force off the line of flight.
+            // The guide carries the couple of a force off the line of motion.
             let push = state.force + state.impulse / h;
             let way = state.way + state.increment * 0.5;
             let own: [S; 2] = array(|i| guide.position[i] + guide.direction[i] * way);

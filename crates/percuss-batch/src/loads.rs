@@ -93,7 +93,7 @@ impl<S: Number> Engine<S> {
             let way = state.way + state.increment * 0.5;
             let x: [S; 2] = array(|i| guide.position[i] + guide.direction[i] * way);
             sum.add_force(state.applied, x, scale(state.increment, guide.direction), h);
-            // The guide carries the component across the line of flight.
+            // The guide carries the component across the line of motion.
             let along = dot(guide.direction, state.applied);
             ledger.react(h, x, sub(scale(along, guide.direction), state.applied), zero);
         }

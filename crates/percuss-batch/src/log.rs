@@ -98,7 +98,7 @@ impl<S: Number> Log<S> {
 
     /// Restores the saved records of all lanes except those of the mask `go`.
     #[inline(always)]
-    pub fn put_back(&mut self, go: S::Mask) {
+    pub fn restore(&mut self, go: S::Mask) {
         self.taken = go | !go;
         self.saved.restore((&mut self.points, &mut self.guides, &mut self.yields), go);
     }

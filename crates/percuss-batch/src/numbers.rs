@@ -81,13 +81,13 @@ pub struct GuideNumbers<S> {
     pub struck: [S; 2],
     /// Reference position of the projectile, shape (2) \[m\].
     pub position: [S; 2],
-    /// Line of flight, unit vector towards the beam, shape (2) \[-\].
+    /// Line of motion, unit vector towards the beam, shape (2) \[-\].
     pub direction: [S; 2],
     /// Gap in the reference configuration \[m\].
     pub standoff: S,
     /// Mass \[kg\].
     pub mass: S,
-    /// Speed along the line of flight at the start \[m/s\].
+    /// Speed along the line of motion at the start \[m/s\].
     pub speed: S,
     /// Stiffness of the law \[N/m, N/m^(3/2)\]; zero of a rigid one.
     pub stiffness: S,

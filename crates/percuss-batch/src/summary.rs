@@ -132,7 +132,7 @@ impl<S: Number> SummaryInput<'_, S> {
                 })
                 .collect(),
             contact_residual_max: error(self.residual),
-            shared_blows: SharedBlows::default(),
+            multiple_impacts: MultipleImpactSummary::default(),
             points: (model.points.iter().zip(&self.log.points))
                 .map(|(p, crests)| {
                     let mut crests = *crests;

@@ -68,7 +68,7 @@ impl<S: Number> YieldLog<S> {
 
     /// Restores the saved records of all lanes except those of the mask `go`.
     #[inline(always)]
-    pub fn put_back(&mut self, kept: &Self, go: S::Mask) {
+    pub fn restore(&mut self, kept: &Self, go: S::Mask) {
         for (now, kept) in self.each().zip({ *kept }.each()) {
             *now = S::choose(go, *now, *kept);
         }

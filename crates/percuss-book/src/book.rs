@@ -7,12 +7,12 @@ use percuss_codes::Code;
 use percuss_scenario::{reference, study_reference};
 
 use crate::code_pages::{self, Provocations};
-use crate::desk::Desk;
 use crate::excerpts::{files, samples};
 use crate::gallery;
 use crate::links::{self, broken};
 use crate::maths;
 use crate::running::{self, Effort};
+use crate::sandbox::Sandbox;
 use crate::scenario_pages::{Page, reference_pages};
 
 /// What the book is made of, and where it goes.
@@ -67,8 +67,8 @@ pub fn build(of: &Sources) -> io::Result<Vec<String>> {
     pages.push(code_pages::index());
     let provocations = Provocations::load(&docs.join("book/codes.toml"))?;
     for code in Code::all() {
-        let desk = Desk::new(of.out.join("work").join(code.code), &of.percuss)?;
-        let provoked = provocations.provoke(code, &desk)?;
+        let sandbox = Sandbox::new(of.out.join("work").join(code.code), &of.percuss)?;
+        let provoked = provocations.provoke(code, &sandbox)?;
         faults.extend(provoked.faults);
         pages.push(provoked.page);
     }
@@ -81,12 +81,12 @@ pub fn build(of: &Sources) -> io::Result<Vec<String>> {
             continue;
         }
         let folder = of.out.join("work").join(path.replace(['/', '.'], "-"));
-        let desk = Desk::new(folder, &of.percuss)?;
-        let (text, wrong) = running::run(&text, &desk, of.effort)?;
+        let sandbox = Sandbox::new(folder, &of.percuss)?;
+        let (text, wrong) = running::run(&text, &sandbox, of.effort)?;
         faults.extend(wrong.into_iter().map(|fault| format!("{path}: {fault}")));
         let (text, wrong) = maths::set(&text, &chapter(&path));
         faults.extend(wrong.into_iter().map(|fault| format!("{path}: {fault}")));
-        let text = at_home(&text, &path, &desk, of)?;
+        let text = at_home(&text, &path, &sandbox, of)?;
         write(&source.join(&path), &text)?;
     }
     for page in &pages {
@@ -123,9 +123,9 @@ fn verification(of: &Sources, source: &Path, faults: &mut Vec<String>) -> io::Re
     if of.effort == Effort::Quick {
         return Ok(Vec::new());
     }
-    let desk = Desk::new(of.out.join("work/verification"), &of.percuss)?;
+    let sandbox = Sandbox::new(of.out.join("work/verification"), &of.percuss)?;
     let outcome =
-        desk.run(&format!("percuss verify --book '{}'", folder.canonicalize()?.display()))?;
+        sandbox.run(&format!("percuss verify --book '{}'", folder.canonicalize()?.display()))?;
     if !outcome.success {
         faults.push(outcome.text);
     }
@@ -149,25 +149,25 @@ fn pictures(
     if of.effort == Effort::Quick {
         return Ok(None);
     }
-    let desk = Desk::new(of.out.join("work/gallery"), &of.percuss)?;
+    let sandbox = Sandbox::new(of.out.join("work/gallery"), &of.percuss)?;
     for sample in samples {
-        desk.put(&sample.name, &sample.text)?;
+        sandbox.put(&sample.name, &sample.text)?;
     }
     for table in files(&of.repository.join("docs/book/examples"), "csv")? {
         let name = table.strip_prefix(&of.repository).unwrap_or(&table).display().to_string();
-        desk.put(&name, &fs::read_to_string(&table)?)?;
+        sandbox.put(&name, &fs::read_to_string(&table)?)?;
     }
-    let rooms = gallery::rooms(&of.repository.join("docs/book/gallery.toml"))?;
-    let (page, wrong) = gallery::gallery(&rooms, samples, &desk)?;
+    let sections = gallery::sections(&of.repository.join("docs/book/gallery.toml"))?;
+    let (page, wrong) = gallery::gallery(&sections, samples, &sandbox)?;
     faults.extend(wrong);
     for target in links::targets(&page.text) {
-        fs::copy(desk.path(&target), source.join(&target))?;
+        fs::copy(sandbox.path(&target), source.join(&target))?;
     }
     Ok(Some(page))
 }
 
 /// A page whose pictures lie beside it, and whose links to files of the repository are their names.
-fn at_home(text: &str, path: &str, desk: &Desk, of: &Sources) -> io::Result<String> {
+fn at_home(text: &str, path: &str, sandbox: &Sandbox, of: &Sources) -> io::Result<String> {
     let mut out = text.to_string();
     let folder = of.out.join("src").join(path).parent().map(Path::to_path_buf).unwrap_or_default();
     fs::create_dir_all(&folder)?;
@@ -182,7 +182,7 @@ fn at_home(text: &str, path: &str, desk: &Desk, of: &Sources) -> io::Result<Stri
         if file.is_empty() || file.contains("://") {
             continue;
         }
-        let made = desk.path(file);
+        let made = sandbox.path(file);
         let stem = path.replace('/', "-").replace(".md", "");
         if made.is_file() {
             let name = format!("{stem}-{}", file.replace('/', "-"));

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use percuss_scenario::{TableReference, apply_overrides, read};
 
-use crate::excerpts::{Sample, standings};
+use crate::excerpts::{Sample, table_uses};
 
 /// Bounds of keys: by declaration and key, a few words.
 pub type Bounds = BTreeMap<(&'static str, String), &'static str>;
@@ -34,9 +34,9 @@ const SAID: &[([bool; 5], &str)] = &[
 pub fn bounds(samples: &[Sample], format: &[TableReference]) -> Bounds {
     let mut found = Bounds::new();
     for sample in samples {
-        for standing in standings(sample, format) {
-            for (key, path) in standing.keys {
-                let place = (standing.table, key);
+        for table_use in table_uses(sample, format) {
+            for (key, path) in table_use.keys {
+                let place = (table_use.table, key);
                 if !found.contains_key(&place)
                     && let Some(said) = of_path(sample, &path)
                 {

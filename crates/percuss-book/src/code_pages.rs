@@ -6,7 +6,7 @@ use std::path::Path;
 use percuss_codes::{Code, Group};
 use toml_edit::{DocumentMut, Item, TableLike};
 
-use crate::desk::Desk;
+use crate::sandbox::Sandbox;
 use crate::scenario_pages::Page;
 
 /// How codes are provoked: `docs/book/codes.toml`.
@@ -46,7 +46,7 @@ impl Provocations {
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub fn provoke(&self, code: Code, desk: &Desk) -> io::Result<Provoked> {
+    pub fn provoke(&self, code: Code, sandbox: &Sandbox) -> io::Result<Provoked> {
         let Code { code: id, name, explanation } = code;
         let title = format!("{id} {name}");
         let mut faults = Vec::new();
@@ -67,37 +67,37 @@ impl Provocations {
             });
         }
         let template = word("template").unwrap_or("elastic");
-        desk.run(&format!("percuss new {template} --out my.toml"))?;
-        let mut example = change(how, desk, &mut faults)?;
+        sandbox.run(&format!("percuss new {template} --out my.toml"))?;
+        let mut example = change(how, sandbox, &mut faults)?;
         if let Some(study) = word("study") {
             let text = self.0.get("studies").and_then(|all| all.get(study)).and_then(Item::as_str);
             let text = text.unwrap_or_default().trim_start();
-            desk.put("study.toml", text)?;
+            sandbox.put("study.toml", text)?;
             example.push_str(&format!(
                 "and this study of it, `study.toml`,\n\n```toml\n{text}```\n\n"
             ));
         }
         let command = word("run").unwrap_or("percuss check my.toml");
-        let outcome = desk.run(command)?;
+        let outcome = sandbox.run(command)?;
         if !outcome.text.contains(&format!("[{id}]")) {
             faults.push(format!("{id}: `{command}` does not tell of it:\n{}", outcome.text));
         }
-        let told: Vec<&str> =
+        let shown: Vec<&str> =
             outcome.text.lines().filter(|line| line.contains(&format!("[{id}]"))).collect();
         let mut text = format!(
             "{head}## An example\n\nIn the scenario of `percuss new {template} --out my.toml`{example}"
         );
-        text.push_str(&format!("```console\n$ {command}\n{}\n```\n", told.join("\n")));
+        text.push_str(&format!("```console\n$ {command}\n{}\n```\n", shown.join("\n")));
         text.push_str(&cure);
         Ok(Provoked { page: Page { path: format!("codes/{id}.md"), title, text }, faults })
     }
 }
 
-/// Changes the scenario as an entry says; how that is told.
-fn change(how: &dyn TableLike, desk: &Desk, faults: &mut Vec<String>) -> io::Result<String> {
+/// Changes the scenario as an entry says; how that is reported.
+fn change(how: &dyn TableLike, sandbox: &Sandbox, faults: &mut Vec<String>) -> io::Result<String> {
     let word = |key: &str| how.get(key).and_then(Item::as_str);
-    let mut told = String::new();
-    let mut text = std::fs::read_to_string(desk.path("my.toml"))?;
+    let mut shown = String::new();
+    let mut text = std::fs::read_to_string(sandbox.path("my.toml"))?;
     for key in ["", "2", "3"] {
         let (from, to) = (word(&format!("replace{key}")), word(&format!("with{key}")));
         let Some((from, to)) = from.zip(to) else { continue };
@@ -106,24 +106,24 @@ fn change(how: &dyn TableLike, desk: &Desk, faults: &mut Vec<String>) -> io::Res
         }
         text = text.replacen(from, to, 1);
         let (from, to) = (from.trim(), to.trim());
-        told.push_str(&match to {
+        shown.push_str(&match to {
             "" => format!(", without\n\n```toml\n{from}\n```\n\n"),
             _ => format!(", with\n\n```toml\n{to}\n```\n\ninstead of\n\n```toml\n{from}\n```\n\n"),
         });
     }
     if let Some(more) = word("append") {
         text.push_str(&format!("\n{more}"));
-        told.push_str(&format!(
+        shown.push_str(&format!(
             ", with these lines at the end\n\n```toml\n{}\n```\n\n",
             more.trim()
         ));
     }
     if let Some(whole) = word("whole") {
         text = whole.into();
-        told = format!(", with this in its place\n\n```toml\n{}\n```\n\n", whole.trim());
+        shown = format!(", with this in its place\n\n```toml\n{}\n```\n\n", whole.trim());
     }
-    desk.put("my.toml", &text)?;
-    Ok(if told.is_empty() { ":\n\n".into() } else { told })
+    sandbox.put("my.toml", &text)?;
+    Ok(if shown.is_empty() { ":\n\n".into() } else { shown })
 }
 
 fn paragraph(text: &str) -> String {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use percuss_scenario::{BodyReference, Stands, TableReference, templates};
+use percuss_scenario::{BodyReference, TableForm, TableReference, templates};
 use toml_edit::{DocumentMut, Item, TableLike};
 
 /// A file whose lines may be shown.
@@ -26,7 +26,7 @@ pub struct Excerpt {
 
 /// A table as it stands in a file.
 #[derive(Clone, Debug)]
-pub struct Standing {
+pub struct TableUse {
     /// Its declaration.
     pub table: &'static str,
     /// Keys and kinds that are there, `kind=elastic/stiffness`, each with its path in the file, shape (keys).
@@ -70,10 +70,10 @@ pub(crate) fn files(folder: &Path, extension: &str) -> io::Result<Vec<PathBuf>> 
 }
 
 /// Every table of a file that the format knows.
-pub fn standings(sample: &Sample, format: &[TableReference]) -> Vec<Standing> {
+pub fn table_uses(sample: &Sample, format: &[TableReference]) -> Vec<TableUse> {
     let Ok(document) = sample.text.parse::<DocumentMut>() else { return Vec::new() };
     let mut walk = Walk { sample, format, found: Vec::new() };
-    if let Some(file) = format.iter().find(|table| table.stands == Stands::File) {
+    if let Some(file) = format.iter().find(|table| table.form == TableForm::File) {
         walk.table(file, document.as_table(), "", String::new());
     }
     walk.found
@@ -85,7 +85,7 @@ struct Walk<'w> {
     /// Tables of the format, shape (tables).
     format: &'w [TableReference],
     /// What was found so far, shape (files and tables).
-    found: Vec<Standing>,
+    found: Vec<TableUse>,
 }
 
 impl Walk<'_> {
@@ -94,7 +94,7 @@ impl Walk<'_> {
         let mut keys = Vec::new();
         self.body(&of.body, at, (path, &shown, ""), &mut keys);
         let excerpt = Excerpt { file: self.sample.name.clone(), text: shown };
-        self.found.push(Standing { table: of.name, keys, excerpt });
+        self.found.push(TableUse { table: of.name, keys, excerpt });
     }
 
     /// Takes in the keys of a body, and the tables behind them. The place is its path, the lines that show it, and the kinds
@@ -146,11 +146,11 @@ impl Walk<'_> {
             self.word(of, word, path, shown);
         }
         let Some(table) = item.as_table_like() else { return };
-        match of.stands {
-            Stands::File => {}
-            Stands::Braces => self.table(of, table, path, shown.into()),
-            Stands::Once => self.table(of, table, path, self.lines(path)),
-            Stands::Named => {
+        match of.form {
+            TableForm::File => {}
+            TableForm::Braces => self.table(of, table, path, shown.into()),
+            TableForm::Once => self.table(of, table, path, self.lines(path)),
+            TableForm::Named => {
                 for (name, item) in table.iter() {
                     if let Some(table) = item.as_table_like() {
                         let path = join(path, name);
@@ -167,7 +167,7 @@ impl Walk<'_> {
             if kinds.variants.iter().any(|variant| variant.0 == word) {
                 let keys = vec![(format!("{}={word}", kinds.tag), path.to_string())];
                 let excerpt = Excerpt { file: self.sample.name.clone(), text: shown.into() };
-                self.found.push(Standing { table: of.name, keys, excerpt });
+                self.found.push(TableUse { table: of.name, keys, excerpt });
             }
         }
     }

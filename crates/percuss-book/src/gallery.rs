@@ -1,4 +1,4 @@
-//! The gallery: scenarios in motion, each with its lesson in a line, as `docs/book/gallery.toml` lists them.
+//! The gallery: scenarios in motion, each with its statement in a line, as `docs/book/gallery.toml` lists them.
 
 use std::io;
 use std::path::Path;
@@ -7,9 +7,9 @@ use percuss_scenario::{is_study, read};
 use serde_json::Value;
 use toml_edit::{DocumentMut, Item, TableLike};
 
-use crate::desk::Desk;
 use crate::excerpts::Sample;
 use crate::measured;
+use crate::sandbox::Sandbox;
 use crate::scenario_pages::Page;
 
 /// A scenario of the gallery.
@@ -18,7 +18,7 @@ pub struct Scene {
     /// Its file, from the root of the repository.
     pub file: String,
     /// What it teaches, in a line; formulas in braces over its summary.
-    pub lesson: String,
+    pub statement: String,
     /// What must hold of its summary for that, shape (conditions).
     pub holds: Vec<String>,
     /// Options of `percuss animate` for its film.
@@ -27,7 +27,7 @@ pub struct Scene {
 
 /// A heading of the gallery and what stands below it.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Room {
+pub struct GallerySection {
     /// The heading.
     pub title: String,
     /// The scenarios, in their order, shape (scenes).
@@ -56,7 +56,7 @@ pub fn left_out(path: &Path) -> io::Result<Vec<String>> {
 ///
 /// # Errors
 /// The file cannot be read, or is no TOML.
-pub fn rooms(path: &Path) -> io::Result<Vec<Room>> {
+pub fn sections(path: &Path) -> io::Result<Vec<GallerySection>> {
     let document = document(path)?;
     let word = |of: &dyn TableLike, key: &str| {
         of.get(key).and_then(Item::as_str).unwrap_or_default().trim().to_string()
@@ -67,15 +67,15 @@ pub fn rooms(path: &Path) -> io::Result<Vec<Room>> {
     };
     let scene = |of: &toml_edit::Table| Scene {
         file: word(of, "file"),
-        lesson: word(of, "lesson"),
+        statement: word(of, "statement"),
         holds: list(of, "holds"),
         film: word(of, "film"),
     };
-    let room = |of: &toml_edit::Table| Room {
+    let section = |of: &toml_edit::Table| GallerySection {
         title: word(of, "title"),
         scenes: tables(of, "scene").iter().map(scene).collect(),
     };
-    Ok(tables(document.as_table(), "room").iter().map(room).collect())
+    Ok(tables(document.as_table(), "section").iter().map(section).collect())
 }
 
 /// Whether a sample has a place in the gallery: a scenario that runs by itself, templates and twins in the paper's form apart.
@@ -86,19 +86,24 @@ pub fn is_shown(sample: &Sample) -> bool {
 }
 
 impl Scene {
-    /// The lesson with its figures; what does not hold.
-    pub fn told(&self, summary: &Value) -> (String, Vec<String>) {
+    /// The statement with its figures; what does not hold.
+    pub fn filled(&self, summary: &Value) -> (String, Vec<String>) {
         let mut faults: Vec<String> =
             self.holds.iter().filter_map(|claim| measured::holds(claim, summary).err()).collect();
-        let text = measured::filled(&self.lesson, summary).unwrap_or_else(|fault| {
+        let text = measured::filled(&self.statement, summary).unwrap_or_else(|fault| {
             faults.push(fault);
-            self.lesson.clone()
+            self.statement.clone()
         });
         (text, faults.into_iter().map(|fault| format!("{}: {fault}", self.file)).collect())
     }
 
     /// Runs it, with a film beside the page; what the page says of it.
-    fn shown(&self, sample: &Sample, desk: &Desk, faults: &mut Vec<String>) -> io::Result<String> {
+    fn shown(
+        &self,
+        sample: &Sample,
+        sandbox: &Sandbox,
+        faults: &mut Vec<String>,
+    ) -> io::Result<String> {
         let name = self.file.replace(['/', '.'], "-");
         let title = read(&sample.text, &sample.name).map(|s| s.content().title.clone());
         let title = title.ok().filter(|t| !t.is_empty()).unwrap_or_else(|| self.file.clone());
@@ -107,17 +112,17 @@ impl Scene {
              percuss animate runs/{name} -o {name}.gif --duration \"4 s\" --fps 12 --width 480 {} --quiet",
             self.file, self.film
         );
-        let outcome = desk.run(&commands)?;
+        let outcome = sandbox.run(&commands)?;
         if !outcome.success {
             faults.push(format!("{}: {}", self.file, outcome.text));
             return Ok(String::new());
         }
-        let summary = std::fs::read(desk.path(&format!("runs/{name}/summary.json")))?;
+        let summary = std::fs::read(sandbox.path(&format!("runs/{name}/summary.json")))?;
         let summary: Value = serde_json::from_slice(&summary).map_err(io::Error::other)?;
-        let (lesson, wrong) = self.told(&summary);
+        let (statement, wrong) = self.filled(&summary);
         faults.extend(wrong);
         Ok(format!(
-            "### {title}\n\n{lesson}\n\n![{title}]({name}.gif)\n\n<details><summary><code>{}</code></summary>\n\n```toml\n{}\n```\n\n</details>\n\n",
+            "### {title}\n\n{statement}\n\n![{title}]({name}.gif)\n\n<details><summary><code>{}</code></summary>\n\n```toml\n{}\n```\n\n</details>\n\n",
             self.file,
             sample.text.trim_end()
         ))
@@ -128,17 +133,21 @@ impl Scene {
 ///
 /// # Errors
 /// A file that cannot be written.
-pub fn gallery(rooms: &[Room], samples: &[Sample], desk: &Desk) -> io::Result<(Page, Vec<String>)> {
+pub fn gallery(
+    sections: &[GallerySection],
+    samples: &[Sample],
+    sandbox: &Sandbox,
+) -> io::Result<(Page, Vec<String>)> {
     let mut faults = Vec::new();
     let mut text = String::from(
         "# Gallery\n\nEach film is made by `percuss run FILE --out runs/NAME` and `percuss animate runs/NAME -o NAME.gif`; displacements are to scale. \
          Figures in the sentences are those of the run. Behind the name below a film is the file.\n\n",
     );
-    for room in rooms {
-        text.push_str(&format!("## {}\n\n", room.title));
-        for scene in &room.scenes {
+    for section in sections {
+        text.push_str(&format!("## {}\n\n", section.title));
+        for scene in &section.scenes {
             match samples.iter().find(|sample| sample.name == scene.file) {
-                Some(sample) => text.push_str(&scene.shown(sample, desk, &mut faults)?),
+                Some(sample) => text.push_str(&scene.shown(sample, sandbox, &mut faults)?),
                 None => faults.push(format!("gallery: there is no {}", scene.file)),
             }
         }

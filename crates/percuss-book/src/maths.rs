@@ -10,7 +10,7 @@ use pulldown_latex::{Parser, Storage, push_mathml};
 
 use crate::fences::{Part, parts};
 
-/// The page with its equations set; what cannot be set is told. Numbers begin with `chapter`.
+/// The page with its equations set; what cannot be set is reported. Numbers begin with `chapter`.
 pub fn set(page: &str, chapter: &str) -> (String, Vec<String>) {
     let mut faults = Vec::new();
     let numbers = numbers(page, chapter);

@@ -7,8 +7,8 @@
 
 use std::io;
 
-use crate::desk::Desk;
 use crate::fences::{Fence, Part, parts};
+use crate::sandbox::Sandbox;
 
 /// How much of a page is run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,13 +26,13 @@ const SHOWN: usize = 40;
 ///
 /// # Errors
 /// A file that cannot be written, or no shell.
-pub fn run(page: &str, desk: &Desk, effort: Effort) -> io::Result<(String, Vec<String>)> {
+pub fn run(page: &str, sandbox: &Sandbox, effort: Effort) -> io::Result<(String, Vec<String>)> {
     let (mut text, mut faults) = (String::new(), Vec::new());
     for part in parts(page) {
         match part {
             Part::Line(line) => match hidden(&line) {
                 Some(command) => {
-                    let outcome = desk.run(command)?;
+                    let outcome = sandbox.run(command)?;
                     if !outcome.success {
                         faults.push(format!("`{command}` fails:\n{}", outcome.text));
                     }
@@ -40,12 +40,12 @@ pub fn run(page: &str, desk: &Desk, effort: Effort) -> io::Result<(String, Vec<S
                 None => text.push_str(&(line + "\n")),
             },
             Part::Fence(fence) if fence.language == "console" => {
-                text.push_str(&console(&fence, desk, effort, &mut faults)?);
+                text.push_str(&console(&fence, sandbox, effort, &mut faults)?);
             }
             Part::Fence(fence) if fence.language == "math" => text.push_str(&fence.whole()),
             Part::Fence(fence) => {
                 if let Some(name) = fence.value("file") {
-                    desk.put(name, &fence.text())?;
+                    sandbox.put(name, &fence.text())?;
                 }
                 text.push_str(&fence.plain());
             }
@@ -61,7 +61,7 @@ fn hidden(line: &str) -> Option<&str> {
 /// Runs the commands of a block; the block as it is shown.
 fn console(
     fence: &Fence,
-    desk: &Desk,
+    sandbox: &Sandbox,
     effort: Effort,
     faults: &mut Vec<String>,
 ) -> io::Result<String> {
@@ -86,7 +86,7 @@ fn console(
         }
         let expected = behind.iter().take_while(|line| !line.starts_with("$ ")).count();
         let (expected, further) = behind.split_at(expected);
-        let outcome = desk.run(&command)?;
+        let outcome = sandbox.run(&command)?;
         let wanted = !(fence.has("fails") && further.is_empty());
         if outcome.success != wanted {
             let how = if wanted { "fails" } else { "succeeds" };

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
-use percuss_scenario::{BodyReference, KeyReference, KindsReference, Stands, TableReference};
+use percuss_scenario::{BodyReference, KeyReference, KindsReference, TableForm, TableReference};
 
 use crate::bounds::{Bounds, bounds};
-use crate::excerpts::{Excerpt, Sample, Standing, standings};
+use crate::excerpts::{Excerpt, Sample, TableUse, table_uses};
 
 /// A page of the book.
 #[derive(Clone, Debug)]
@@ -21,15 +21,15 @@ pub struct Page {
 
 /// The pages of a format into `folder`.
 pub fn reference_pages(folder: &str, format: &[TableReference], samples: &[Sample]) -> Vec<Page> {
-    let all: Vec<Standing> = samples.iter().flat_map(|one| standings(one, format)).collect();
+    let all: Vec<TableUse> = samples.iter().flat_map(|one| table_uses(one, format)).collect();
     let bounds = bounds(samples, format);
-    let writer = Writer { folder, format, standings: &all, bounds: &bounds };
+    let writer = Writer { folder, format, table_uses: &all, bounds: &bounds };
     format.iter().filter(|table| has_page(table)).map(|table| writer.page(table)).collect()
 }
 
 /// Keys of a format that stand in none of the files, each as `Table: kind=word/key`.
 pub fn missing_examples(format: &[TableReference], samples: &[Sample]) -> Vec<String> {
-    let all: Vec<Standing> = samples.iter().flat_map(|one| standings(one, format)).collect();
+    let all: Vec<TableUse> = samples.iter().flat_map(|one| table_uses(one, format)).collect();
     let shown = |table: &str, key: &str| {
         all.iter().any(|one| one.table == table && one.keys.iter().any(|(k, _)| k == key))
     };
@@ -45,7 +45,7 @@ pub fn missing_examples(format: &[TableReference], samples: &[Sample]) -> Vec<St
     missing
 }
 
-/// Every key and kind of a body, as [`Standing::keys`] names them.
+/// Every key and kind of a body, as [`TableUse::keys`] names them.
 fn keys_of(body: &BodyReference, under: &str) -> Vec<String> {
     let mut keys: Vec<String> = body.keys.iter().map(|k| format!("{under}{}", k.name)).collect();
     for kinds in &body.kinds {
@@ -61,7 +61,7 @@ fn keys_of(body: &BodyReference, under: &str) -> Vec<String> {
 /// Whether a table has a page of its own: those under headers, and those that several tables hold.
 fn has_page(table: &TableReference) -> bool {
     let roots: BTreeSet<&str> = table.places.iter().map(|place| root(place)).collect();
-    table.stands != Stands::Braces || roots.len() > 1
+    table.form != TableForm::Braces || roots.len() > 1
 }
 
 fn root(place: &str) -> &str {
@@ -78,7 +78,7 @@ struct Writer<'w> {
     /// Tables of the format, shape (tables).
     format: &'w [TableReference],
     /// What stands in the files of the book, shape (files and tables).
-    standings: &'w [Standing],
+    table_uses: &'w [TableUse],
     bounds: &'w Bounds,
 }
 
@@ -94,7 +94,7 @@ impl Writer<'_> {
     fn page(&self, table: &TableReference) -> Page {
         let title = title(table);
         let mut text = format!("# {}\n\n", escaped(&title));
-        if table.stands == Stands::File {
+        if table.form == TableForm::File {
             text.push_str(IN_THE_TERMINAL);
         }
         let mut draft = Draft { table, text, shown: BTreeSet::new() };
@@ -114,17 +114,17 @@ impl Writer<'_> {
     }
 
     fn path(&self, table: &TableReference) -> String {
-        let name = match table.stands {
-            Stands::File => "index".into(),
-            Stands::Once | Stands::Named => table.places[0].clone(),
-            Stands::Braces => plain(table).to_lowercase(),
+        let name = match table.form {
+            TableForm::File => "index".into(),
+            TableForm::Once | TableForm::Named => table.places[0].clone(),
+            TableForm::Braces => plain(table).to_lowercase(),
         };
         format!("{}/{name}.md", self.folder)
     }
 
     fn table(&self, draft: &mut Draft<'_>, level: usize) {
         let body = &draft.table.body;
-        if draft.table.stands != Stands::File {
+        if draft.table.form != TableForm::File {
             let _ = writeln!(draft.text, "{}\n", sentence(&body.about));
         }
         self.body(draft, body, "", level);
@@ -144,7 +144,7 @@ impl Writer<'_> {
         for kinds in &body.kinds {
             self.kinds(draft, kinds, under, level);
         }
-        if body.kinds.is_empty() && draft.table.stands != Stands::File {
+        if body.kinds.is_empty() && draft.table.form != TableForm::File {
             self.example(draft, body, under);
         }
     }
@@ -212,12 +212,12 @@ impl Writer<'_> {
     fn example(&self, draft: &mut Draft<'_>, body: &BodyReference, under: &str) {
         let wanted = keys_of(body, under);
         let chosen = under.trim_end_matches('/');
-        let fits = |one: &&Standing| {
+        let fits = |one: &&TableUse| {
             let kind = |(key, _): &(String, String)| key == chosen;
             one.table == draft.table.name && (chosen.is_empty() || one.keys.iter().any(kind))
         };
-        let shows = |one: &&Standing| one.keys.iter().filter(|(k, _)| wanted.contains(k)).count();
-        let candidates: Vec<&Standing> = self.standings.iter().filter(fits).collect();
+        let shows = |one: &&TableUse| one.keys.iter().filter(|(k, _)| wanted.contains(k)).count();
+        let candidates: Vec<&TableUse> = self.table_uses.iter().filter(fits).collect();
         // Of equals the first one: scenarios before examples made for this page.
         let best = candidates
             .iter()
@@ -229,13 +229,13 @@ impl Writer<'_> {
 
     /// Examples of what none has shown so far.
     fn rest(&self, draft: &mut Draft<'_>) {
-        let own = |one: &&Standing| one.table == draft.table.name;
-        let own: Vec<&Standing> = self.standings.iter().filter(own).collect();
-        if draft.table.stands == Stands::File {
+        let own = |one: &&TableUse| one.table == draft.table.name;
+        let own: Vec<&TableUse> = self.table_uses.iter().filter(own).collect();
+        if draft.table.form == TableForm::File {
             return;
         }
         loop {
-            let new = |one: &Standing| {
+            let new = |one: &TableUse| {
                 one.keys.iter().filter(|(key, _)| !draft.shown.contains(key)).count()
             };
             match own.iter().map(|one| (new(one), one)).max_by_key(|(count, _)| *count) {
@@ -247,23 +247,23 @@ impl Writer<'_> {
 }
 
 impl Draft<'_> {
-    fn show(&mut self, standing: &Standing) {
-        let Excerpt { file, text } = &standing.excerpt;
+    fn show(&mut self, table_use: &TableUse) {
+        let Excerpt { file, text } = &table_use.excerpt;
         let example = format!("```toml\n{text}\n```\n\nFrom `{file}`.\n\n");
         if !self.text.contains(&example) {
             self.text.push_str(&example);
         }
-        self.shown.extend(standing.keys.iter().map(|(key, _)| key.clone()));
+        self.shown.extend(table_use.keys.iter().map(|(key, _)| key.clone()));
     }
 }
 
 /// The name of a table as its page has it.
 fn title(table: &TableReference) -> String {
-    match table.stands {
-        Stands::File => "The file".into(),
-        Stands::Once => format!("[{}]", table.places[0]),
-        Stands::Named => format!("[{}.NAME]", table.places[0]),
-        Stands::Braces => format!("{} in braces", plain(table)),
+    match table.form {
+        TableForm::File => "The file".into(),
+        TableForm::Once => format!("[{}]", table.places[0]),
+        TableForm::Named => format!("[{}.NAME]", table.places[0]),
+        TableForm::Braces => format!("{} in braces", plain(table)),
     }
 }
 

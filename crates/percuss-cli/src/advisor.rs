@@ -14,29 +14,29 @@ pub fn judge(advice: &mut [Advice], content: &Content) {
     allow(advice, |code| content.reason_to_allow(code));
 }
 
-/// Findings told one by one; those beyond are counted.
+/// Findings listed one by one; those beyond are counted.
 const MOST: usize = 50;
 
 /// Tells notes and warnings, a line each, those said of several contacts once; what is fine stands in the report. Where there are very
-/// many, the weightiest are told and the rest is counted.
+/// many, the weightiest are reported and the rest is counted.
 pub fn tell(advice: &[Advice]) {
-    let mut told: Vec<(&Advice, usize)> = Vec::new();
+    let mut reported: Vec<(&Advice, usize)> = Vec::new();
     let mut places: HashMap<(&str, Verdict, &str), usize> = HashMap::new();
     for one in advice.iter().filter(|one| one.verdict > Verdict::Fine) {
         match places.entry((one.topic.name(), one.verdict, one.text.as_str())) {
-            Entry::Occupied(place) => told[*place.get()].1 += 1,
+            Entry::Occupied(place) => reported[*place.get()].1 += 1,
             Entry::Vacant(place) => {
-                place.insert(told.len());
-                told.push((one, 1));
+                place.insert(reported.len());
+                reported.push((one, 1));
             }
         }
     }
-    let rest = told.len().saturating_sub(MOST);
+    let rest = reported.len().saturating_sub(MOST);
     if rest > 0 {
-        told.sort_by_key(|(one, _)| std::cmp::Reverse(one.verdict));
-        told.truncate(MOST);
+        reported.sort_by_key(|(one, _)| std::cmp::Reverse(one.verdict));
+        reported.truncate(MOST);
     }
-    for (one, all) in told {
+    for (one, all) in reported {
         let contact = match all {
             1 => one.contact.clone(),
             all => format!("{} and {} more", one.contact, all - 1),
@@ -79,8 +79,11 @@ pub fn tell_in_vain(content: &Content, found: &[Code], of: impl Fn(Code) -> bool
 
 /// Codes of what was found, allowed or not.
 pub fn codes(advice: &[Advice], warnings: &[AuditWarning]) -> Vec<Code> {
-    let told = advice.iter().filter(|one| one.verdict > Verdict::Fine);
-    told.map(|one| one.topic.into()).chain(warnings.iter().map(|one| one.caution.into())).collect()
+    let reported = advice.iter().filter(|one| one.verdict > Verdict::Fine);
+    reported
+        .map(|one| one.topic.into())
+        .chain(warnings.iter().map(|one| one.caution.into()))
+        .collect()
 }
 
 /// Notes and warnings whose codes are denied.

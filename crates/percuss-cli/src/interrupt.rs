@@ -11,7 +11,7 @@ use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
 
 use percuss_output::{Extent, Results, RunDirectory, RunUpdate};
 
-use crate::kept;
+use crate::modified_files;
 use crate::outcome::{Failure, Status};
 
 /// Tries to remove what a command is still writing into.
@@ -131,13 +131,13 @@ pub fn protect<const N: usize>(unfinished: [&Path; N]) {
     *lock() = unfinished.map(Path::to_owned).into();
 }
 
-/// Puts results in place; no signal comes in between. Returns where they are; what was changed meanwhile is told.
+/// Puts results in place; no signal comes in between. Returns where they are; what was changed meanwhile is reported.
 ///
 /// # Errors
 /// If something cannot be moved.
 pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percuss_output::Error> {
     let placed = undisturbed(|| directory.commit_as(extent))?;
-    kept::tell_all(&placed.kept);
+    modified_files::tell_all(&placed.kept);
     Ok(placed.place)
 }
 
@@ -146,7 +146,7 @@ pub fn commit(directory: RunDirectory, extent: Extent) -> Result<PathBuf, percus
 /// # Errors
 /// If something cannot be moved.
 pub fn commit_update(update: RunUpdate) -> Result<(), percuss_output::Error> {
-    kept::tell_all(&undisturbed(|| update.commit())?);
+    modified_files::tell_all(&undisturbed(|| update.commit())?);
     Ok(())
 }
 

@@ -7,21 +7,21 @@ mod commands;
 mod coupling_arguments;
 mod effective_mass;
 mod failure;
-mod fresh;
-mod going_on;
 mod interrupt;
 mod json;
-mod kept;
 mod memory;
+mod modified_files;
+mod new_file;
 mod number;
 mod outcome;
 mod picture_arguments;
+mod plastic_text;
 mod progress;
 mod replacing;
 mod run_arguments;
 mod scenario;
+mod stage_messages;
 mod terminal;
-mod yielding_words;
 
 use std::ffi::OsString;
 

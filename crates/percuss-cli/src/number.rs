@@ -55,7 +55,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn times_are_told_in_their_unit() {
+    fn times_are_reported_in_their_unit() {
         let cases = [(0.31, "0.3 s"), (42.0, "42 s"), (120.0, "2.0 min"), (5000.0, "83 min")];
         let long = [(7200.0, "2.0 h"), (864_000.0, "10 days")];
         for (seconds, text) in cases.into_iter().chain(long) {

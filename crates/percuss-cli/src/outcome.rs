@@ -6,7 +6,7 @@ use percuss_scenario::Diagnostics;
 pub use crate::failure::{Failure, Status};
 use crate::terminal;
 
-/// Faults told one by one; those beyond are counted.
+/// Faults listed one by one; those beyond are counted.
 const MOST: usize = 50;
 
 impl Failure {

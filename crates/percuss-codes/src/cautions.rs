@@ -13,7 +13,7 @@ catalogue! {
             "Rigid contacts penetrated each other by more than a tenth of a micrometre. Impacts are then late and forces wrong. Use a \
              smaller `time.step`, unless supports or joints force the overlap.";
         /// One impact on several touching bodies.
-        SharedBlow = "W103", "multiple impact",
+        MultipleImpact = "W103", "multiple impact",
             "Several bodies in contact were struck at once. The distribution of the impulse follows from the impact law, not from the \
              bodies; `time.multiple_impacts = \"sequential\"` resolves one impact after another.";
         /// Impulses that are properties of the mesh.
@@ -59,7 +59,7 @@ catalogue! {
         NotForRuns = "W114", "valid for statics only",
             "A movable part has no mass. Statics does not need it, a run in time does. Give the material a density or the point a mass.";
         /// Invalid runs of a study.
-        UnsoundRuns = "W115", "invalid runs",
+        InvalidRuns = "W115", "invalid runs",
             "Some parameter values give invalid scenarios. The other runs are computed; the rows of these contain the reason. Check the \
              ranges of the parameters.";
         /// No browser.

@@ -4,7 +4,7 @@ catalogue! {
     /// What a finding of the advisor is about.
     pub enum Topic {
         /// Time of the first contact against the end of the run \[s\].
-        Touch = "W001", "first contact",
+        FirstContact = "W001", "first contact",
             "The run ends before or during the first contact. Give a later `time.end`, a higher speed or a smaller distance.";
         /// Expected duration of the contact against the step \[s\].
         ContactDuration = "W002", "contact duration",
@@ -73,7 +73,7 @@ catalogue! {
             "The run ended while a contact was closed, or before the first contact: durations and impulses are incomplete and the peak \
              force may follow. Give a later `time.end`; a run with `--checkpoint` continues with `percuss extend`.";
         /// A value that is far from the usual ones, against the nearest usual one.
-        Slip = "W017", "suspicious magnitude (unit?)",
+        Magnitude = "W017", "suspicious magnitude (unit?)",
             "A value is so far from the usual range that a unit is likely wrong by a power of ten (mm for m, MPa for Pa, g for kg). \
              Ignore this warning if the value is intended.";
         /// The largest stress of an elastic beam against the usual strength of its material \[Pa\].

@@ -18,17 +18,17 @@ impl Growing {
     /// An empty one. What an earlier process left under the temporary name is removed, and so is a link.
     ///
     /// # Errors
-    /// If the system refuses.
+    /// If the operating system reports an error.
     pub fn new(path: &Path) -> std::io::Result<(Self, File)> {
         let temporary = Place::of(&partial(path))?;
-        let file = temporary.create_anew()?;
+        let file = temporary.create_new()?;
         Ok((Self { temporary, path: path.to_owned() }, file))
     }
 
     /// Gives it its name, in place of whatever bears that.
     ///
     /// # Errors
-    /// If the system refuses.
+    /// If the operating system reports an error.
     pub fn put(&self) -> Result<(), Error> {
         let name = self.path.file_name().unwrap_or_default();
         let renamed = self.temporary.beside(name).and_then(|place| self.temporary.rename(&place));
@@ -108,7 +108,7 @@ pub enum Exclusive {
 /// better can be had: it is ours.
 ///
 /// # Errors
-/// If a link stands there, which is never followed; if the system refuses.
+/// If a link stands there, which is never followed; if the operating system reports an error.
 pub fn open_exclusively(path: &Path) -> std::io::Result<Exclusive> {
     let place = Place::of(path)?;
     for _ in 0..1000 {

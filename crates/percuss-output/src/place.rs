@@ -62,7 +62,7 @@ impl Place {
     }
 
     /// The same; what an earlier process left under a name that only this program uses is removed before.
-    pub fn create_anew(&self) -> Result<File> {
+    pub fn create_new(&self) -> Result<File> {
         for _ in 0..100 {
             match self.create() {
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => self.remove()?,

@@ -115,15 +115,15 @@ mod tests {
     use super::*;
 
     #[test]
-    fn time_left_and_its_causes_are_told() {
+    fn time_left_and_its_causes_are_reported() {
         let before =
             RunStatus { step: 0, time: 0.0, end: 2.0, iterations: 0, impacts: 0, busiest: None };
         let busiest = Some(("floor", 300));
         let now =
             RunStatus { step: 10, time: 0.1, iterations: 900, impacts: 400, busiest, ..before };
-        let told = in_words(&now, &before, Duration::from_secs(5)).expect("a long run");
+        let reported = in_words(&now, &before, Duration::from_secs(5)).expect("a long run");
         assert_eq!(
-            told,
+            reported,
             "5.0 % done after 5 s; about 95 s remain. 500 ms per step: 90 Newton iterations and 40 impacts per step; contact \
              `floor` has 75 % of the impacts"
         );

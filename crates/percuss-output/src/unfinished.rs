@@ -31,7 +31,7 @@ impl Unfinished {
     /// An empty one, for a file that will be `out`.
     ///
     /// # Errors
-    /// If the system refuses, another process is writing it, or a link stands where it would grow.
+    /// If the operating system reports an error, another process is writing it, or a link stands where it would grow.
     pub fn of(out: &Path) -> Result<Self, Error> {
         let path = unfinished(out);
         match open_exclusively(&path).map_err(|source| Error::io(&path, "write", source))? {
@@ -53,7 +53,7 @@ impl Unfinished {
     /// The file, to write into.
     ///
     /// # Errors
-    /// If the system refuses.
+    /// If the operating system reports an error.
     pub fn file(&self) -> std::io::Result<File> {
         self.file.try_clone()
     }
@@ -61,7 +61,7 @@ impl Unfinished {
     /// Writes into it.
     ///
     /// # Errors
-    /// If the system refuses.
+    /// If the operating system reports an error.
     pub fn write(&self, bytes: &[u8]) -> Result<(), Error> {
         let written = (&self.file).write_all(bytes);
         written.map_err(|source| Error::io(&self.out, "write", source))
@@ -71,7 +71,7 @@ impl Unfinished {
     /// kept beside under the name that is returned.
     ///
     /// # Errors
-    /// If the system refuses; what was there stays.
+    /// If the operating system reports an error; what was there stays.
     pub fn put(mut self, may_go: &dyn Fn(&Path) -> bool) -> Result<Option<PathBuf>, Error> {
         let placed = self.file.sync_all().and_then(|()| self.place_it(may_go));
         placed.map_err(|source| Error::io(&self.out, "write", source))

@@ -113,8 +113,8 @@ pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bou
         Ok((value, followed.end.state))
     });
     source.raised().map_or(Ok(()), Err)?;
-    let told = |error: percuss::Error| analysis_error(error.code(), &error.to_string());
-    let (value, state) = solved.map_err(told)?;
+    let raised = |error: percuss::Error| analysis_error(error.code(), &error.to_string());
+    let (value, state) = solved.map_err(raised)?;
     let result = PyDict::new(py);
     result.set_item("summary", value.to_string())?;
     let displacement = state.displacement.as_flattened().to_vec();

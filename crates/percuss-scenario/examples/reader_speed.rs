@@ -1,9 +1,9 @@
-//! How many scenarios a second the reader answers, sound ones and ones with faults:
+//! How many scenarios a second the reader answers, valid ones and ones with faults:
 //! `cargo run --release -p percuss-scenario --example reader_speed [ROUNDS [FILE ...]]` in the root of the repository.
 //!
-//! Sound are the files of `scenarios/` and one of the tests with nearly every key, or the files given: read, then compiled to
+//! Valid are the files of `scenarios/` and one of the tests with nearly every key, or the files given: read, then compiled to
 //! models. Ones with faults are made of them by one to three changes that people make by mistake, the same ones in each run of
-//! the program: read, compiled where nothing is wrong yet, and what is wrong told line by line, or drawn with the lines it stands
+//! the program: read, compiled where nothing is wrong yet, and what is wrong reported line by line, or drawn with the lines it stands
 //! on. Besides, scenarios of many beams show how the time grows.
 
 use std::path::{Path, PathBuf};
@@ -17,11 +17,11 @@ const VARIANTS: usize = 60;
 fn main() {
     let rounds = std::env::args().nth(1).and_then(|text| text.parse().ok()).unwrap_or(5);
     let files: Vec<PathBuf> = std::env::args().skip(2).map(PathBuf::from).collect();
-    let sound = texts(if files.is_empty() { shipped() } else { files });
-    let (changed, lost) = variants(&sound);
-    println!("{} files as shipped, {} changed ones", sound.len(), changed.len() + lost);
-    report("read", &sound, rounds, |(name, text)| read(text, name).is_err());
-    report("read and compiled", &sound, rounds, answer);
+    let valid = texts(if files.is_empty() { shipped() } else { files });
+    let (changed, lost) = variants(&valid);
+    println!("{} files as shipped, {} changed ones", valid.len(), changed.len() + lost);
+    report("read", &valid, rounds, |(name, text)| read(text, name).is_err());
+    report("read and compiled", &valid, rounds, answer);
     report("with faults, told", &changed, rounds, answer);
     report("with faults, drawn", &changed, rounds, draw);
     for beams in [10, 100, 1000] {
@@ -119,10 +119,10 @@ fn texts(files: Vec<PathBuf>) -> Vec<(String, String)> {
 }
 
 /// Changed texts that have faults, and the number of changed ones that have none.
-fn variants(sound: &[(String, String)]) -> (Vec<(String, String)>, usize) {
+fn variants(valid: &[(String, String)]) -> (Vec<(String, String)>, usize) {
     let mut chance = Chance(1);
     let mut all = Vec::new();
-    for (name, text) in sound {
+    for (name, text) in valid {
         for k in 0..VARIANTS {
             let mut text = text.clone();
             for _ in 0..=chance.below(3) {

@@ -32,7 +32,7 @@ pub(crate) struct Loaded {
 /// Reads the file whose path stands at `node`; `sum` is the SHA-256 that it must have, if any is given.
 ///
 /// Who names a file and its SHA-256 knows what is in it, so that such a file may lie anywhere: results that name a long table can be run
-/// again where they are. Of one that differs nothing is told, not even whether it is there.
+/// again where they are. Of one that differs nothing is reported, not even whether it is there.
 pub(crate) fn load(
     node: &Node<'_>,
     sum: Option<&str>,

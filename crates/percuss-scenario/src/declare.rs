@@ -281,7 +281,7 @@ macro_rules! kinds {
 
             fn reach<'c>(&'c mut self, path: &[String]) -> crate::reach::Reached<'c> {
                 if path.first().is_some_and(|step| step == $tag) {
-                    return Err(crate::reach::Lost::Anew);
+                    return Err(crate::reach::Lost::Reread);
                 }
                 match self {
                     $(Self::$variant $({ $($key,)* $($($part,)+)? })? => reach_key!(

@@ -17,7 +17,7 @@ pub(crate) use plain::{Count, Flag, Text};
 pub(crate) trait Format: Sized + 'static {
     /// What it is read into.
     type Value: 'static;
-    /// Reads it; a fault is told to the reader.
+    /// Reads it; a fault is reported to the reader.
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Self::Value>;
     /// A harmless value that stands in for one at fault, so that the rest can be checked.
     fn placeholder() -> Self::Value;
@@ -299,7 +299,7 @@ impl<F: Inline> Format for Maybe<F> {
     fn reach<'c>(value: &'c mut Self::Value, path: &[String]) -> Reached<'c> {
         match value {
             Some(value) => F::reach(value, path),
-            None => Err(Lost::Anew),
+            None => Err(Lost::Reread),
         }
     }
 }

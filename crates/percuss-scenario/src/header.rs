@@ -153,7 +153,7 @@ mod tests {
         for header in ["m", "time (mm)", "frames", ""] {
             assert!(units([header, "factor"], &[TIME, FACTOR]).is_err(), "{header}");
         }
-        let told = units(["ms", "g"], &[TIME, FACTOR]).unwrap_err();
-        assert!(told.contains("\"g\", which is a mass"), "{told}");
+        let reported = units(["ms", "g"], &[TIME, FACTOR]).unwrap_err();
+        assert!(reported.contains("\"g\", which is a mass"), "{reported}");
     }
 }

@@ -281,13 +281,13 @@ pub(crate) struct Described {
 pub(crate) struct Inner {
     /// Name of its declaration.
     pub name: &'static str,
-    pub stands: Stands,
+    pub form: TableForm,
     pub layout: fn() -> Layout,
 }
 
 /// How a table stands in the file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Stands {
+pub enum TableForm {
     /// The file itself.
     File,
     /// Once, under its header: `[time]`.

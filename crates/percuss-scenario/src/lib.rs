@@ -68,7 +68,7 @@ pub use diagnostic::{Diagnostic, Diagnostics};
 pub use edit::Adds;
 pub use files::{FileAccess, read_bytes, read_in_time};
 pub use given::Given;
-pub use layout::Stands;
+pub use layout::TableForm;
 pub use overrides::{apply_changes, apply_overrides, known_steps, remove_value};
 pub use point::{Anchor, Point};
 pub use reading::{load, load_whole, load_with, read, read_whole, read_with};

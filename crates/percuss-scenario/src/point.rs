@@ -335,7 +335,7 @@ impl Format for AnchorText {
     fn reach<'c>(value: &'c mut Anchor, path: &[String]) -> Reached<'c> {
         match value {
             Anchor::Point(point) => PointText::reach(point, path),
-            Anchor::Projectile(_) => Err(Lost::Anew),
+            Anchor::Projectile(_) => Err(Lost::Reread),
             Anchor::Ground(place) => Vector::<Length>::reach(place, path),
         }
     }

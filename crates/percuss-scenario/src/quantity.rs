@@ -134,13 +134,13 @@ fn gravities<M: Measure>(text: &str, found: Dimension) -> String {
         return String::new();
     }
     let number = text.trim().strip_suffix('g').and_then(|number| number.trim().parse::<f64>().ok());
-    let told = |number: f64| {
+    let converted = |number: f64| {
         let value = units::parse(&format!("{number} kgf/kg")).map(|found| found.value);
         value.map(|value| {
             format!("; {number} times standard gravity is \"{} m/s^2\"", rounded(value))
         })
     };
-    number.and_then(|number| told(number).ok()).unwrap_or_default()
+    number.and_then(|number| converted(number).ok()).unwrap_or_default()
 }
 
 /// Six significant digits.

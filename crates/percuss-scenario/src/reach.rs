@@ -17,7 +17,7 @@ pub(crate) trait Slot {
     /// # Errors
     /// What would be right.
     fn set(&mut self, number: f64) -> Result<(), String>;
-    /// Puts here what a file says; faults are told to the reader.
+    /// Puts here what a file says; faults are reported to the reader.
     fn read(&mut self, node: &Node<'_>, reader: &mut Reader<'_>) -> bool;
 }
 
@@ -37,8 +37,8 @@ pub(crate) enum Lost {
     Missing(Stray),
     /// The path ends at a table.
     Table,
-    /// The value decides what else stands in its table, or its table is not in the file: the file has to be read anew.
-    Anew,
+    /// The value decides what else stands in its table, or its table is not in the file: the file has to be read again.
+    Reread,
 }
 
 /// A value, or why there is none.

@@ -42,7 +42,7 @@ pub fn load_whole(path: impl AsRef<Path>, access: FileAccess) -> Result<Scenario
 /// Reads a scenario; `name` stands for the file in messages, and files that the text names lie where it lies.
 ///
 /// # Errors
-/// Every fault of the text and, as far as the sound part of it goes, of the model it describes.
+/// Every fault of the text and, as far as the valid part of it goes, of the model it describes.
 pub fn read(text: &str, name: &str) -> Result<Scenario, Diagnostics> {
     read_with(text, name, FileAccess::OwnFolder)
 }
@@ -81,6 +81,6 @@ fn read_from(source: Source, files: Files<'_>) -> Result<Scenario, Diagnostics> 
         return Ok(Scenario { content, source, places, given, names_files });
     }
     let mut all: Vec<Diagnostic> = faults.into_iter().map(|raw| place(&source, raw)).collect();
-    all.extend(compile::sound_part(&content, &tainted, &source, &places));
+    all.extend(compile::valid_part(&content, &tainted, &source, &places));
     Err(Diagnostics::new(source, all))
 }

@@ -3,7 +3,7 @@
 use crate::content::Content;
 use serde_json::{Value as Json, json};
 
-use crate::layout::{Described, Inner, Key, Kinds, Layout, Stands, Variant};
+use crate::layout::{Described, Inner, Key, Kinds, Layout, TableForm, Variant};
 use crate::schema::of_table;
 use crate::study::StudyContent;
 use crate::table::Part;
@@ -14,7 +14,7 @@ pub struct TableReference {
     /// Name of its declaration, unique in its format.
     pub name: &'static str,
     /// How it stands in the file.
-    pub stands: Stands,
+    pub form: TableForm,
     /// Where it stands: `beam`, `support.motion`; several keys may hold the same kind of table, shape (places).
     pub places: Vec<String>,
     /// What may stand in it.
@@ -82,19 +82,19 @@ pub fn study_reference() -> Vec<TableReference> {
 
 fn collect(file: Layout, name: &'static str) -> Vec<TableReference> {
     let mut tables = Vec::new();
-    add(&mut tables, Inner { name, stands: Stands::File, layout: Layout::default }, "", &file);
+    add(&mut tables, Inner { name, form: TableForm::File, layout: Layout::default }, "", &file);
     tables
 }
 
 /// Adds a table, and those behind its keys; one that is there already has one place more.
 fn add(tables: &mut Vec<TableReference>, inner: Inner, place: &str, layout: &Layout) {
-    let Inner { name, stands, .. } = inner;
+    let Inner { name, form, .. } = inner;
     if let Some(known) = tables.iter_mut().find(|table| table.name == name) {
         known.places.push(place.into());
         return;
     }
     let (places, body) = (vec![place.to_string()], BodyReference::of(layout));
-    tables.push(TableReference { name, stands, places, body });
+    tables.push(TableReference { name, form, places, body });
     within(layout, &mut |key| {
         let Some(inner) = (key.described)().table else { return };
         let place =

@@ -131,8 +131,11 @@ mod tests {
     #[test]
     fn long_lists_are_cut_and_still_searched() {
         let names: Vec<String> = (0..1000).map(|k| format!("beam{k}")).collect();
-        let told = one_of("baem977", names.iter().map(String::as_str));
-        assert!(told.starts_with("one of `beam0`, `beam1`, "), "{told}");
-        assert!(told.ends_with("`beam39` and 960 more (did you mean `beam977`?)"), "{told}");
+        let reported = one_of("baem977", names.iter().map(String::as_str));
+        assert!(reported.starts_with("one of `beam0`, `beam1`, "), "{reported}");
+        assert!(
+            reported.ends_with("`beam39` and 960 more (did you mean `beam977`?)"),
+            "{reported}"
+        );
     }
 }

@@ -6,7 +6,7 @@ use serde_json::Value as Json;
 
 use crate::code::FaultCode;
 use crate::format::{Format, Inline, Written};
-use crate::layout::{Described, Inner, Key, Layout, Stands};
+use crate::layout::{Described, Inner, Key, Layout, TableForm};
 use crate::node::{Body, Node, Reader};
 use crate::reach::{Lost, Reached};
 use crate::schema;
@@ -62,7 +62,7 @@ impl<P: Declared> Part for Option<P> {
         }
         let keys: Vec<&str> = P::declared().keys.iter().map(|key| key.name).collect();
         match path {
-            [key, ..] if keys.contains(&key.as_str()) => Err(Lost::Anew),
+            [key, ..] if keys.contains(&key.as_str()) => Err(Lost::Reread),
             [key, ..] => Err(Lost::key(key, keys)),
             [] => Err(Lost::Table),
         }
@@ -158,7 +158,7 @@ impl<T: Declared> Format for Single<T> {
     }
 
     fn described() -> Described {
-        let table = Some(Inner::of::<T>(Stands::Once));
+        let table = Some(Inner::of::<T>(TableForm::Once));
         Described { expected: Self::expected(), table, ..Described::default() }
     }
 
@@ -211,7 +211,7 @@ impl<T: Declared> Format for Braces<T> {
     }
 
     fn described() -> Described {
-        let table = Some(Inner::of::<T>(Stands::Braces));
+        let table = Some(Inner::of::<T>(TableForm::Braces));
         Described { expected: Self::expected(), table, ..Described::default() }
     }
 
@@ -293,7 +293,7 @@ impl<T: Declared> Format for Collection<T> {
     }
 
     fn described() -> Described {
-        let table = Some(Inner::of::<T>(Stands::Named));
+        let table = Some(Inner::of::<T>(TableForm::Named));
         Described { expected: Self::expected(), table, ..Described::default() }
     }
 
@@ -327,9 +327,9 @@ pub(crate) fn is_name(name: &str) -> bool {
 
 impl Inner {
     /// The declaration of `T`.
-    pub fn of<T: Part>(stands: Stands) -> Self {
+    pub fn of<T: Part>(form: TableForm) -> Self {
         let path = std::any::type_name::<T>();
         let name = path.rsplit("::").next().unwrap_or(path);
-        Self { name, stands, layout: T::layout }
+        Self { name, form, layout: T::layout }
     }
 }

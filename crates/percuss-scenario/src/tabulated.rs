@@ -157,7 +157,7 @@ pub(crate) fn settle<C: Columns>(given: Given<'_>, body: &Body<'_>, reader: &mut
         let found = "`sha256` without `file`";
         reader.misplaced(&given.path, given.span, found, "the path of the file, or no `sha256`");
     }
-    // Of a sum that could not be read enough has been told.
+    // Of a sum that could not be read enough has been reported.
     let unread = body.get("sha256").is_some() && sum.is_none();
     let (Some(node), Some(named), false) = (&node, file.take(), unread) else { return };
     let accelerates = reader.base_functions.contains(&body.path);

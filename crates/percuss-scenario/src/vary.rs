@@ -21,7 +21,7 @@ pub struct Field {
     path: String,
     /// Steps of its path, shape (steps).
     steps: Vec<String>,
-    anew: bool,
+    reread: bool,
 }
 
 impl Field {
@@ -35,10 +35,10 @@ impl Field {
         &self.steps
     }
 
-    /// Whether the file has to be read anew to change it: it decides what else stands in its table (`kind`), is a word, or
+    /// Whether the file has to be read again to change it: it decides what else stands in its table (`kind`), is a word, or
     /// stands in a table that the file does not have.
-    pub fn is_read_anew(&self) -> bool {
-        self.anew
+    pub fn needs_reread(&self) -> bool {
+        self.reread
     }
 }
 
@@ -53,9 +53,9 @@ impl Scenario {
         };
         let KnownPath { steps, .. } = KnownPath::find(path).map_err(stray)?;
         let mut content = self.content.clone();
-        let anew = match content.reach(&steps) {
+        let reread = match content.reach(&steps) {
             Ok(_) => false,
-            Err(Lost::Anew) => true,
+            Err(Lost::Reread) => true,
             Err(Lost::Table) => {
                 let found = format!("`{path}`, which is a table");
                 return Err(Fault::new(path, found, "the path of a value in it"));
@@ -66,7 +66,7 @@ impl Scenario {
                 return Err(stray(Stray::new(found, Lost::expected(&known, word))));
             }
         };
-        Ok(Field { path: path.into(), steps, anew })
+        Ok(Field { path: path.into(), steps, reread })
     }
 
     /// The number at a field and its SI unit, empty for a pure number; `None` where no number stands.
@@ -106,11 +106,11 @@ impl Scenario {
         Err(Fault::new(&field.path, found, expected))
     }
 
-    /// Reads the file anew with other values, each a path and a value as TOML.
+    /// Reads the file again with other values, each a path and a value as TOML.
     ///
     /// # Errors
     /// Every fault of the changed file.
-    pub fn anew(&self, changes: &[(&str, &str)]) -> Result<Self, Diagnostics> {
+    pub fn reread(&self, changes: &[(&str, &str)]) -> Result<Self, Diagnostics> {
         let name = self.source.name.as_str();
         let changes: Vec<(String, String)> =
             changes.iter().map(|(p, v)| ((*p).into(), (*v).into())).collect();

@@ -2,7 +2,7 @@
 
 /// A text in which what a terminal would obey, or not show, is written out: `\u{1b}`. Line ends and tabs stay.
 ///
-/// Control characters change colours and titles of a terminal, move its cursor and hide what was told; marks of the direction of writing
+/// Control characters change colours and titles of a terminal, move its cursor and hide what was reported; marks of the direction of writing
 /// and of no width make a name look like another.
 pub fn visible(text: &str) -> String {
     written(text, |c| !matches!(c, '\n' | '\t'))

@@ -37,7 +37,7 @@ impl Folder {
     /// Opens the directory of a study, or makes it.
     ///
     /// # Errors
-    /// If there is something else, such as another study, or the system refuses.
+    /// If there is something else, such as another study, or the operating system reports an error.
     pub fn open(path: impl AsRef<Path>, study: &Study) -> Result<Self, Error> {
         let folder = Self { path: path.as_ref().into() };
         let own = folder.path.join(STUDY);
@@ -184,7 +184,7 @@ impl Folder {
     /// Writes a file of the directory, whole or not at all.
     ///
     /// # Errors
-    /// If the system refuses.
+    /// If the operating system reports an error.
     pub fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Error> {
         replace(&self.path.join(name), bytes)
     }

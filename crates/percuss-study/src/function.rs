@@ -313,12 +313,12 @@ step = 2e-4
         let study = study();
         let function = study.function().expect("numbers");
         assert_eq!(function.places(&["mass", "speed"]), Ok(vec![1, 0]));
-        for (names, told) in [
+        for (names, evaluated) in [
             (["sped", "mass"], "expected one of `speed`, `mass` (did you mean `speed`?)"),
             (["mass", "mass"], "no value for `speed`; the study's parameters are speed, mass"),
         ] {
-            let found = function.places(&names).expect_err(told);
-            assert!(found.ends_with(told), "{found}");
+            let found = function.places(&names).expect_err(evaluated);
+            assert!(found.ends_with(evaluated), "{found}");
         }
         let twice = function.places(&["mass", "speed", "mass"]);
         assert_eq!(twice, Err("two values for `mass`".to_owned()));
@@ -351,13 +351,13 @@ step = 2e-4
     fn points_outside_a_study_are_refused() {
         let study = study();
         let mut function = study.function().expect("numbers");
-        let told =
+        let evaluated =
             function.values(&[vec![1.0], vec![1.0, f64::NAN], vec![10.0, -1.0], vec![12.0, 90.0]]);
-        let reason = |k: usize| told[k].as_ref().err().map_or("", String::as_str);
+        let reason = |k: usize| evaluated[k].as_ref().err().map_or("", String::as_str);
         assert_eq!(reason(0), "1 numbers for 2 parameters (speed, mass) [E319]");
         assert_eq!(reason(1), "`mass` is NaN: a number is needed [E319]");
         assert!(reason(2).contains("projectile.p.mass"), "{}", reason(2));
-        assert!(told[3].is_ok(), "faults of one point leave the others alone");
+        assert!(evaluated[3].is_ok(), "faults of one point leave the others alone");
         let lists =
             STUDY.replace("range = { from = \"50 kg\", to = \"200 kg\" }", "values = [\"a\"]");
         let lists = lists

@@ -11,7 +11,7 @@ use crate::study::Study;
 
 /// Prepares runs one after the other.
 ///
-/// Numbers are set in a scenario kept for the purpose; only where words change is the text read anew, once for each combination.
+/// Numbers are set in a scenario kept for the purpose; only where words change is the text read again, once for each combination.
 pub(crate) struct Preparer<'s> {
     study: &'s Study,
     /// Scenarios read so far, by the words that a run sets, shape (words of a run).
@@ -81,9 +81,9 @@ impl Study {
             return Some(format!("`{}` is requested ({})", result.name, result.path.path()));
         }
         let mut preparer = Preparer::new(self);
-        let mut sound =
+        let mut valid =
             (0..self.run_count().min(8)).filter_map(|run| preparer.prepare(&self.inputs(run)).ok());
-        let first = sound.next()?;
+        let first = valid.next()?;
         let paths: Vec<_> = self.results.iter().map(|result| result.path.clone()).collect();
         let detail = detail_for(&paths);
         percuss_batch::runs_alone(&first.model, &first.settings, detail).map(str::to_owned)
@@ -97,7 +97,7 @@ impl Study {
         }
     }
 
-    /// Prepares at most so many runs, evenly chosen, and tells of those that are no sound scenario; and how many were prepared.
+    /// Prepares at most so many runs, evenly chosen, and tells of those that are no valid scenario; and how many were prepared.
     pub fn check_sample(&self, most: u64) -> (Vec<Invalid>, u64) {
         let runs = self.run_count();
         let looked_at = runs.min(most.max(1));
@@ -125,7 +125,7 @@ fn with_words(study: &Study, inputs: &[Input<'_>]) -> Result<Scenario, String> {
     }
     let changes: Vec<(&str, &str)> =
         changes.iter().map(|(p, v)| (p.as_str(), v.as_str())).collect();
-    let mut scenario = study.scenario.anew(&changes).map_err(|d| in_one_line(&d))?;
+    let mut scenario = study.scenario.reread(&changes).map_err(|d| in_one_line(&d))?;
     // A number along a beam is a fraction or a length, as in the study.
     for parameter in &study.parameters {
         if !matches!(parameter.variation, Variation::Words(_)) {

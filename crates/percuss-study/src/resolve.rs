@@ -1,4 +1,4 @@
-//! From a study file to a study: paths found, values in SI units, every fault told at once.
+//! From a study file to a study: paths found, values in SI units, every fault reported at once.
 
 mod design;
 mod variation;
@@ -149,7 +149,7 @@ fn base(file: &StudyFile) -> Result<Scenario, Base> {
         return Err(Base::Missing(Fault::new("base", "no `base`", example)));
     };
     if file.is_tainted("base") {
-        // It has been told of, and is not to be looked at.
+        // It has been reported, and is not to be looked at.
         return Err(Base::Missing(Fault::new("base", "a file that is not read", example)));
     }
     let access = file.access();

@@ -63,9 +63,9 @@ impl Study {
 
 /// Simulates those that are ready; the others keep their reasons.
 pub(crate) fn simulate(ready: &[Ready], detail: Detail) -> Vec<(Outcome, &'static str)> {
-    let sound: Vec<&Compiled> = ready.iter().filter_map(|run| run.as_ref().ok()).collect();
+    let valid: Vec<&Compiled> = ready.iter().filter_map(|run| run.as_ref().ok()).collect();
     let solve = |given: &Given<'_>| simulate_batch(given, detail);
-    let mut done = batch(&sound, &solve).into_iter();
+    let mut done = batch(&valid, &solve).into_iter();
     let outcome = |run: &Ready| match run {
         Err(reason) => (Err(reason.clone()), "invalid"),
         Ok(_) => match done.next() {
@@ -93,12 +93,12 @@ fn batch(
     solve: &dyn Fn(&Given<'_>) -> Solved,
 ) -> Vec<Result<RunSummary, (String, &'static str)>> {
     let given: Vec<(&Model, &Settings)> = runs.iter().map(|c| (&c.model, &c.settings)).collect();
-    let told = |faults: Vec<Fault>| {
+    let refused = |faults: Vec<Fault>| {
         (faults.iter().map(in_one_line).collect::<Vec<_>>().join("; "), "invalid")
     };
     let done = catch_unwind(AssertUnwindSafe(|| solve(&given)));
     match (done, runs) {
-        (Ok(done), _) => done.into_iter().map(|one| one.map_err(told)).collect(),
+        (Ok(done), _) => done.into_iter().map(|one| one.map_err(refused)).collect(),
         (Err(_), [_]) => vec![Err((broken("internal error in the solver"), "failed"))],
         (Err(_), _) => runs.iter().flat_map(|run| batch(&[run], solve)).collect(),
     }

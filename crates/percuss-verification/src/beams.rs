@@ -49,7 +49,7 @@ pub fn flying_beam() -> Report {
     ] {
         let model = thrown(strain).build();
         let settings = Settings::new(10.0, 2.5e-3);
-        let mut simulation = Simulation::new(&model, &settings).expect("sound settings");
+        let mut simulation = Simulation::new(&model, &settings).expect("valid settings");
         let mut loaded = None;
         while simulation.state().step < simulation.step_count() {
             simulation.advance(&mut NoRecorder).expect("the beam flies");

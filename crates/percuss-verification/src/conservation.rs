@@ -37,7 +37,7 @@ paper_scenarios![
 fn paper_run(text: &str) -> RunSummary {
     let compiled = percuss_scenario::read(text, "scenarios/paper")
         .and_then(|scenario| scenario.compile())
-        .expect("the scenarios of the paper are sound");
+        .expect("the scenarios of the paper are valid");
     run(&compiled.model, &compiled.settings)
 }
 
@@ -123,7 +123,7 @@ pub fn time_reversal() -> Report {
         [("elastic", elastic, 0.1, 1e-4, 1e-9), ("rigid", rigid, 0.001, 1e-6, 1e-6)]
     {
         let settings = Settings::new(end, step);
-        let mut simulation = Simulation::new(&model, &settings).expect("sound settings");
+        let mut simulation = Simulation::new(&model, &settings).expect("valid settings");
         for _ in 0..2 {
             while simulation.state().step < simulation.step_count() {
                 simulation.advance(&mut NoRecorder).expect("the run completes");
@@ -212,7 +212,7 @@ pub fn same_bits() -> Report {
     let model = paper_beam(6).young(0.2e12).clamped().struck(paper_rigid(0.5)).build();
     let record = || {
         let mut memory = MemoryRecorder::default();
-        simulate(&model, &Settings::new(0.02, 1e-5), &mut memory).expect("sound settings");
+        simulate(&model, &Settings::new(0.02, 1e-5), &mut memory).expect("valid settings");
         memory.values
     };
     let (a, b) = (record(), record());

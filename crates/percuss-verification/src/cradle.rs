@@ -26,7 +26,7 @@ fn cradle(flying: usize, restitution: f64) -> Model {
         let between = [ContactPartner::Disc(two[0]), ContactPartner::Disc(two[1])];
         b.contact(Contact::new(format!("touch {i}"), between, law));
     }
-    b.build().expect("a sound model")
+    b.build().expect("a valid model")
 }
 
 /// Final velocities for the number of incoming balls. With impacts one after another as many balls leave, and with restitution e the last of a row
@@ -58,6 +58,6 @@ pub fn cradle_of_five() -> Report {
             1e-12,
         );
     }
-    c.absolute("at once: multiple impacts", shared.shared_blows.count as f64, 1.0, 0.0);
+    c.absolute("at once: multiple impacts", shared.multiple_impacts.count as f64, 1.0, 0.0);
     c.into_report()
 }

@@ -9,7 +9,7 @@ use crate::structure::at;
 
 fn run(b: &ModelBuilder, end: f64, step: f64) -> RunSummary {
     let model = b.build().expect("a verification case builds");
-    simulate(&model, &Settings::new(end, step), &mut NoRecorder).expect("sound settings")
+    simulate(&model, &Settings::new(end, step), &mut NoRecorder).expect("valid settings")
 }
 
 /// A stiff bar that falls on its corner, and a disc that slides over the end of another bar.

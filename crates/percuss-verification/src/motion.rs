@@ -35,7 +35,7 @@ pub fn spin_up() -> Report {
         root.motion = Some(Motion { displacement: [0.0; 2], rotation: 1.0, function });
         b.support(root);
         let model = b.build().expect("a verification case builds");
-        let mut run = Simulation::new(&model, &Settings::new(20.0, 1e-2)).expect("sound settings");
+        let mut run = Simulation::new(&model, &Settings::new(20.0, 1e-2)).expect("valid settings");
         let (mut axial, mut across) = ((0.0, 0.0), (0.0, 0.0));
         let (mut sum, mut count, mut residual) = (0.0, 0.0, 0.0_f64);
         while run.state().step < run.step_count() {
@@ -88,7 +88,7 @@ pub fn pendulum() -> Report {
     let acceleration = [0.0, -386.0];
     b.load(Load::new("weight", LoadKind::Gravity { acceleration }));
     let model = b.build().expect("a verification case builds");
-    let mut run = Simulation::new(&model, &Settings::new(3.5, 2.5e-4)).expect("sound settings");
+    let mut run = Simulation::new(&model, &Settings::new(3.5, 2.5e-4)).expect("valid settings");
     let (mut before, mut period, mut residual) = ((0.0, 0.0), f64::NAN, 0.0_f64);
     while run.state().step < run.step_count() {
         if run.advance(&mut NoRecorder).is_err() {

@@ -51,7 +51,7 @@ fn strained(
     let end = Support::new("pulled", at("pulled", bar, 1.0), SupportKind::Fix { components });
     b.support(Support { motion: Some(motion), ..end });
     let model = b.build().expect("a verification case builds");
-    let mut run = Simulation::new(&model, settings).expect("sound settings");
+    let mut run = Simulation::new(&model, settings).expect("valid settings");
     run.set_velocities(|_, x| [from * x[0], 0.0]);
     let mut rows = MemoryRecorder::default();
     let summary = run.run(&mut rows);
@@ -195,7 +195,7 @@ pub fn plastic_wave() -> Report {
         }
         let model = b.build().expect("a verification case builds");
         let step = LENGTH / elements as f64 / fast;
-        let mut run = Simulation::new(&model, &Settings::new(end, step)).expect("sound settings");
+        let mut run = Simulation::new(&model, &Settings::new(end, step)).expect("valid settings");
         run.set_velocities(|_, x| [if x[0] == 0.0 { -speed } else { 0.0 }, 0.0]);
         let mut rows = MemoryRecorder::default();
         let summary = run.run(&mut rows);
@@ -276,7 +276,7 @@ pub fn fan() -> Report {
         b.record_point(at("mid", bars[0], 0.5));
         let model = b.build().expect("a verification case builds");
         let mut rows = MemoryRecorder::default();
-        let summary = simulate(&model, &Settings::new(2.1, step), &mut rows).expect("sound");
+        let summary = simulate(&model, &Settings::new(2.1, step), &mut rows).expect("valid");
         Pulled { rows, summary }
     };
     let elastic = run(51_961.5, false, 1e-2);

@@ -113,7 +113,7 @@ fn ring(metal: Material, elements: usize) -> ([f64; 3], RunSummary) {
         b.record_point(at(name, ring, f));
     }
     let model = b.build().expect("a verification case builds");
-    let mut run = Simulation::new(&model, &Settings::new(1.6e-3, 4e-6)).expect("sound settings");
+    let mut run = Simulation::new(&model, &Settings::new(1.6e-3, 4e-6)).expect("valid settings");
     run.set_velocities(|_, [x, y]| {
         // Inwards; straight lines between nodes 10 degrees apart, as in the benchmark.
         let angle = x.atan2(y).to_degrees();

@@ -58,7 +58,7 @@ pub fn tapered_cantilever() -> Report {
     c.relative("stress at the root [psi]", root, 4000.0 * 50.0 / modulus(9.0), 5e-5);
     c.relative("stress at the middle, published", middle, 8333.0, 1e-4);
     c.relative("stress at the root, published", root, 7407.0, 1e-4);
-    // Told for the beam is the largest anywhere: of a depth that shrinks evenly it lies where depth is twice that of the tip.
+    // Reported for the beam is the largest anywhere: of a depth that shrinks evenly it lies where depth is twice that of the tip.
     c.relative("largest fibre stress [psi]", stress(&found, 0), 4000.0 * 25.0 / modulus(6.0), 1e-4);
     c.into_report()
 }

@@ -71,7 +71,7 @@ impl HeavyMass {
         let model = b.build().expect("a verification case builds");
         let end = 2.2 * depth * self.lambda.sqrt() / speed;
         let settings = Settings::new(end, end / 1000.0);
-        let mut run = Simulation::new(&model, &settings).expect("sound settings");
+        let mut run = Simulation::new(&model, &settings).expect("valid settings");
         run.set_velocities(|_, x| if x[0] > half - 1e-9 { [0.0, speed] } else { [0.0; 2] });
         let summary = run.run(&mut NoRecorder);
         balances(c, &format!("{self}, {elements} elements, E {young:e} Pa"), &summary);
@@ -171,7 +171,7 @@ impl Parkes {
         b.load(Load { until: step, ..Load::new("blow", kind) });
         let model = b.build().expect("a verification case builds");
         let settings = Settings::new(end, step);
-        let summary = simulate(&model, &settings, &mut NoRecorder).expect("sound settings");
+        let summary = simulate(&model, &settings, &mut NoRecorder).expect("valid settings");
         balances(c, &format!("G/mL {}, E {young:e} Pa", self.ratio), &summary);
         let lost = summary.plastic[0].dissipated / (0.5 * mass * speed * speed);
         [summary.points[0].displacement_max[1].value, lost]
@@ -234,7 +234,7 @@ fn struck_all_over(
     b.load(Load { until: step, ..Load::new("blow", kind) });
     let model = b.build().expect("a verification case builds");
     let settings = Settings::new(end, step);
-    let summary = simulate(&model, &settings, &mut NoRecorder).expect("sound settings");
+    let summary = simulate(&model, &settings, &mut NoRecorder).expect("valid settings");
     let ends = if clamped { "clamped" } else { "simply supported" };
     balances(c, &format!("{ends}, {elements} elements, E {young:e} Pa"), &summary);
     summary.points[0].displacement_max[1].value

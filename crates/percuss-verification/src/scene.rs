@@ -47,7 +47,7 @@ impl Recorded {
     pub fn of(compiled: &Compiled) -> Self {
         let mut rows = MemoryRecorder::default();
         let summary = simulate(&compiled.model, &compiled.settings, &mut rows);
-        Self { rows, summary: summary.expect("a verification case has sound settings") }
+        Self { rows, summary: summary.expect("a verification case has valid settings") }
     }
 
     /// A column over time, shape (rows, 2): \[s, unit of the column\]; empty if it does not exist.

@@ -35,7 +35,7 @@ fn sliding(friction: f64, inertia: f64) -> Model {
     let between = [ContactPartner::Disc(disc), ContactPartner::Obstacle(ground)];
     b.contact(Contact::new("slide", between, TouchLaw::Rigid(law)));
     b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -WEIGHT] }));
-    b.build().expect("a sound model")
+    b.build().expect("a valid model")
 }
 
 /// Impulse of friction and the last position of the disc in contact.

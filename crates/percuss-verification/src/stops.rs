@@ -24,7 +24,7 @@ pub fn swinging_beam() -> Report {
         let is_damped = !ratios.is_empty();
         let model = falling_beam(ratios);
         let settings = Settings::new(0.0125, 1e-5);
-        let mut run = Simulation::new(&model, &settings).expect("sound settings");
+        let mut run = Simulation::new(&model, &settings).expect("valid settings");
         let (mut largest, mut leaves, mut residual) = ((0.0, 0.0), f64::NAN, 0.0_f64);
         let mut before = 0.0;
         let mut moved = Vec::new();
@@ -145,7 +145,7 @@ pub fn tip_stop() -> Report {
         b.load(Load::new("force", LoadKind::Point { at: tip, force, moment, follower: false }));
         let model = b.build().expect("a verification case builds");
         let settings = Settings { scheme, ..Settings::new(0.16, step) };
-        let mut run = Simulation::new(&model, &settings).expect("sound settings");
+        let mut run = Simulation::new(&model, &settings).expect("valid settings");
         let at_step = |t: f64| (t / step).round() as usize;
         let (mut u, mut v) = (f64::NAN, f64::NAN);
         while run.state().step < run.step_count() {

@@ -96,7 +96,7 @@ pub fn failing_bar() -> Report {
         let model = b.build().expect("a verification case builds");
         let step = 1e-4;
         let settings = Settings::new(1.2 * fails * length / rate, step);
-        let mut simulation = Simulation::new(&model, &settings).expect("sound settings");
+        let mut simulation = Simulation::new(&model, &settings).expect("valid settings");
         simulation.set_velocities(|_, x| [rate * x[0], 0.0]);
         let mut rows = MemoryRecorder::default();
         let summary = simulation.run(&mut rows);

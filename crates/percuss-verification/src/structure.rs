@@ -40,7 +40,7 @@ pub struct Shot {
     pub mass: f64,
     /// Velocity, shape (2) \[m/s\].
     pub velocity: [f64; 2],
-    /// Line of flight, where the velocity is zero, shape (2) \[-\].
+    /// Line of motion, where the velocity is zero, shape (2) \[-\].
     pub direction: Option<[f64; 2]>,
     /// Initial gap \[m\].
     pub standoff: f64,
@@ -170,7 +170,7 @@ pub fn at(label: &str, beam: BeamId, fraction: f64) -> PointRef {
 /// # Panics
 /// If the case's settings are invalid.
 pub fn run(model: &Model, settings: &Settings) -> RunSummary {
-    simulate(model, settings, &mut NoRecorder).expect("a verification case has sound settings")
+    simulate(model, settings, &mut NoRecorder).expect("a verification case has valid settings")
 }
 
 /// Impacts of a summary's first contact.

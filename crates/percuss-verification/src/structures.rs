@@ -48,7 +48,7 @@ pub fn corners() -> Report {
         local_mass: 0.0,
     });
     let model = b.build().expect("a verification case builds");
-    let mut run = Simulation::new(&model, &Settings::new(0.4, 2e-4)).expect("sound settings");
+    let mut run = Simulation::new(&model, &Settings::new(0.4, 2e-4)).expect("valid settings");
     // Spans of 1 m, 1 m and 1.58 m share 12 elements as 3, 4 and 5 (largest remainders), found here by their positions.
     let nodes = model.beam_nodes("bent").unwrap_or_default();
     let twins: Vec<usize> = (0..nodes.len() - 1).filter(|i| nodes[*i] == nodes[i + 1]).collect();

@@ -9,7 +9,7 @@ use crate::structure::at;
 
 fn run(b: &ModelBuilder, end: f64, step: f64) -> RunSummary {
     let model = b.build().expect("a verification case builds");
-    simulate(&model, &Settings::new(end, step), &mut NoRecorder).expect("sound settings")
+    simulate(&model, &Settings::new(end, step), &mut NoRecorder).expect("valid settings")
 }
 
 fn first_interval(summary: &RunSummary) -> Option<ContactInterval> {
@@ -126,7 +126,7 @@ pub fn infinite_beam() -> Report {
     let model =
         scene(3.0, Some(SupportKind::Pin), 1e5).build().expect("a verification case builds");
     let mut rows = MemoryRecorder::default();
-    let _ = simulate(&model, &Settings::new(8e-2, 1e-4), &mut rows).expect("sound settings");
+    let _ = simulate(&model, &Settings::new(8e-2, 1e-4), &mut rows).expect("valid settings");
     let reaction = rows.column("support.left.force_2").unwrap_or_default();
     let first = reaction.iter().find(|r| r.abs() > 1.0).copied().unwrap_or(f64::NAN);
     c.at_least("E9: first reaction, in the direction of the impact [N]", first, 0.0);

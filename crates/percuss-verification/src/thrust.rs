@@ -28,7 +28,7 @@ fn pushed() -> Model {
     let kind =
         LoadKind::Point { at: at("end", 1.0), force: [0.0, FORCE], moment: 0.0, follower: true };
     b.load(Load::new("thrust", kind));
-    b.build().expect("a sound model")
+    b.build().expect("a valid model")
 }
 
 /// Path of the middle of a rigid rod, at the given number of instants up to `end`, and its final speed: the direction of the force turns by

@@ -87,7 +87,7 @@ fn flying_bar(
 
 fn history(b: &ModelBuilder, end: f64, step: f64) -> History {
     let model = b.build().expect("a verification case builds");
-    History::of(Simulation::new(&model, &Settings::new(end, step)).expect("sound settings"))
+    History::of(Simulation::new(&model, &Settings::new(end, step)).expect("valid settings"))
 }
 
 /// D1: a bar on a rigid wall (ANSYS VM265; Carpenter, Taylor and Katona 1991). D4: the same of code_aster SDNV100.
@@ -146,7 +146,7 @@ pub fn bar_on_a_bar() -> Report {
             law,
         ));
         let model = b.build().expect("a verification case builds");
-        let mut run = Simulation::new(&model, &Settings::new(1e-3, 5e-7)).expect("sound settings");
+        let mut run = Simulation::new(&model, &Settings::new(1e-3, 5e-7)).expect("valid settings");
         let velocity = |name: &str, _: [f64; 2]| [if name == "flying" { -1.0 } else { 0.0 }, 0.0];
         run.set_velocities(velocity);
         let h = History::of(run);

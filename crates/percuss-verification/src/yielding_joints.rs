@@ -97,7 +97,7 @@ pub fn mass_on_a_rod() -> Report {
     let model = b.build().expect("a verification case builds");
     let mut rows = MemoryRecorder::default();
     let settings = Settings::new(0.14, 5e-5);
-    let summary = simulate(&model, &settings, &mut rows).expect("sound settings");
+    let summary = simulate(&model, &settings, &mut rows).expect("valid settings");
     balances(&mut c, "mass on a rod", &summary);
 
     let (rate, still) = ((stiffness / mass).sqrt(), force / stiffness);

@@ -6,7 +6,7 @@ use crate::element::fibre::FibreState;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::dents::Dents;
 use crate::geometry::pair::{Memory, Pair};
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::ledger::Ledger;
 use crate::math::hermite::GAUSS;
 use crate::model::Model;
@@ -313,7 +313,7 @@ impl State {
     }
 
     /// Evaluates pair `i` at its position; returns its distance, negative also after passing through \[m\].
-    pub(crate) fn see(&mut self, model: &Model, i: usize, reach: Reach) -> f64 {
+    pub(crate) fn see(&mut self, model: &Model, i: usize, reach: SearchRegion) -> f64 {
         let start = Configuration::of(&self.displacement);
         let at = Configuration { parted: &self.parted, ..start };
         self.pairs[i].look(model, &model.pairs[i], (&at, &self.velocity), reach)
@@ -323,7 +323,12 @@ impl State {
     pub(crate) fn woken(&self, model: &Model, i: usize) -> PairState {
         let mut seen = self.pairs[i];
         seen.memory.side = 0.0;
-        seen.look(model, &model.pairs[i], (&self.configuration(), &self.velocity), Reach::All);
+        seen.look(
+            model,
+            &model.pairs[i],
+            (&self.configuration(), &self.velocity),
+            SearchRegion::All,
+        );
         seen
     }
 }
@@ -351,7 +356,7 @@ impl PairState {
         model: &Model,
         pair: &Pair,
         (at, velocity): (&Configuration<'_>, &[[f64; 4]]),
-        reach: Reach,
+        reach: SearchRegion,
     ) -> f64 {
         match pair.touch(model, at, &self.memory, reach) {
             Some(touch) => {

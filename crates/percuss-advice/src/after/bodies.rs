@@ -1,30 +1,32 @@
 //! Formulas of bodies that move as one piece while they touch.
 
 use super::super::Comparison;
-use super::super::case::{Bodies, Struck, rigid_blow};
+use super::super::case::{Bodies, Struck, rigid_impact};
 use super::super::formulas::{Span, SpanKind, reduced_mass};
 use super::super::structure::gravity_varies;
 use super::super::words::{digits, quantity};
-use super::desk::{Assumptions, Desk, Formula, Quantity, Touch};
+use super::observed::{Assumptions, Formula, ObservedContact, Quantity, Touch};
 
-/// Contacts shorter than this share of a free beam's lowest period are no blow of a rigid piece.
+/// Contacts shorter than this share of a free beam's lowest period are no impact of a rigid piece.
 const SHORTEST: f64 = 0.5;
 
 /// Adds that a smooth law has no losses.
-pub(super) fn lossless(desk: &Desk<'_>, assumptions: Assumptions) -> Assumptions {
-    match desk.case.law.smooth() {
+pub(super) fn lossless(observed: &ObservedContact<'_>, assumptions: Assumptions) -> Assumptions {
+    match observed.case.law.smooth() {
         Some(law) => assumptions.and("no losses in the contact", law.dissipation == 0.0),
         None => assumptions,
     }
 }
 
 /// A projectile and a free beam, both rigid.
-pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+pub fn free_beam(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let Some(beam) = struck.place.free_mass().filter(|_| struck.across() > 0.999) else {
         return Vec::new();
     };
     let mass = reduced_mass([struck.mass, beam]);
-    let Some(blow) = rigid_blow(desk.case.law, mass, desk.speed, 0.0) else { return Vec::new() };
+    let Some(impact) = rigid_impact(observed.case.law, mass, observed.speed, 0.0) else {
+        return Vec::new();
+    };
     let section = struck.place.section();
     // A free beam has the frequencies of a clamped one.
     let like = Span {
@@ -33,7 +35,7 @@ pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
         bending: section.bending,
         mass: section.mass,
     };
-    let share = blow.duration / like.period();
+    let share = impact.duration / like.period();
     if share < SHORTEST || struck.rear.is_some() {
         return Vec::new();
     }
@@ -41,10 +43,10 @@ pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let formula = Formula {
         name: "two free rigid bodies",
         source: "conservation of momentum and energy, with the reduced mass",
-        assumptions: lossless(desk, desk.undisturbed(struck).and(longer, share >= 1.0)),
+        assumptions: lossless(observed, observed.undisturbed(struck).and(longer, share >= 1.0)),
     };
-    let mut quantities = desk.force_and_duration(blow.peak_force, blow.duration);
-    if let Some(simulated) = desk.release_velocity(struck) {
+    let mut quantities = observed.force_and_duration(impact.peak_force, impact.duration);
+    if let Some(simulated) = observed.release_velocity(struck) {
         quantities.push(Quantity {
             name: "velocity of the projectile, after over before",
             unit: "1",
@@ -53,18 +55,18 @@ pub fn free_beam(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
             of_run: false,
         });
     }
-    desk.rows(&formula, quantities)
+    observed.rows(&formula, quantities)
 }
 
 /// The impulse of a rigid projectile on a point of known effective mass.
-pub fn impulse_of_struck(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+pub fn impulse_of_struck(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
     let (Some(mass), Some(restitution), Touch::Impact(_)) =
-        (desk.contact.effective_mass, desk.restitution(), desk.touch)
+        (observed.contact.effective_mass, observed.restitution(), observed.touch)
     else {
         return Vec::new();
     };
     let on_limit = reduced_mass([struck.mass, mass.limit]);
-    let limit = (1.0 + restitution) * on_limit * desk.speed;
+    let limit = (1.0 + restitution) * on_limit * observed.speed;
     let mesh = format!(
         "effective mass independent of the mesh (impulse in the limit: {})",
         quantity(limit, "N s")
@@ -72,23 +74,28 @@ pub fn impulse_of_struck(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison
     let formula = Formula {
         name: "effective mass of the struck point",
         source: "Newton's impact law with 1/(1/M + n M^-1 n)",
-        assumptions: desk
+        assumptions: observed
             .undisturbed(struck)
-            .and("no friction", !desk.rubs())
+            .and("no friction", !observed.rubs())
             .and(mesh, !mass.depends_on_mesh()),
     };
-    newton(desk, &formula, reduced_mass([struck.mass, mass.on_mesh]), restitution)
+    newton(observed, &formula, reduced_mass([struck.mass, mass.on_mesh]), restitution)
 }
 
 /// Impulse and loss of a first impact under Newton's law. Friction takes energy of its own, and turns what it rubs: with it only the
 /// impulse is compared.
-fn newton(desk: &Desk<'_>, formula: &Formula, mass: f64, restitution: f64) -> Vec<Comparison> {
-    let Touch::Impact(impact) = desk.touch else { return Vec::new() };
-    let loss = 0.5 * (1.0 - restitution * restitution) * mass * desk.speed * desk.speed;
+fn newton(
+    observed: &ObservedContact<'_>,
+    formula: &Formula,
+    mass: f64,
+    restitution: f64,
+) -> Vec<Comparison> {
+    let Touch::Impact(impact) = observed.touch else { return Vec::new() };
+    let loss = 0.5 * (1.0 - restitution * restitution) * mass * observed.speed * observed.speed;
     let impulse = Quantity {
         name: "impulse of the first impact",
         unit: "N s",
-        by_hand: (1.0 + restitution) * mass * desk.speed,
+        by_hand: (1.0 + restitution) * mass * observed.speed,
         simulated: impact.impulse,
         of_run: false,
     };
@@ -100,28 +107,29 @@ fn newton(desk: &Desk<'_>, formula: &Formula, mass: f64, restitution: f64) -> Ve
         of_run: false,
     };
     let mut quantities = vec![impulse];
-    if !desk.rubs() {
+    if !observed.rubs() {
         quantities.push(lost);
     }
-    desk.rows(formula, quantities)
+    observed.rows(formula, quantities)
 }
 
 /// Two discs, or a disc and an obstacle at rest.
-pub fn two_bodies(desk: &Desk<'_>, two: &Bodies) -> Vec<Comparison> {
+pub fn two_bodies(observed: &ObservedContact<'_>, two: &Bodies) -> Vec<Comparison> {
     if !two.simple {
         return Vec::new();
     }
-    let alone = Assumptions::default().and("no previous contact of either body", desk.is_alone());
-    if let Some(restitution) = desk.restitution() {
+    let alone =
+        Assumptions::default().and("no previous contact of either body", observed.is_alone());
+    if let Some(restitution) = observed.restitution() {
         let formula = Formula {
             name: "two rigid bodies",
             source: "Newton's impact law with the reduced mass",
             assumptions: alone,
         };
-        return newton(desk, &formula, two.mass, restitution);
+        return newton(observed, &formula, two.mass, restitution);
     }
-    let alone = lossless(desk, alone);
-    let pressed = two.pressed.filter(|_| !gravity_varies(desk.model));
+    let alone = lossless(observed, alone);
+    let pressed = two.pressed.filter(|_| !gravity_varies(observed.model));
     let weight = pressed.unwrap_or(0.0);
     let alone = match pressed {
         Some(0.0) => alone,
@@ -130,7 +138,7 @@ pub fn two_bodies(desk: &Desk<'_>, two: &Bodies) -> Vec<Comparison> {
         }
         None => alone.and("no weight during the contact", false),
     };
-    let Some(blow) = rigid_blow(desk.case.law, two.mass, desk.speed, weight) else {
+    let Some(impact) = rigid_impact(observed.case.law, two.mass, observed.speed, weight) else {
         return Vec::new();
     };
     let formula = Formula {
@@ -142,5 +150,5 @@ pub fn two_bodies(desk: &Desk<'_>, two: &Bodies) -> Vec<Comparison> {
         },
         assumptions: alone,
     };
-    desk.rows(&formula, desk.force_and_duration(blow.peak_force, blow.duration))
+    observed.rows(&formula, observed.force_and_duration(impact.peak_force, impact.duration))
 }

@@ -3,9 +3,9 @@
 use super::super::case::Meeting;
 use super::super::surroundings::Surroundings;
 use super::super::words::quantity;
-use super::desk::{Assumptions, Desk};
+use super::observed::{Assumptions, ObservedContact};
 
-impl Desk<'_> {
+impl ObservedContact<'_> {
     /// Adds that all stays elastic and whole, where something could do otherwise: up to the end of the first touch, or of the run for what
     /// is `of_run`.
     pub(super) fn elastic(&self, assumptions: Assumptions, of_run: bool) -> Assumptions {

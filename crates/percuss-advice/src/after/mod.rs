@@ -2,15 +2,15 @@
 
 mod bodies;
 mod bound;
-mod desk;
 mod elastic;
+mod observed;
 mod span;
 mod waves;
 
 use super::Comparison;
 use super::case::{self, Meeting};
 use super::duration::Modes;
-use desk::{Desk, Touch};
+use observed::{ObservedContact, Touch};
 use percuss::{Model, RunSummary, Settings};
 
 /// What hand formulas say about the first touch of a contact.
@@ -25,8 +25,9 @@ pub fn comparisons(
     let Some(touch) = Touch::first(&contact.record) else { return Vec::new() };
     let Some(case) = case::read(model, index, Some(touch.place())) else { return Vec::new() };
     let speed = touch.approach();
-    let desk = Desk { model, settings, run, index, contact, case: &case, touch, speed };
-    if desk.speed <= 0.0 || desk.speed.is_nan() {
+    let observed =
+        ObservedContact { model, settings, run, index, contact, case: &case, touch, speed };
+    if observed.speed <= 0.0 || observed.speed.is_nan() {
         return Vec::new();
     }
     match &case.meeting {
@@ -34,19 +35,19 @@ pub fn comparisons(
             let mut all = Vec::new();
             // These are formulas of slender beams.
             if struck.place.shear_stiffness().is_none() {
-                all.extend(waves::infinite_beam(&desk, struck));
-                all.extend(span::two_masses(&desk, struck));
-                all.extend(span::cox(&desk, struck));
-                all.extend(span::impact_factor(&desk, struck));
+                all.extend(waves::infinite_beam(&observed, struck));
+                all.extend(span::two_masses(&observed, struck));
+                all.extend(span::cox(&observed, struck));
+                all.extend(span::impact_factor(&observed, struck));
             }
-            all.extend(bodies::free_beam(&desk, struck));
-            all.extend(bodies::impulse_of_struck(&desk, struck));
+            all.extend(bodies::free_beam(&observed, struck));
+            all.extend(bodies::impulse_of_struck(&observed, struck));
             if all.is_empty() {
-                all.extend(bound::of_the_force(&desk, struck, modes));
+                all.extend(bound::of_the_force(&observed, struck, modes));
             }
             all
         }
-        Meeting::Bodies(two) => bodies::two_bodies(&desk, two),
-        Meeting::Beams(beams) => waves::bar_on_wall(&desk, beams),
+        Meeting::Bodies(two) => bodies::two_bodies(&observed, two),
+        Meeting::Beams(beams) => waves::bar_on_wall(&observed, beams),
     }
 }

@@ -4,7 +4,7 @@ use super::super::Comparison;
 use super::super::case::{Struck, linear_stiffness};
 use super::super::formulas::{Span, impact_factor as factor, shear_stiffness};
 use super::super::words::digits;
-use super::desk::{Assumptions, Desk, Formula, Quantity, against};
+use super::observed::{Assumptions, Formula, ObservedContact, Quantity, against};
 use percuss::Start;
 
 /// Deflections below this share of the radius of gyration (or of the span, where its ends can slide) are small.
@@ -32,12 +32,12 @@ fn small(assumptions: Assumptions, struck: &Struck<'_>, deflection: f64) -> Assu
 }
 
 fn weightless(
-    desk: &Desk<'_>,
+    observed: &ObservedContact<'_>,
     struck: &Struck<'_>,
     assumptions: Assumptions,
     force: f64,
 ) -> Assumptions {
-    let weight = (struck.mass * desk.gravity_along(struck.direction)).abs();
+    let weight = (struck.mass * observed.gravity_along(struck.direction)).abs();
     let share = weight / force;
     if weight == 0.0 {
         return assumptions;
@@ -46,15 +46,20 @@ fn weightless(
         .and(format!("weight negligible: {} % of the force", digits(100.0 * share)), share < LIGHT)
 }
 
-/// Static deflection of the struck point under the span's own weight, along the blow \[m\].
-fn sag(desk: &Desk<'_>, struck: &Struck<'_>, span: &Span) -> f64 {
-    span.sag(span.mass * desk.gravity_along(struck.direction))
+/// Static deflection of the struck point under the span's own weight, along the impact \[m\].
+fn sag(observed: &ObservedContact<'_>, struck: &Struck<'_>, span: &Span) -> f64 {
+    span.sag(span.mass * observed.gravity_along(struck.direction))
 }
 
-/// Adds that the span hangs at rest under its own weight, or that this is nothing beside the deflection by the blow. Displacements
+/// Adds that the span hangs at rest under its own weight, or that this is nothing beside the deflection by the impact. Displacements
 /// count from the reference, so that of a span that hangs the sag comes on top.
-fn hangs(desk: &Desk<'_>, assumptions: Assumptions, sag: f64, deflection: f64) -> Assumptions {
-    if sag == 0.0 || desk.settings.start == Start::Static {
+fn hangs(
+    observed: &ObservedContact<'_>,
+    assumptions: Assumptions,
+    sag: f64,
+    deflection: f64,
+) -> Assumptions {
+    if sag == 0.0 || observed.settings.start == Start::Static {
         return assumptions;
     }
     let what = format!(
@@ -65,19 +70,24 @@ fn hangs(desk: &Desk<'_>, assumptions: Assumptions, sag: f64, deflection: f64) -
 }
 
 /// The deflection beside that of the run; `sag` comes on top where the run starts with it.
-fn deflection(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64, sag: f64) -> Quantity {
-    let hung = if desk.settings.start == Start::Static { sag } else { 0.0 };
+fn deflection(
+    observed: &ObservedContact<'_>,
+    struck: &Struck<'_>,
+    by_hand: f64,
+    sag: f64,
+) -> Quantity {
+    let hung = if observed.settings.start == Start::Static { sag } else { 0.0 };
     Quantity {
         name: "largest deflection of the struck point",
         unit: "m",
         by_hand: by_hand + hung,
-        simulated: desk.deflection(struck).map_or(f64::NAN, |[value, _]| value),
+        simulated: observed.deflection(struck).map_or(f64::NAN, |[value, _]| value),
         of_run: true,
     }
 }
 
-fn moment(desk: &Desk<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
-    let simulated = desk.moment(struck);
+fn moment(observed: &ObservedContact<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
+    let simulated = observed.moment(struck);
     Quantity { name: "largest bending moment", unit: "N m", by_hand, simulated, of_run: true }
 }
 
@@ -92,61 +102,64 @@ fn stiff_in_shear(struck: &Struck<'_>, span: &Span, assumptions: Assumptions) ->
 }
 
 /// Projectile, contact spring, reduced mass and stiffness of the span.
-pub fn two_masses(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
-    let Some((blow, span)) = struck.two_masses(desk.case.law, desk.speed) else {
+pub fn two_masses(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+    let Some((impact, span)) = struck.two_masses(observed.case.law, observed.speed) else {
         return Vec::new();
     };
-    let share = blow.duration / span.period();
-    let assumptions = desk.undisturbed(struck).and(
+    let share = impact.duration / span.period();
+    let assumptions = observed.undisturbed(struck).and(
         format!("contact longer than the lowest period: {} periods", digits(share)),
         share >= 1.0,
     );
-    let assumptions = small(assumptions, struck, blow.deflection);
-    let sag = sag(desk, struck, &span);
-    let assumptions = hangs(desk, assumptions, sag, blow.deflection);
+    let assumptions = small(assumptions, struck, impact.deflection);
+    let sag = sag(observed, struck, &span);
+    let assumptions = hangs(observed, assumptions, sag, impact.deflection);
     let assumptions = stiff_in_shear(struck, &span, assumptions);
     let formula = Formula {
         name: "two-degree-of-freedom model",
         source: "Shivakumar, Elber and Illg 1985, with the span's reduced mass",
-        assumptions: weightless(desk, struck, assumptions, blow.peak_force),
+        assumptions: weightless(observed, struck, assumptions, impact.peak_force),
     };
-    let mut all = desk.rows(&formula, desk.force_and_duration(blow.peak_force, blow.duration));
+    let mut all =
+        observed.rows(&formula, observed.force_and_duration(impact.peak_force, impact.duration));
     // The run tells the largest deflection of all its time.
-    let first = formula.assumptions.and(WITHIN, stays(desk, struck));
+    let first = formula.assumptions.and(WITHIN, stays(observed, struck));
     let formula = Formula { assumptions: first, ..formula };
-    all.extend(desk.rows(&formula, vec![deflection(desk, struck, blow.deflection, sag)]));
+    all.extend(observed.rows(&formula, vec![deflection(observed, struck, impact.deflection, sag)]));
     all
 }
 
 /// A mass that strikes and stays.
-pub fn cox(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
-    let (Some(span), Some(0.0)) = (struck.span(), desk.restitution()) else { return Vec::new() };
-    let cox = span.cox(struck.mass, desk.speed);
+pub fn cox(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+    let (Some(span), Some(0.0)) = (struck.span(), observed.restitution()) else {
+        return Vec::new();
+    };
+    let cox = span.cox(struck.mass, observed.speed);
     let force = span.stiffness() * cox.deflection;
-    let weight = struck.mass * desk.gravity_along(struck.direction).abs();
+    let weight = struck.mass * observed.gravity_along(struck.direction).abs();
     if weight > HEAVY * force {
         return Vec::new(); // a case for the impact factor
     }
-    let sag = sag(desk, struck, &span);
+    let sag = sag(observed, struck, &span);
     let formula = |assumptions| Formula {
         name: "Cox",
         source: "Cox 1849: conservation of momentum of the mass and the reduced span, then of their energy",
         assumptions,
     };
     let assumptions = || {
-        let stays = desk.undisturbed(struck).and(STAYS, stays(desk, struck));
+        let stays = observed.undisturbed(struck).and(STAYS, stays(observed, struck));
         let small = small(stays, struck, cox.deflection);
-        let hangs = hangs(desk, small, sag, cox.deflection);
-        weightless(desk, struck, stiff_in_shear(struck, &span, hangs), force)
+        let hangs = hangs(observed, small, sag, cox.deflection);
+        weightless(observed, struck, stiff_in_shear(struck, &span, hangs), force)
     };
-    let mut all =
-        desk.rows(&formula(assumptions()), vec![deflection(desk, struck, cox.deflection, sag)]);
+    let mut all = observed
+        .rows(&formula(assumptions()), vec![deflection(observed, struck, cox.deflection, sag)]);
     let bent = assumptions().and(STATIC_SHAPE, false);
-    all.extend(desk.rows(&formula(bent), vec![moment(desk, struck, cox.moment)]));
+    all.extend(observed.rows(&formula(bent), vec![moment(observed, struck, cox.moment)]));
     all
 }
 
-/// No span is bent so while waves of the blow run through it.
+/// No span is bent so while waves of the impact run through it.
 const STATIC_SHAPE: &str =
     "deflected shape of a static force (waves of the impact increase the moment)";
 const WITHIN: &str = "peak deflection during the first contact";
@@ -154,28 +167,29 @@ const STAYS: &str = "mass in contact until the peak deflection";
 
 /// Whether the contact is closed when the deflection is largest; one under a smooth law, for the first time: a mass that comes back
 /// strikes a span that moves.
-fn stays(desk: &Desk<'_>, struck: &Struck<'_>) -> bool {
-    let Some([_, time]) = desk.deflection(struck) else { return false };
-    let first = if desk.interval().is_some() { 1 } else { usize::MAX };
-    desk.intervals()
+fn stays(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> bool {
+    let Some([_, time]) = observed.deflection(struck) else { return false };
+    let first = if observed.interval().is_some() { 1 } else { usize::MAX };
+    observed
+        .intervals()
         .iter()
         .take(first)
         .any(|i| i.start <= time && (i.end.is_nan() || time <= i.end))
 }
 
 /// A weight that falls on a span, with and without the span's mass.
-pub fn impact_factor(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
-    let pull = desk.gravity_along(struck.direction);
+pub fn impact_factor(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
+    let pull = observed.gravity_along(struck.direction);
     let Some(span) = struck.span() else { return Vec::new() };
-    let spring = linear_stiffness(desk.case.law);
-    let plastic = desk.restitution() == Some(0.0);
+    let spring = linear_stiffness(observed.case.law);
+    let plastic = observed.restitution() == Some(0.0);
     let [across, along] = struck.gravity_shares();
     if !(pull > 0.0 && across > 0.999 * along) || (spring.is_none() && !plastic) {
         return Vec::new();
     }
     let (weight, own) = (struck.mass * pull, span.stiffness());
     let series = spring.map_or(own, |k| 1.0 / (1.0 / k + 1.0 / own));
-    let height = desk.speed * desk.speed / (2.0 * pull);
+    let height = observed.speed * observed.speed / (2.0 * pull);
     let ratio = span.reduced_mass() / struck.mass;
     let sag = span.sag(span.mass * pull);
     let row = |name, source, height: f64, light: bool| {
@@ -184,18 +198,18 @@ pub fn impact_factor(desk: &Desk<'_>, struck: &Struck<'_>) -> Vec<Comparison> {
             return Vec::new(); // the span's own weight governs
         }
         let assumptions = || {
-            let stays = desk.undisturbed(struck).and(STAYS, stays(desk, struck));
-            let all = stiff_in_shear(struck, &span, hangs(desk, stays, sag, by_hand));
+            let stays = observed.undisturbed(struck).and(STAYS, stays(observed, struck));
+            let all = stiff_in_shear(struck, &span, hangs(observed, stays, sag, by_hand));
             let share =
                 format!("light span: its reduced mass is {} of the falling mass", digits(ratio));
             small(if light { all.and(share, ratio < LIGHT) } else { all }, struck, by_hand)
         };
         let formula = |assumptions| Formula { name, source, assumptions };
         let bent = assumptions().and(STATIC_SHAPE, false);
-        let bending = vec![deflection(desk, struck, by_hand, sag)];
-        let mut all = desk.rows(&formula(assumptions()), bending);
+        let bending = vec![deflection(observed, struck, by_hand, sag)];
+        let mut all = observed.rows(&formula(assumptions()), bending);
         let by_hand = span.moment(own * by_hand);
-        all.extend(desk.rows(&formula(bent), vec![moment(desk, struck, by_hand)]));
+        all.extend(observed.rows(&formula(bent), vec![moment(observed, struck, by_hand)]));
         all
     };
     let plain =

@@ -1,8 +1,9 @@
 //! What formulas ask of what is struck.
 
-use super::{Change, SHORTEST, Struck, force, linear_stiffness, rigid_blow};
+use super::{Change, SHORTEST, Struck, force, linear_stiffness, rigid_impact};
 use crate::formulas::{
-    InfiniteBeam, InfiniteBeamBlow, Span, TwoMassBlow, TwoMasses, WaveControlled, shear_stiffness,
+    InfiniteBeam, InfiniteBeamImpact, Span, TwoMassImpact, TwoMasses, WaveControlled,
+    shear_stiffness,
 };
 use crate::structure::gravity;
 use crate::surroundings::Surroundings;
@@ -20,7 +21,7 @@ impl Struck<'_> {
         self.speed != 0.0 || self.gap != Some(0.0)
     }
 
-    /// Acceleration of gravity along the direction of the blow, and all of it \[m/s^2\].
+    /// Acceleration of gravity along the direction of the impact, and all of it \[m/s^2\].
     pub fn gravity_shares(&self) -> [f64; 2] {
         let (pull, _) = gravity(self.place.model);
         [dot(pull, self.direction), norm(pull)]
@@ -33,50 +34,55 @@ impl Struck<'_> {
         if held { self.gravity_shares()[0] } else { 0.0 }
     }
 
-    /// Mass with which the beam as a whole meets the blow: of a known span the reduced one, of a free beam that of a rigid piece,
+    /// Mass with which the beam as a whole meets the impact: of a known span the reduced one, of a free beam that of a rigid piece,
     /// else all of it \[kg\].
     pub fn beam_mass(&self) -> f64 {
         let span = self.place.span().map(|span| span.reduced_mass());
         span.or_else(|| self.place.free_mass()).unwrap_or_else(|| self.place.mass())
     }
 
-    /// The span of the struck point, where hand formulas know it and the blow of a single mass goes across it.
+    /// The span of the struck point, where hand formulas know it and the impact of a single mass goes across it.
     pub fn span(&self) -> Option<Span> {
         self.place.span().filter(|_| self.across() > 0.999 && self.rear.is_none())
     }
 
-    /// The blow on a known span of one mass and one spring, where it lasts long enough, and the span.
-    pub fn two_masses(&self, law: &TouchLaw, speed: f64) -> Option<(TwoMassBlow, Span)> {
+    /// The impact on a known span of one mass and one spring, where it lasts long enough, and the span.
+    pub fn two_masses(&self, law: &TouchLaw, speed: f64) -> Option<(TwoMassImpact, Span)> {
         let (span, stiffness) = (self.span()?, linear_stiffness(law)?);
         // The duration does not depend on the speed.
-        let unit = TwoMasses::on(&span, self.mass, stiffness).blow(1.0)?;
+        let unit = TwoMasses::on(&span, self.mass, stiffness).impact(1.0)?;
         if unit.duration < SHORTEST * span.period() {
             return None;
         }
-        let blow = TwoMassBlow {
+        let impact = TwoMassImpact {
             peak_force: speed * unit.peak_force,
             deflection: speed * unit.deflection,
             ..unit
         };
-        Some((blow, span))
+        Some((impact, span))
     }
 
     /// The wave-controlled impact, where it is one: a single mass under a smooth law, across a beam that is uniform and carries
     /// nothing at the place. In closed form for a linear spring without losses and without weight.
-    pub fn infinite_beam(&self, law: &TouchLaw, speed: f64) -> Option<InfiniteBeamBlow> {
+    pub fn infinite_beam(&self, law: &TouchLaw, speed: f64) -> Option<InfiniteBeamImpact> {
         if !self.is_wave_controlled() {
             return None;
         }
         if let (Some(stiffness), true) = (linear_stiffness(law), self.pull() == 0.0) {
             let section = self.place.section();
             let beam = InfiniteBeam::of(self.mass, stiffness, section.bending, section.mass);
-            return Some(beam.blow(self.mass, stiffness, speed));
+            return Some(beam.impact(self.mass, stiffness, speed));
         }
         self.softened(law, speed, 0.0)
     }
 
     /// The same by the integral equation, with rotary inertia and shear as the softening has them.
-    pub fn softened(&self, law: &TouchLaw, speed: f64, softening: f64) -> Option<InfiniteBeamBlow> {
+    pub fn softened(
+        &self,
+        law: &TouchLaw,
+        speed: f64,
+        softening: f64,
+    ) -> Option<InfiniteBeamImpact> {
         let smooth = law.smooth()?;
         if law.crushes() {
             return None;
@@ -85,7 +91,7 @@ impl Struck<'_> {
             return None;
         }
         let (section, pull) = (self.place.section(), self.pull());
-        let lasts = rigid_blow(law, self.mass, speed, self.mass * pull)?.duration;
+        let lasts = rigid_impact(law, self.mass, speed, self.mass * pull)?.duration;
         let case = WaveControlled {
             mass: self.mass,
             speed,
@@ -94,16 +100,16 @@ impl Struck<'_> {
             pull,
             softening,
         };
-        Some(case.blow(|p, rate| force(smooth, p, rate), lasts))
+        Some(case.impact(|p, rate| force(smooth, p, rate), lasts))
     }
 
-    /// What rotary inertia and, beside it, shear change of a blow on a beam without end, to first order.
+    /// What rotary inertia and, beside it, shear change of an impact on a beam without end, to first order.
     pub fn corrections(&self, law: &TouchLaw, speed: f64) -> Option<[Change; 2]> {
         let section = self.place.section();
         let of = |shear| self.softened(law, speed, section.softening(shear));
         let plain = self.softened(law, speed, 0.0)?;
         let (rotary, sheared) = (of(f64::INFINITY)?, of(shear_stiffness(section.axial))?);
-        let change = |a: &InfiniteBeamBlow, b: &InfiniteBeamBlow| {
+        let change = |a: &InfiniteBeamImpact, b: &InfiniteBeamImpact| {
             let rebound = a.restitution.zip(b.restitution).map(|(a, b)| b / a - 1.0);
             Change { force: b.peak_force / a.peak_force - 1.0, rebound }
         };

@@ -1,6 +1,6 @@
 //! A bar that flies lengthwise against a wall, with a contact law between.
 
-use super::{BarBlow, UniformBeam};
+use super::{BarImpact, UniformBeam};
 
 /// Steps in the shorter of the time a wave takes up and down the bar and the time in which the force rises.
 const STEPS: f64 = 40.0;
@@ -13,7 +13,7 @@ const RIGID: f64 = 60.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BarOnWall {
     /// Waves shape it.
-    Waves(BarBlow),
+    Waves(BarImpact),
     /// The contact is so soft that the bar moves as one piece.
     OnePiece,
 }
@@ -56,7 +56,7 @@ impl UniformBeam {
         let (impedance, back) = (self.bar_impedance(), 2.0 * length / self.bar_speed());
         let rise = self.rise_time(speed, |p| law(p, 0.0))?;
         if rise <= AT_ONCE * back {
-            return Some(BarOnWall::Waves(self.bar_blow(length, speed)));
+            return Some(BarOnWall::Waves(self.bar_impact(length, speed)));
         }
         // Half a period of the rigid bar on the secant of its contact, about.
         if (rise * back).sqrt() > RIGID * back {
@@ -92,7 +92,7 @@ impl UniformBeam {
             impulse += h * f;
             if next <= 0.0 && n > 0 {
                 let duration = h * (n as f64 + p / (p - next));
-                return Some(BarOnWall::Waves(BarBlow { force: peak, duration, impulse }));
+                return Some(BarOnWall::Waves(BarImpact { force: peak, duration, impulse }));
             }
             p = next;
         }
@@ -102,15 +102,15 @@ impl UniformBeam {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{linear_blow, near};
+    use super::super::{linear_impact, near};
     use super::*;
 
     const BAR: UniformBeam = UniformBeam { axial: 2e8, bending: 1.0, mass: 300.0, rotary: 0.0 };
 
-    fn waves(found: Option<BarOnWall>) -> BarBlow {
+    fn waves(found: Option<BarOnWall>) -> BarImpact {
         match found {
-            Some(BarOnWall::Waves(blow)) => blow,
-            _ => BarBlow { force: f64::NAN, duration: f64::NAN, impulse: f64::NAN },
+            Some(BarOnWall::Waves(impact)) => impact,
+            _ => BarImpact { force: f64::NAN, duration: f64::NAN, impulse: f64::NAN },
         }
     }
 
@@ -120,16 +120,16 @@ mod tests {
         let (length, speed, z) = (3.0, 0.5, BAR.bar_impedance());
         let back = 2.0 * length / BAR.bar_speed();
         for stiffness in [0.3, 1.0, 5.0, 30.0].map(|x| x * z / back) {
-            let blow = waves(BAR.bar_on_wall(length, speed, |p, _| stiffness * p));
+            let impact = waves(BAR.bar_on_wall(length, speed, |p, _| stiffness * p));
             let force = z * speed * (1.0 - (-stiffness * back / z).exp());
-            near(blow.force.max(force), blow.force, 2e-3);
+            near(impact.force.max(force), impact.force, 2e-3);
             if stiffness * back / z >= 5.0 {
-                near(blow.force, force, 2e-3);
-                assert!(blow.duration > back, "{blow:?}");
+                near(impact.force, force, 2e-3);
+                assert!(impact.duration > back, "{impact:?}");
             }
             // All momentum is taken, and no more than twice of it given.
             let momentum = BAR.mass * length * speed;
-            assert!((1.0..=2.0 + 1e-3).contains(&(blow.impulse / momentum)), "{blow:?}");
+            assert!((1.0..=2.0 + 1e-3).contains(&(impact.impulse / momentum)), "{impact:?}");
         }
     }
 
@@ -140,15 +140,15 @@ mod tests {
         let back = 2.0 * length / BAR.bar_speed();
         let mass = BAR.mass * length;
         let soft = mass * (std::f64::consts::PI / (30.0 * back)).powi(2);
-        let (blow, rigid) = (
+        let (impact, rigid) = (
             waves(BAR.bar_on_wall(length, speed, |p, _| soft * p)),
-            linear_blow(mass, soft, speed),
+            linear_impact(mass, soft, speed),
         );
-        near(blow.duration, rigid.duration, 0.01);
-        near(blow.force, rigid.peak_force, 0.03);
-        near(blow.impulse, 2.0 * mass * speed, 0.01);
+        near(impact.duration, rigid.duration, 0.01);
+        near(impact.force, rigid.peak_force, 0.03);
+        near(impact.impulse, 2.0 * mass * speed, 0.01);
         let hard = waves(BAR.bar_on_wall(length, speed, |p, _| 1e14 * p));
-        assert_eq!(hard, BAR.bar_blow(length, speed));
+        assert_eq!(hard, BAR.bar_impact(length, speed));
         let softer = mass * (std::f64::consts::PI / (1e4 * back)).powi(2);
         let found = BAR.bar_on_wall(length, speed, |p, _| softer * p);
         assert_eq!(found, Some(BarOnWall::OnePiece));

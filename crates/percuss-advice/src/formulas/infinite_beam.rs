@@ -20,7 +20,7 @@ pub struct InfiniteBeam {
 
 /// A contact on an infinite beam, from touch to release.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct InfiniteBeamBlow {
+pub struct InfiniteBeamImpact {
     /// Largest force \[N\].
     pub peak_force: f64,
     /// Time of the largest force after touch \[s\].
@@ -124,9 +124,9 @@ impl InfiniteBeam {
     }
 
     /// The contact at `speed` \[m/s\] of a mass \[kg\] behind a spring \[N/m\], for which this was made.
-    pub fn blow(&self, mass: f64, stiffness: f64, speed: f64) -> InfiniteBeamBlow {
+    pub fn impact(&self, mass: f64, stiffness: f64, speed: f64) -> InfiniteBeamImpact {
         let (time, peak, release) = ((mass / stiffness).sqrt(), self.peak(), self.release());
-        InfiniteBeamBlow {
+        InfiniteBeamImpact {
             peak_force: speed * (stiffness * mass).sqrt() * self.force(peak),
             peak_time: time * peak,
             duration: release.map(|x| time * x),
@@ -212,10 +212,10 @@ mod tests {
     #[test]
     fn the_example_has_the_force_time_and_rebound_of_the_closed_form() {
         let beam = InfiniteBeam::of(10.0, 1e7, 166_600.0, 300.0);
-        let blow = beam.blow(10.0, 1e7, 0.01);
-        near(blow.peak_force, 95.146_518_557, 1e-10);
-        near(blow.peak_time, 1.514_508_856e-3, 1e-8); // 40 digits give 1.5145088647457e-3
-        near(0.01 * blow.restitution.unwrap_or(f64::NAN), 8.604_740_827e-3, 1e-9);
+        let impact = beam.impact(10.0, 1e7, 0.01);
+        near(impact.peak_force, 95.146_518_557, 1e-10);
+        near(impact.peak_time, 1.514_508_856e-3, 1e-8); // 40 digits give 1.5145088647457e-3
+        near(0.01 * impact.restitution.unwrap_or(f64::NAN), 8.604_740_827e-3, 1e-9);
     }
 
     /// Values of phi by mpmath with 30 digits, beside the double root at beta = 1.7547653506033 too.

@@ -4,24 +4,26 @@
 //! beside a model and its run.
 
 mod bar;
-mod blow;
 mod infinite_beam;
 mod modal;
 mod pressed;
+mod single_mass;
 mod span;
 mod two_masses;
 mod wave_controlled;
 mod waves;
 
 pub use bar::BarOnWall;
-pub use blow::{Blow, free_bar_mass, hertz_blow, linear_blow, reduced_mass, table_blow};
-pub use infinite_beam::{InfiniteBeam, InfiniteBeamBlow};
-pub use modal::{ModalBlow, ModalTarget, Striker};
-pub use pressed::pressed_blow;
+pub use infinite_beam::{InfiniteBeam, InfiniteBeamImpact};
+pub use modal::{ModalImpact, ModalTarget, Striker};
+pub use pressed::pressed_impact;
+pub use single_mass::{
+    SingleMassImpact, free_bar_mass, hertz_impact, linear_impact, reduced_mass, table_impact,
+};
 pub use span::{Cox, Span, SpanKind, impact_factor};
-pub use two_masses::{TwoMassBlow, TwoMasses};
+pub use two_masses::{TwoMassImpact, TwoMasses};
 pub use wave_controlled::WaveControlled;
-pub use waves::{BarBlow, UniformBeam, pulse_frequency, shear_stiffness};
+pub use waves::{BarImpact, UniformBeam, pulse_frequency, shear_stiffness};
 
 /// Asserts that two values agree to a relative tolerance.
 #[cfg(test)]

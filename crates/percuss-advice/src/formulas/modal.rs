@@ -1,4 +1,4 @@
-//! A blow on a structure known by its modes, under any contact law.
+//! An impact on a structure known by its modes, under any contact law.
 
 use super::UniformBeam;
 
@@ -18,19 +18,19 @@ pub struct Striker {
 /// A structure by its modes of unit modal mass.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ModalTarget {
-    /// For each mode the square of its angular frequency and its displacement at the struck point along the blow, shape (modes, 2)
+    /// For each mode the square of its angular frequency and its displacement at the struck point along the impact, shape (modes, 2)
     /// \[1/s^2, kg^-1/2\].
     pub modes: Vec<[f64; 2]>,
 }
 
 /// The first contact with a [`ModalTarget`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ModalBlow {
+pub struct ModalImpact {
     /// Largest force \[N\].
     pub peak_force: f64,
     /// Time from touch to release \[s\].
     pub duration: f64,
-    /// Largest displacement of the struck point along the blow \[m\].
+    /// Largest displacement of the struck point along the impact \[m\].
     pub deflection: f64,
 }
 
@@ -113,14 +113,14 @@ impl ModalTarget {
     ///
     /// With `p = x - w`, `M x'' = -F + M g` and `q_i'' + w_i^2 q_i = phi_i F`, by the midpoint rule, the force over the step that
     /// of the law between its ends: the schemes of the midpoint family do the same with a linear structure.
-    pub fn blow(
+    pub fn impact(
         &self,
         striker: &Striker,
         [h, early]: [f64; 2],
         most: usize,
         over: impl Fn(f64, f64, f64) -> f64,
         force: impl Fn(f64, f64) -> f64,
-    ) -> Option<ModalBlow> {
+    ) -> Option<ModalImpact> {
         let target = self.modes.iter().map(|&[squared, shape]| Oscillator {
             squared,
             damping: 0.0,
@@ -158,7 +158,7 @@ impl ModalTarget {
                 && next <= 0.0
             {
                 let end = start + h * p.max(0.0) / (p - next);
-                return Some(ModalBlow { peak_force, duration: end - touch, deflection });
+                return Some(ModalImpact { peak_force, duration: end - touch, deflection });
             }
             (p, rate) = (next, next_rate);
         }
@@ -197,37 +197,41 @@ fn within([a, da, b, db]: [f64; 4], h: f64, force: impl Fn(f64, f64) -> f64) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::super::{TwoMasses, linear_blow, near, reduced_mass};
+    use super::super::{TwoMasses, linear_impact, near, reduced_mass};
     use super::*;
 
     const LINEAR: f64 = 3e6;
 
-    fn on(target: &ModalTarget, striker: &Striker, h: f64) -> ModalBlow {
+    fn on(target: &ModalTarget, striker: &Striker, h: f64) -> ModalImpact {
         let over = |a: f64, b: f64, _: f64| {
             let (a, b) = (a.max(0.0), b.max(0.0));
             0.5 * LINEAR * (a + b)
         };
-        let blow = target.blow(striker, [h, 0.0], 100_000, over, |p, _| LINEAR * p);
-        blow.unwrap_or(ModalBlow { peak_force: f64::NAN, duration: f64::NAN, deflection: f64::NAN })
+        let impact = target.impact(striker, [h, 0.0], 100_000, over, |p, _| LINEAR * p);
+        impact.unwrap_or(ModalImpact {
+            peak_force: f64::NAN,
+            duration: f64::NAN,
+            deflection: f64::NAN,
+        })
     }
 
     #[test]
     fn a_target_without_modes_is_rigid() {
         let striker = Striker { mass: 5.0, rear: None, speed: 2.0, pull: 0.0 };
-        let rigid = linear_blow(5.0, LINEAR, 2.0);
-        let blow = on(&ModalTarget { modes: Vec::new() }, &striker, 1e-3 * rigid.duration);
-        near(blow.duration, rigid.duration, 1e-5);
-        near(blow.peak_force, rigid.peak_force, 1e-5);
+        let rigid = linear_impact(5.0, LINEAR, 2.0);
+        let impact = on(&ModalTarget { modes: Vec::new() }, &striker, 1e-3 * rigid.duration);
+        near(impact.duration, rigid.duration, 1e-5);
+        near(impact.peak_force, rigid.peak_force, 1e-5);
     }
 
     #[test]
     fn one_mode_without_stiffness_is_a_free_mass() {
         let striker = Striker { mass: 5.0, rear: None, speed: 2.0, pull: 0.0 };
-        let two = linear_blow(reduced_mass([5.0, 2.0]), LINEAR, 2.0);
+        let two = linear_impact(reduced_mass([5.0, 2.0]), LINEAR, 2.0);
         let target = ModalTarget { modes: vec![[0.0, 1.0 / 2.0_f64.sqrt()]] };
-        let blow = on(&target, &striker, 1e-3 * two.duration);
-        near(blow.duration, two.duration, 1e-5);
-        near(blow.peak_force, two.peak_force, 1e-5);
+        let impact = on(&target, &striker, 1e-3 * two.duration);
+        near(impact.duration, two.duration, 1e-5);
+        near(impact.peak_force, two.peak_force, 1e-5);
     }
 
     #[test]
@@ -235,12 +239,12 @@ mod tests {
         let pair = TwoMasses { mass: 5.0, contact: LINEAR, span_mass: 2.0, span_stiffness: 4e5 };
         let target = ModalTarget { modes: vec![[4e5 / 2.0, 1.0 / 2.0_f64.sqrt()]] };
         let striker = Striker { mass: 5.0, rear: None, speed: 2.0, pull: 0.0 };
-        let expected = pair.blow(2.0);
-        let blow = on(&target, &striker, 2e-6);
-        near(blow.duration, expected.map_or(f64::NAN, |b| b.duration), 1e-3);
-        near(blow.peak_force, expected.map_or(f64::NAN, |b| b.peak_force), 1e-3);
+        let expected = pair.impact(2.0);
+        let impact = on(&target, &striker, 2e-6);
+        near(impact.duration, expected.map_or(f64::NAN, |b| b.duration), 1e-3);
+        near(impact.peak_force, expected.map_or(f64::NAN, |b| b.peak_force), 1e-3);
         // Still growing at release, and looked at there at four hundred instants of half a period.
-        near(blow.deflection, expected.map_or(f64::NAN, |b| b.deflection), 5e-3);
+        near(impact.deflection, expected.map_or(f64::NAN, |b| b.deflection), 5e-3);
     }
 
     /// A mass behind a very stiff spring is one with the front, behind a very soft one it takes no part.
@@ -250,10 +254,10 @@ mod tests {
         for (spring, mass) in [(1e12, 9.0), (1e-3, 5.0)] {
             let rear = Some([4.0, spring, 0.0]);
             let striker = Striker { mass: 5.0, rear, speed: 2.0, pull: 0.0 };
-            let expected = linear_blow(mass, LINEAR, 2.0);
-            let blow = on(&rigid, &striker, 1e-3 * expected.duration);
-            near(blow.duration, expected.duration, 1e-3);
-            near(blow.peak_force, expected.peak_force, 1e-3);
+            let expected = linear_impact(mass, LINEAR, 2.0);
+            let impact = on(&rigid, &striker, 1e-3 * expected.duration);
+            near(impact.duration, expected.duration, 1e-3);
+            near(impact.peak_force, expected.peak_force, 1e-3);
         }
     }
 

@@ -27,7 +27,7 @@ pub struct Span {
 /// A mass that strikes a span and stays on it, by Cox.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cox {
-    /// Velocity of both right after the blow \[m/s\].
+    /// Velocity of both right after the impact \[m/s\].
     pub velocity: f64,
     /// Largest deflection of the struck point \[m\].
     pub deflection: f64,

@@ -21,7 +21,7 @@ pub struct TwoMasses {
 
 /// The first contact of [`TwoMasses`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct TwoMassBlow {
+pub struct TwoMassImpact {
     /// Largest force \[N\].
     pub peak_force: f64,
     /// Time of the largest force after touch \[s\].
@@ -50,10 +50,10 @@ impl TwoMasses {
     ///
     /// The penetration is a sum of two sines, slow and fast. Beyond a ratio `FAR` of their frequencies it is looked at only
     /// where its first zero and its extremes can lie, so that the work is bounded whatever the ratio is.
-    pub fn blow(&self, speed: f64) -> Option<TwoMassBlow> {
+    pub fn impact(&self, speed: f64) -> Option<TwoMassImpact> {
         let modes = Modes::new(self, speed);
-        let mut blow =
-            TwoMassBlow { peak_force: 0.0, peak_time: 0.0, duration: 0.0, deflection: 0.0 };
+        let mut impact =
+            TwoMassImpact { peak_force: 0.0, peak_time: 0.0, duration: 0.0, deflection: 0.0 };
         for window in modes.windows() {
             let Window { start, samples } = window;
             let mut before = [start, modes.penetration(start)];
@@ -66,23 +66,23 @@ impl TwoMasses {
                 if p <= 0.0 {
                     // The crossing by a chord: steps are short against both periods.
                     let share = if before[1] > 0.0 { before[1] / (before[1] - p) } else { 1.0 };
-                    blow.duration = before[0] + share * (t - before[0]);
-                    return blow.is_finite().then_some(blow);
+                    impact.duration = before[0] + share * (t - before[0]);
+                    return impact.is_finite().then_some(impact);
                 }
                 before = [t, p];
-                if self.contact * p > blow.peak_force {
-                    (blow.peak_force, blow.peak_time) = (self.contact * p, t);
+                if self.contact * p > impact.peak_force {
+                    (impact.peak_force, impact.peak_time) = (self.contact * p, t);
                 }
-                blow.deflection = blow.deflection.max(modes.deflection(t));
+                impact.deflection = impact.deflection.max(modes.deflection(t));
             }
         }
         // So far apart that a fast period is lost in the digits of the time: the slow mode alone, if there is no other to speak of.
-        blow.duration = modes.falls();
-        (modes.share() < UNSEEN && blow.is_finite()).then_some(blow)
+        impact.duration = modes.falls();
+        (modes.share() < UNSEEN && impact.is_finite()).then_some(impact)
     }
 }
 
-impl TwoMassBlow {
+impl TwoMassImpact {
     fn is_finite(&self) -> bool {
         let all = [self.peak_force, self.peak_time, self.duration, self.deflection];
         all.iter().all(|x| x.is_finite()) && self.duration > 0.0
@@ -94,7 +94,7 @@ const SAMPLES: usize = 400;
 /// Ratio of the frequencies beyond which a contact is not sampled throughout: the slow sine is then constant, to second order in
 /// this ratio, while the fast one takes all its values.
 const FAR: f64 = 64.0;
-/// Share of the fast mode in the penetration below which it changes no digit that is told.
+/// Share of the fast mode in the penetration below which it changes no digit that is reported.
 const UNSEEN: f64 = 1e-6;
 
 /// A stretch of time in which the motion is looked at, in steps of [`Modes::step`].
@@ -193,26 +193,26 @@ impl TwoMasses {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{linear_blow, near};
+    use super::super::{linear_impact, near};
     use super::*;
 
     #[test]
     fn a_heavy_span_is_a_rigid_target() {
         let model = TwoMasses { mass: 2.0, contact: 800.0, span_mass: 1e9, span_stiffness: 1e3 };
-        let blow = model.blow(3.0).expect("an estimate");
-        let wall = linear_blow(2.0, 800.0, 3.0);
-        near(blow.peak_force, wall.peak_force, 1e-5);
-        near(blow.duration, wall.duration, 1e-5);
+        let impact = model.impact(3.0).expect("an estimate");
+        let wall = linear_impact(2.0, 800.0, 3.0);
+        near(impact.peak_force, wall.peak_force, 1e-5);
+        near(impact.duration, wall.duration, 1e-5);
     }
 
     #[test]
     fn a_span_without_mass_is_a_spring_in_series() {
         let model = TwoMasses { mass: 2.0, contact: 800.0, span_mass: 1e-6, span_stiffness: 200.0 };
-        let blow = model.blow(3.0).expect("an estimate");
-        let series = linear_blow(2.0, 160.0, 3.0);
-        near(blow.peak_force, series.peak_force, 1e-2);
-        near(blow.duration, series.duration, 1e-2);
-        near(blow.deflection, series.peak_force / 200.0, 1e-2);
+        let impact = model.impact(3.0).expect("an estimate");
+        let series = linear_impact(2.0, 160.0, 3.0);
+        near(impact.peak_force, series.peak_force, 1e-2);
+        near(impact.duration, series.duration, 1e-2);
+        near(impact.deflection, series.peak_force / 200.0, 1e-2);
     }
 
     #[test]
@@ -232,10 +232,10 @@ mod tests {
             force = force.max(contact);
             deflection = deflection.max(u[1]);
         }
-        let blow = model.blow(20.0).expect("an estimate");
-        near(blow.peak_force, force, 1e-4);
-        near(blow.duration, t, 1e-4);
-        near(blow.deflection, deflection, 1e-4);
+        let impact = model.impact(20.0).expect("an estimate");
+        near(impact.peak_force, force, 1e-4);
+        near(impact.duration, t, 1e-4);
+        near(impact.deflection, deflection, 1e-4);
     }
 
     /// The first zero by samples of the whole motion, eighty in half a fast period.
@@ -257,13 +257,13 @@ mod tests {
         for mass in [1e-4, 0.03, 1.0, 40.0, 1e4] {
             for contact in [1e-6, 1e-3, 0.2, 5.0, 1e4, 1e7] {
                 let model = TwoMasses { mass, contact, span_mass: 1.0, span_stiffness: 1.0 };
-                let blow = model.blow(1.0).expect("an estimate");
+                let impact = model.impact(1.0).expect("an estimate");
                 let [t, force, deflection] = sampled(&model, 1.0);
                 // A sampled step is pi/80 of the faster mode.
-                near(blow.duration, t, 0.02);
-                near(blow.peak_force, force, 1e-3);
+                near(impact.duration, t, 0.02);
+                near(impact.peak_force, force, 1e-3);
                 // It may still grow where the contact ends.
-                near(blow.deflection, deflection, 0.02);
+                near(impact.deflection, deflection, 0.02);
             }
         }
     }
@@ -292,14 +292,14 @@ mod tests {
                 span_mass: 1.0,
                 span_stiffness: 800.0 * far,
             };
-            let (blow, wall) = (soft.blow(3.0), linear_blow(2.0, 800.0, 3.0));
-            near(blow.map_or(f64::NAN, |b| b.duration), wall.duration, 1e-4);
-            near(blow.map_or(f64::NAN, |b| b.peak_force), wall.peak_force, 1e-4);
+            let (impact, wall) = (soft.impact(3.0), linear_impact(2.0, 800.0, 3.0));
+            near(impact.map_or(f64::NAN, |b| b.duration), wall.duration, 1e-4);
+            near(impact.map_or(f64::NAN, |b| b.peak_force), wall.peak_force, 1e-4);
             let heavy =
                 TwoMasses { mass: 2.0, contact: 800.0, span_mass: far, span_stiffness: 1.0 };
-            near(heavy.blow(3.0).map_or(f64::NAN, |b| b.duration), wall.duration, 1e-4);
+            near(heavy.impact(3.0).map_or(f64::NAN, |b| b.duration), wall.duration, 1e-4);
         }
         let lost = TwoMasses { mass: 1e-300, contact: 1e300, span_mass: 1.0, span_stiffness: 1.0 };
-        assert_eq!(lost.blow(1.0), None);
+        assert_eq!(lost.impact(1.0), None);
     }
 }

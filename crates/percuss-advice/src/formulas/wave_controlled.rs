@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::InfiniteBeamBlow;
+use super::InfiniteBeamImpact;
 
 /// Steps in the time the contact would last on a rigid target. Forces and times are then exact to 3e-6, velocities to 1e-5, as
 /// the closed form for a linear spring shows.
@@ -45,7 +45,7 @@ struct Memory {
 
 impl WaveControlled {
     /// The contact under a force law of the penetration \[m\] and its rate \[m/s\]; on a rigid target it would last `lasts` \[s\].
-    pub fn blow(&self, law: impl Fn(f64, f64) -> f64, lasts: f64) -> InfiniteBeamBlow {
+    pub fn impact(&self, law: impl Fn(f64, f64) -> f64, lasts: f64) -> InfiniteBeamImpact {
         let h = lasts / STEPS as f64;
         let memory = self.memory(h);
         let (mut force, mut before) = (vec![0.0], 0.0);
@@ -79,7 +79,7 @@ impl WaveControlled {
         }
         let (peak_time, peak_force) = peak(&force);
         let impulse = h * force.iter().sum::<f64>();
-        InfiniteBeamBlow {
+        InfiniteBeamImpact {
             peak_force,
             peak_time: h * peak_time,
             duration: released,
@@ -132,7 +132,9 @@ fn peak(values: &[f64]) -> (f64, f64) {
 mod tests {
     use nalgebra::Complex;
 
-    use super::super::{InfiniteBeam, UniformBeam, hertz_blow, linear_blow, near, shear_stiffness};
+    use super::super::{
+        InfiniteBeam, UniformBeam, hertz_impact, linear_impact, near, shear_stiffness,
+    };
     use super::*;
 
     /// Benchmark E4 (closed form): EI 166600 N m^2, rhoA 300 kg/m, M 10 kg, k 1e7 N/m, V 0.01 m/s.
@@ -146,10 +148,10 @@ mod tests {
             pull: 0.0,
             softening: 0.0,
         };
-        let blow = case.blow(|p, _| 1e7 * p.max(0.0), PI * 1e-3);
-        near(blow.peak_force, 95.146_518_557, 3e-6);
-        near(blow.peak_time, 1.514_508_864_745_7e-3, 3e-6);
-        near(blow.restitution.unwrap_or(f64::NAN), 0.860_474_082_7, 1e-5);
+        let impact = case.impact(|p, _| 1e7 * p.max(0.0), PI * 1e-3);
+        near(impact.peak_force, 95.146_518_557, 3e-6);
+        near(impact.peak_time, 1.514_508_864_745_7e-3, 3e-6);
+        near(impact.restitution.unwrap_or(f64::NAN), 0.860_474_082_7, 1e-5);
     }
 
     /// Benchmark E7 (Timoshenko 1913): a sphere of steel on a beam of 0.1535 m, 4.9772 N at 72.56 us. Waves come back before
@@ -160,13 +162,13 @@ mod tests {
         let (mass, speed, stiffness) = (0.033_343, 0.01, 1.580_559e10);
         let case =
             WaveControlled { mass, speed, bending, mass_per_length, pull: 0.0, softening: 0.0 };
-        let lasts = hertz_blow(mass, stiffness, speed).duration;
-        let blow = case.blow(|p, _| stiffness * p.max(0.0).powf(1.5), lasts);
-        near(blow.peak_force, 4.9772, 3e-3);
-        near(blow.peak_time, 72.56e-6, 6e-3);
+        let lasts = hertz_impact(mass, stiffness, speed).duration;
+        let impact = case.impact(|p, _| stiffness * p.max(0.0).powf(1.5), lasts);
+        near(impact.peak_force, 4.9772, 3e-3);
+        near(impact.peak_time, 72.56e-6, 6e-3);
         // On a rigid beam nothing is lost.
         let rigid = WaveControlled { bending: 1e30, ..case };
-        let back = rigid.blow(|p, _| stiffness * p.max(0.0).powf(1.5), lasts);
+        let back = rigid.impact(|p, _| stiffness * p.max(0.0).powf(1.5), lasts);
         near(back.restitution.unwrap_or(f64::NAN), 1.0, 1e-5);
         near(back.duration.unwrap_or(f64::NAN), lasts, 1e-5);
     }
@@ -182,9 +184,9 @@ mod tests {
             pull: 0.0,
             softening: 0.0,
         };
-        let blow = case.blow(|p, _| (1e7 * p.max(0.0)).min(500.0), 0.05);
-        assert_eq!(blow.peak_force, 500.0);
-        assert!(blow.peak_time > 0.0, "{blow:?}");
+        let impact = case.impact(|p, _| (1e7 * p.max(0.0)).min(500.0), 0.05);
+        assert_eq!(impact.peak_force, 500.0);
+        assert!(impact.peak_time > 0.0, "{impact:?}");
     }
 
     #[test]
@@ -197,8 +199,8 @@ mod tests {
             pull: 0.0,
             softening: 0.0,
         };
-        let lasts = hertz_blow(case.mass, 1e9, 1.0).duration;
-        assert!(case.blow(|p, _| 1e9 * p.max(0.0).powf(1.5), lasts).duration.is_none());
+        let lasts = hertz_impact(case.mass, 1e9, 1.0).duration;
+        assert!(case.impact(|p, _| 1e9 * p.max(0.0).powf(1.5), lasts).duration.is_none());
     }
 
     /// Sum of the closed form's force and that of the weight, `W int phi`, which is `W (1 - velocity)`.
@@ -220,11 +222,11 @@ mod tests {
             pull,
             softening: 0.0,
         };
-        let blow = case.blow(|p, _| stiffness * p.max(0.0), 5e-3);
+        let impact = case.impact(|p, _| stiffness * p.max(0.0), 5e-3);
         let most = (1..5000).map(|k| force(1e-6 * f64::from(k))).fold(0.0, f64::max);
-        near(blow.peak_force, most, 2e-5);
-        near(blow.peak_force, force(blow.peak_time), 2e-5);
-        let released = blow.duration.unwrap_or(f64::NAN);
+        near(impact.peak_force, most, 2e-5);
+        near(impact.peak_force, force(impact.peak_time), 2e-5);
+        let released = impact.duration.unwrap_or(f64::NAN);
         assert!(force(released).abs() < 1e-3 * most, "{released}");
     }
 
@@ -243,10 +245,11 @@ mod tests {
             pull: 0.0,
             softening,
         };
-        let lasts = linear_blow(mass, stiffness, speed).duration;
-        let blow = |softening| of(softening).blow(|p, _| stiffness * p.max(0.0), lasts).peak_force;
+        let lasts = linear_impact(mass, stiffness, speed).duration;
+        let impact =
+            |softening| of(softening).impact(|p, _| stiffness * p.max(0.0), lasts).peak_force;
         let shear = shear_stiffness(section.axial);
-        let (plain, soft) = (blow(0.0), blow(section.softening(shear)));
+        let (plain, soft) = (impact(0.0), impact(section.softening(shear)));
         let exact = talbot_peak(&section, shear, [mass, stiffness, speed], lasts);
         assert!((plain / exact - 1.0).abs() > 0.07, "{plain} {exact}");
         assert!((soft / exact - 1.0).abs() < 5e-3, "{plain} {soft} {exact}");

@@ -17,7 +17,7 @@ pub struct UniformBeam {
 
 /// A bar that flies lengthwise against a rigid wall.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BarBlow {
+pub struct BarImpact {
     /// Force from touch to release, constant \[N\].
     pub force: f64,
     /// Time from touch to release \[s\].
@@ -103,9 +103,9 @@ impl UniformBeam {
     /// A bar of the given length \[m\] that flies lengthwise at `speed` \[m/s\] against a rigid wall: force `EA v/c` while a wave
     /// runs up and down it once, `2 L/c` (A. de Saint-Venant; S. Timoshenko and J. N. Goodier, Theory of Elasticity,
     /// chapter on longitudinal impact of bars).
-    pub fn bar_blow(&self, length: f64, speed: f64) -> BarBlow {
+    pub fn bar_impact(&self, length: f64, speed: f64) -> BarImpact {
         let wave = self.bar_speed();
-        BarBlow {
+        BarImpact {
             force: self.axial * speed / wave,
             duration: 2.0 * length / wave,
             impulse: 2.0 * self.mass * length * speed,
@@ -171,13 +171,13 @@ mod tests {
     #[test]
     fn a_bar_on_a_wall_has_the_published_force_and_duration() {
         let bar = UniformBeam { axial: 3e7, bending: 1.0, mass: 0.73e-3, rotary: 0.0 };
-        let blow = bar.bar_blow(10.0, 202.2);
-        near(blow.force, 29_922.867, 1e-6);
-        near(blow.duration, 1.481_136_41e-4 - 4.945_598_4e-5, 1e-6);
-        near(blow.force * blow.duration, blow.impulse, 1e-14);
+        let impact = bar.bar_impact(10.0, 202.2);
+        near(impact.force, 29_922.867, 1e-6);
+        near(impact.duration, 1.481_136_41e-4 - 4.945_598_4e-5, 1e-6);
+        near(impact.force * impact.duration, impact.impulse, 1e-14);
         let bar = UniformBeam { axial: 8e7, bending: 1.0, mass: 3.2, rotary: 0.0 };
-        let blow = bar.bar_blow(0.2, 100.0);
-        near(blow.force, 1.6e6, 1e-14);
-        near(blow.duration, 8e-5, 1e-14);
+        let impact = bar.bar_impact(0.2, 100.0);
+        near(impact.force, 1.6e6, 1e-14);
+        near(impact.duration, 8e-5, 1e-14);
     }
 }

@@ -36,19 +36,19 @@ fn of(ball: Disc, law: SmoothLaw, gravity: f64) -> (Vec<Advice>, RunSummary, Vec
     (before, run, after)
 }
 
-fn told(all: &[Advice], topic: Topic) -> Option<&Advice> {
+fn reported(all: &[Advice], topic: Topic) -> Option<&Advice> {
     all.iter().find(|one| one.topic == topic)
 }
 
 #[test]
-fn a_contact_pressed_in_by_half_of_what_touches_is_told_before_and_after() {
+fn a_contact_pressed_in_by_half_of_what_touches_is_reported_before_and_after() {
     // Up to 71 mm of the 45 that radius and half depth are together; the bar gives way a little.
     let (before, run, after) = struck(5e4);
-    let foretold = told(&before, Topic::Pressed).expect("a note");
-    assert_eq!((foretold.verdict, foretold.reference), (Verdict::Note, 0.045));
+    let predicted = reported(&before, Topic::Pressed).expect("a note");
+    assert_eq!((predicted.verdict, predicted.reference), (Verdict::Note, 0.045));
     let most = SPEED * (MASS / 5e4_f64).sqrt();
-    assert!((foretold.value / most - 1.0).abs() < 1e-12, "{foretold:?}");
-    let found = told(&after, Topic::Pressed).expect("a warning");
+    assert!((predicted.value / most - 1.0).abs() < 1e-12, "{predicted:?}");
+    let found = reported(&after, Topic::Pressed).expect("a warning");
     let pressed = run.contacts[0].pressed_in.unwrap();
     assert_eq!((found.verdict, found.value), (Verdict::Warning, pressed.penetration));
     assert!(pressed.penetration < most && pressed.penetration > 0.95 * most, "{pressed:?}");
@@ -59,11 +59,11 @@ fn a_contact_pressed_in_by_half_of_what_touches_is_told_before_and_after() {
     let (before, run, after) = struck(5e6);
     let pressed = run.contacts[0].pressed_in.unwrap();
     assert!(pressed.penetration > 1e-3 && !pressed.is_deep(), "{pressed:?}");
-    assert!([before, after].iter().all(|all| told(all, Topic::Pressed).is_none()));
+    assert!([before, after].iter().all(|all| reported(all, Topic::Pressed).is_none()));
 }
 
 #[test]
-fn a_dent_that_is_carried_along_is_told_with_its_depth_and_way() {
+fn a_dent_that_is_carried_along_is_reported_with_its_depth_and_way() {
     let law = |unloading| SmoothLaw {
         unloading,
         ..SmoothLaw::elastic(Potential::Linear { stiffness: 1e5 })
@@ -72,10 +72,10 @@ fn a_dent_that_is_carried_along_is_told_with_its_depth_and_way() {
         of(disc("ball", 2.0, 0.05, [0.4, 0.075], [along, 0.0]), law(unloading), 9.81).2
     };
     let all = slides(3.0, Some(9e5));
-    let found = told(&all, Topic::CarriedCrush).expect("a warning");
+    let found = reported(&all, Topic::CarriedCrush).expect("a warning");
     assert!(found.verdict == Verdict::Warning && found.value > 0.0, "{found:?}");
     assert!(found.reference > found.value && found.text.contains("along the face"), "{found:?}");
     for (along, unloading) in [(0.0, Some(9e5)), (3.0, None)] {
-        assert!(told(&slides(along, unloading), Topic::CarriedCrush).is_none(), "{along}");
+        assert!(reported(&slides(along, unloading), Topic::CarriedCrush).is_none(), "{along}");
     }
 }

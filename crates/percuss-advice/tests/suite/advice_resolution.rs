@@ -8,8 +8,8 @@ use percuss_advice::*;
 
 /// Steps of the half period of mass and spring, as in the table of docs/results.md.
 const STEPS: [f64; 3] = [3.0, 5.0, 8.0];
-/// Errors below this are told as fine.
-const TOLD: f64 = 0.015;
+/// Errors below this are reported as fine.
+const REPORTED: f64 = 0.015;
 
 fn scene(held: &str, kind: ProjectileKind, mass: f64, speed: f64, standoff: f64) -> Model {
     let mut b = ModelBuilder::new();
@@ -34,7 +34,7 @@ fn scene(held: &str, kind: ProjectileKind, mass: f64, speed: f64, standoff: f64)
 }
 
 /// Peak force and duration of the first contact.
-fn blow(model: &Model, end: f64, step: f64) -> [f64; 2] {
+fn impact(model: &Model, end: f64, step: f64) -> [f64; 2] {
     let run = simulate(model, &Settings::new(end, step), &mut NoRecorder);
     let run = run.unwrap_or_else(|faults| panic!("{faults:?}"));
     match &run.contacts[0].record {
@@ -47,7 +47,7 @@ fn blow(model: &Model, end: f64, step: f64) -> [f64; 2] {
 }
 
 /// The error in per cent that a text foretells.
-fn foretold(text: &str) -> Option<f64> {
+fn predicted(text: &str) -> Option<f64> {
     let (_, rest) = text.split_once("error of the peak force ")?;
     rest.split_once(" %")?.0.parse::<f64>().ok().map(|percent| 0.01 * percent)
 }
@@ -71,7 +71,7 @@ fn durations_and_errors_are_those_that_refinement_shows() {
         (hertz(2e10), 0.5, 0.5, ball(0.5, 2e10, 0.5)),
         (hertz(1e9), 30.0, 0.1, ball(30.0, 1e9, 0.1)),
     ];
-    let mut told = 0;
+    let mut reported = 0;
     let mut scenes = 0;
     for held in ["pinned", "clamped", "cantilever", "free", "propped"] {
         // Two more of a propped beam make thirty.
@@ -80,7 +80,7 @@ fn durations_and_errors_are_those_that_refinement_shows() {
             scenes += 1;
             let at = |standoff| scene(held, kind.clone(), *mass, *speed, standoff);
             let fine = at(0.0);
-            let [force, duration] = blow(&fine, 2.0 * half, half / 150.0);
+            let [force, duration] = impact(&fine, 2.0 * half, half / 150.0);
             let name = format!("{held}, {kind:?}, {mass} kg");
             let mut row = format!("| {name} | {:.3} ms |", 1e3 * duration);
             for steps in STEPS {
@@ -92,18 +92,18 @@ fn durations_and_errors_are_those_that_refinement_shows() {
                     assert!((found.value / duration - 1.0).abs() < 0.05, "{name}: {found:?}");
                 }
                 let squares: f64 = [0.0, 0.37, 0.74]
-                    .map(|early| blow(&at(early * step * speed), 3.0 * half, step)[0])
+                    .map(|early| impact(&at(early * step * speed), 3.0 * half, step)[0])
                     .map(|found| (found / force - 1.0).powi(2))
                     .iter()
                     .sum();
                 let off = (squares / 3.0).sqrt();
-                let says = foretold(&found.text)
+                let says = predicted(&found.text)
                     .map_or(found.verdict.name().to_owned(), |x| (100.0 * x).to_string());
                 row += &format!(" {says}, {:.2} |", 100.0 * off);
-                match foretold(&found.text) {
+                match predicted(&found.text) {
                     // Rounded to a per cent.
                     Some(says) => {
-                        told += 1;
+                        reported += 1;
                         let ratio = says / off;
                         let near = (says - off).abs() < 0.006;
                         assert!(
@@ -114,7 +114,7 @@ fn durations_and_errors_are_those_that_refinement_shows() {
                     None if found.verdict == Verdict::Fine
                         || found.text.contains("accurate to 1 %") =>
                     {
-                        assert!(off < TOLD, "{name}, {steps}: {off} is told as fine");
+                        assert!(off < REPORTED, "{name}, {steps}: {off} is told as fine");
                     }
                     None => {
                         assert!(duration / step < 2.05 || duration.is_nan(), "{name}: {found:?}")
@@ -125,5 +125,5 @@ fn durations_and_errors_are_those_that_refinement_shows() {
         }
     }
     assert_eq!(scenes, 30);
-    assert!(told >= 30, "{told}");
+    assert!(reported >= 30, "{reported}");
 }

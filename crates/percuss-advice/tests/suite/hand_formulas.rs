@@ -1,4 +1,4 @@
-//! Hand formulas beside runs in which weights, motions and soft contacts take part: what is told as met must fit.
+//! Hand formulas beside runs in which weights, motions and soft contacts take part: what is reported as met must fit.
 
 use crate::common;
 
@@ -87,7 +87,7 @@ fn a_disc_presses_a_floor_with_its_weight_too() {
 
 /// A heavy mass that hardly moves, on a long beam that hangs under its own weight: nine tenths of the force are its weight.
 #[test]
-fn a_weight_on_a_beam_without_end_is_part_of_the_blow() {
+fn a_weight_on_a_beam_without_end_is_part_of_the_impact() {
     let of = |start: Start| {
         let mut b = ModelBuilder::new();
         let beam = steel(&mut b, 12.0, 240);
@@ -112,7 +112,7 @@ fn a_weight_on_a_beam_without_end_is_part_of_the_blow() {
     );
 }
 
-/// Beam and mass fly together: velocities are told against the beam's.
+/// Beam and mass fly together: velocities are reported against the beam's.
 #[test]
 fn a_beam_that_flies_is_struck_in_its_own_frame() {
     let of = |flies: f64| {
@@ -197,7 +197,7 @@ fn a_bar_on_a_wall_stays_as_long_as_its_contact_lets_it() {
 
 /// A contact far stiffer than an element makes a force that is none of the bar; the advisor says so, and what the wave gives.
 #[test]
-fn a_hard_contact_of_a_bar_is_told_as_one_of_the_mesh() {
+fn a_hard_contact_of_a_bar_is_reported_as_one_of_the_mesh() {
     let mut b = ModelBuilder::new();
     let beam = steel(&mut b, 2.0, 40);
     let shape = ObstacleShape::HalfPlane { point: [-1e-4, 0.0], normal: [1.0, 0.0] };
@@ -250,7 +250,7 @@ fn a_free_beam_is_reached_by_velocity_alone() {
     let mass = Projectile::new("mass", kind, 1.0, [0.0, -1.0], at("mid", beam, 0.5));
     b.projectile(Projectile { standoff: 1.0, ..mass });
     let advice = advise(&freeze(&b), &Settings::new(0.5, 1e-4));
-    let touch = advice.iter().find(|a| a.topic == Topic::Touch);
+    let touch = advice.iter().find(|a| a.topic == Topic::FirstContact);
     let time = touch.map_or(f64::NAN, |a| a.value);
     assert!((time - 1.0).abs() < 1e-12, "{touch:?}");
     assert_eq!(touch.map(|a| a.verdict), Some(Verdict::Warning));
@@ -277,7 +277,7 @@ impl Draws {
 #[test]
 fn no_force_is_above_its_upper_bound() {
     let mut draws = Draws(20_240_611);
-    let mut told = 0;
+    let mut reported = 0;
     let mut nearest = 0.0_f64;
     for case in 0..40 {
         let mut b = ModelBuilder::new();
@@ -310,12 +310,12 @@ fn no_force_is_above_its_upper_bound() {
             if c.holds_if.contains("not met") {
                 continue;
             }
-            told += 1;
+            reported += 1;
             nearest = nearest.max(c.simulated / c.by_hand);
             assert!(c.simulated <= 1.001 * c.by_hand, "{case}: {c:#?}");
         }
     }
-    assert!(told >= 20, "{told}");
+    assert!(reported >= 20, "{reported}");
     assert!(nearest > 0.8, "no case comes near the bound: {nearest}");
 }
 

@@ -19,7 +19,7 @@ fn struck(theory: Theory, kind: ProjectileKind) -> Model {
     b.build().unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
-fn told(theory: Theory, kind: ProjectileKind, topic: Topic) -> Option<Advice> {
+fn reported(theory: Theory, kind: ProjectileKind, topic: Topic) -> Option<Advice> {
     let all = advise(&struck(theory, kind), &Settings::new(0.05, 2e-5));
     all.into_iter().find(|advice| advice.topic == topic)
 }
@@ -27,8 +27,8 @@ fn told(theory: Theory, kind: ProjectileKind, topic: Topic) -> Option<Advice> {
 #[test]
 fn shear_that_a_beam_has_is_not_said_to_be_neglected() {
     let spring = || ProjectileKind::spring(5e5);
-    assert!(told(Theory::Slender, spring(), Topic::Shear).is_some());
-    assert_eq!(told(Theory::Shear, spring(), Topic::Shear), None);
+    assert!(reported(Theory::Slender, spring(), Topic::Shear).is_some());
+    assert_eq!(reported(Theory::Shear, spring(), Topic::Shear), None);
     // Formulas of slender beams stand beside no run of another.
     let settings = Settings::new(0.05, 2e-5);
     let formulas = |theory: Theory| {
@@ -44,15 +44,15 @@ fn shear_that_a_beam_has_is_not_said_to_be_neglected() {
 }
 
 #[test]
-fn the_force_after_a_rigid_impact_is_told_with_its_limit() {
+fn the_force_after_a_rigid_impact_is_reported_with_its_limit() {
     let kind = |restitution: f64| ProjectileKind::Rigid { restitution };
     for (restitution, verdict) in [(0.0, Verdict::Note), (0.5, Verdict::Warning)] {
-        let found = told(Theory::Shear, kind(restitution), Topic::EffectiveMass).unwrap();
+        let found = reported(Theory::Shear, kind(restitution), Topic::EffectiveMass).unwrap();
         assert_eq!(found.verdict, verdict);
         assert!(found.text.contains("2 v sqrt(kappa G A rho A)"), "{}", found.text);
         // Of the limit, an effective mass, nothing is left.
         assert!(found.text.contains("tends to 0 kg"), "{}", found.text);
     }
-    let slender = told(Theory::Slender, kind(0.0), Topic::EffectiveMass).unwrap();
+    let slender = reported(Theory::Slender, kind(0.0), Topic::EffectiveMass).unwrap();
     assert!(!slender.text.contains("kappa"), "{}", slender.text);
 }

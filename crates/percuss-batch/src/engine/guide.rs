@@ -9,7 +9,7 @@ use percuss::math::vec2::dot;
 /// State of a guided projectile, and its values in the current step.
 #[derive(Clone, Copy, Debug)]
 pub struct GuideState<S> {
-    /// Displacement along the line of flight \[m\], velocity \[m/s\].
+    /// Displacement along the line of motion \[m\], velocity \[m/s\].
     pub way: S,
     pub velocity: S,
     /// Gap \[m\] and its rate \[m/s\].
@@ -35,7 +35,7 @@ pub struct GuideState<S> {
 }
 
 impl<S: Number> GuideNumbers<S> {
-    /// Nodal values of the struck point along the line of flight, as a form on its two nodes.
+    /// Nodal values of the struck point along the line of motion, as a form on its two nodes.
     #[inline(always)]
     pub fn row(&self) -> [S; 8] {
         row(&self.shape, &self.direction)

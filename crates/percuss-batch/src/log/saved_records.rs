@@ -49,10 +49,10 @@ impl<S: Number> SavedRecords<S> {
     #[inline(always)]
     pub fn restore(&self, (points, guides, yields): Records<'_, S>, go: S::Mask) {
         for (now, saved) in points.as_flattened_mut().iter_mut().zip(self.points.as_flattened()) {
-            now.put_back(saved, go);
+            now.restore(saved, go);
         }
         for (now, saved) in yields.iter_mut().zip(&self.yields) {
-            now.put_back(saved, go);
+            now.restore(saved, go);
         }
         let mut saved = self.guides.iter();
         for (log, released) in guides.iter_mut().zip(&self.released) {

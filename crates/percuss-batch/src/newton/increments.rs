@@ -98,7 +98,7 @@ impl<S: Number> Engine<S> {
         }
         if first {
             let scale = ledger.sums.energy_scale;
-            search.convergence.play(zero.if_less(scale, scale, work));
+            search.convergence.set_energy_scale(zero.if_less(scale, scale, work));
         }
         let places = zero.if_less(force, self.numbers.round_off.size, zero);
         search.convergence.corrected(size, reach, step, work, places);

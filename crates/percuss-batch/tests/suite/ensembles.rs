@@ -60,7 +60,7 @@ fn loaded(
     b.build().unwrap()
 }
 
-/// Gravity, also across the line of flight, a base acceleration, a force of limited duration, and an oscillating pressure.
+/// Gravity, also across the line of motion, a base acceleration, a force of limited duration, and an oscillating pressure.
 fn loads(b: &mut ModelBuilder, g: BeamId, k: usize) {
     let x = k as f64 / 20.0;
     let gravity = LoadKind::Gravity { acceleration: [-2.0 * x, -9.81] };
@@ -127,7 +127,7 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64)> {
 /// All counts of a run except those of the solver.
 fn counts(s: &RunSummary) -> Vec<usize> {
     let mut all = vec![s.steps, s.solver_steps, s.step_cuts, s.accumulated_steps, s.rows];
-    all.push(s.shared_blows.count);
+    all.push(s.multiple_impacts.count);
     for contact in &s.contacts {
         let ContactRecord::Smooth { intervals, .. } = &contact.record else { panic!() };
         all.push(intervals.len());

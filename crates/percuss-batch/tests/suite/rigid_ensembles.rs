@@ -129,7 +129,7 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64, f64)> {
 
 fn counts(s: &RunSummary) -> Vec<usize> {
     let (impacts, intervals, _) = rigid_record(s);
-    let mut all = vec![s.steps, s.step_cuts, s.accumulated_steps, s.shared_blows.count];
+    let mut all = vec![s.steps, s.step_cuts, s.accumulated_steps, s.multiple_impacts.count];
     if impacts.len() <= FEW {
         all.extend([s.solver_steps, s.rows, impacts.len(), intervals.len()]);
         all.extend(intervals.iter().map(|i| i.steps));

@@ -23,14 +23,14 @@ fn blocks(language: &str) -> Vec<(String, Fence)> {
 
 /// What is wrong with an excerpt of a file, apart from what it leaves out: missing keys and tables, names given elsewhere, files.
 fn faults(text: &str) -> Vec<String> {
-    let told =
+    let reported =
         |found: Diagnostics| -> Vec<String> { found.coded().lines().map(str::to_string).collect() };
     let found = if is_study(text) || text.contains("[[correlation]]") {
-        StudyFile::read(text, "study.toml").err().map(told)
+        StudyFile::read(text, "study.toml").err().map(reported)
     } else {
         match read(text, "scenario.toml") {
-            Ok(scenario) => scenario.compile().err().map(told),
-            Err(found) => Some(told(found)),
+            Ok(scenario) => scenario.compile().err().map(reported),
+            Err(found) => Some(reported(found)),
         }
     };
     let left_out = ["[E001]", "[E004]", "[E007]"];

@@ -1,10 +1,10 @@
-//! The gallery: complete, and its lessons true of runs made here.
+//! The gallery: complete, and its statements true of runs made here.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
 use percuss::{NoRecorder, Scheme, simulate};
-use percuss_book::{Sample, Scene, is_shown, left_out, rooms, samples};
+use percuss_book::{Sample, Scene, is_shown, left_out, samples, sections};
 use percuss_output::{RunInfo, summary_value};
 
 use crate::repository;
@@ -14,7 +14,7 @@ fn list() -> std::path::PathBuf {
 }
 
 fn scenes() -> Vec<Scene> {
-    rooms(&list()).unwrap().into_iter().flat_map(|room| room.scenes).collect()
+    sections(&list()).unwrap().into_iter().flat_map(|section| section.scenes).collect()
 }
 
 #[test]
@@ -33,13 +33,17 @@ fn every_scenario_hangs_in_the_gallery_once() {
         out.iter().filter(|name| !all.iter().any(|one| one.name == **name)).collect();
     assert!(idle.is_empty(), "left out and not there: {idle:?}");
     for scene in &scenes {
-        let lesson = &scene.lesson;
-        assert!(!lesson.is_empty() && !lesson.contains('\n'), "{}: {lesson:?}", scene.file);
+        let statement = &scene.statement;
+        assert!(
+            !statement.is_empty() && !statement.contains('\n'),
+            "{}: {statement:?}",
+            scene.file
+        );
         assert!(!scene.holds.is_empty(), "{}: nothing holds its lesson", scene.file);
     }
 }
 
-/// What is wrong with a scene: a run that fails, a balance that does not close, a lesson that is not true.
+/// What is wrong with a scene: a run that fails, a balance that does not close, a statement that is not true.
 fn faults(scene: &Scene, sample: &Sample, root: &Path) -> Vec<String> {
     let path = root.join(&sample.name);
     let scenario = percuss_scenario::read(&sample.text, &path.display().to_string()).unwrap();
@@ -57,7 +61,7 @@ fn faults(scene: &Scene, sample: &Sample, root: &Path) -> Vec<String> {
         warnings: &[],
         comparisons: &[],
     };
-    let (_, mut found) = scene.told(&summary_value(&run, info));
+    let (_, mut found) = scene.filled(&summary_value(&run, info));
     let conserves = matches!(settings.scheme, Scheme::EnergyMomentum | Scheme::StrainRate);
     // Far above round-off; `plain-gradient` in rail-buffer.toml leaves 7e-10.
     if conserves && run.energy.residual_max > 1e-9 {
@@ -67,7 +71,7 @@ fn faults(scene: &Scene, sample: &Sample, root: &Path) -> Vec<String> {
 }
 
 #[test]
-fn lessons_of_the_gallery_are_true() {
+fn statements_of_the_gallery_are_true() {
     let samples = samples(repository()).unwrap();
     let scenes = scenes();
     let halves: Vec<Vec<String>> = std::thread::scope(|scope| {

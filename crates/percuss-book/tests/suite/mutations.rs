@@ -60,13 +60,13 @@ fn the_page_has_a_row_for_each_mistake_and_says_which_none_notices() {
         .collect();
     let later = page.lines().find_map(|line| line.strip_prefix("Not measured yet: "));
     let later = later.map(|line| line.trim_end_matches('.').split("; ").collect::<Vec<_>>());
-    let mut told: Vec<&str> =
+    let mut reported: Vec<&str> =
         rows.iter().map(|row| row[0]).chain(later.unwrap_or_default()).collect();
     let mutations = mutations();
     let mut known: Vec<&str> = mutations.iter().map(|mutation| mutation.what.as_str()).collect();
-    told.sort_unstable();
+    reported.sort_unstable();
     known.sort_unstable();
-    assert_eq!(told, known);
+    assert_eq!(reported, known);
     assert!(rows.len() >= 8, "{} rows", rows.len());
     for row in &rows {
         let names = row[2].matches('`').count() / 2;

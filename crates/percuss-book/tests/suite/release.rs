@@ -1,4 +1,4 @@
-//! The version and its date, wherever they are told.
+//! The version and its date, wherever they are reported.
 
 use crate::repository;
 

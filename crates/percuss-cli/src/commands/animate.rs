@@ -11,7 +11,7 @@ use percuss_pictures::{
 
 use super::report::refuse_what_is_no_run;
 use crate::interrupt;
-use crate::kept;
+use crate::modified_files;
 use crate::number::{number, quantity};
 use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Animate;
@@ -71,7 +71,7 @@ fn film(arguments: &Animate) -> Result<Status, Failure> {
             Ok(Status::Interrupted)
         }
         FilmOutcome::Done { kept } => {
-            kept.iter().for_each(|kept| kept::tell(out, kept));
+            kept.iter().for_each(|kept| modified_files::tell(out, kept));
             if !arguments.quiet {
                 let [width, height] = film.size;
                 let what = format!(
@@ -140,8 +140,8 @@ fn open(arguments: &Animate) -> Result<Film, Failure> {
         exaggeration: arguments.exaggeration,
         dark: arguments.dark,
     };
-    let told = |error: Error| if error.is_input() { error.at(dir) } else { error };
-    Ok(Film::open(&fields, &look).map_err(told)?)
+    let located = |error: Error| if error.is_input() { error.at(dir) } else { error };
+    Ok(Film::open(&fields, &look).map_err(located)?)
 }
 
 fn span(arguments: &Animate, film: &Film) -> Result<[f64; 2], Failure> {

@@ -9,10 +9,10 @@ use percuss_scenario::content::LoadKind;
 use percuss_study::Study;
 
 use crate::arguments::Check;
-use crate::going_on::GoingOn;
 use crate::number::{count, duration, number, quantity};
 use crate::outcome::{Failure, Status};
 use crate::scenario::{self, Ready};
+use crate::stage_messages::StageMessages;
 use crate::{advisor, effective_mass, terminal};
 
 /// Runs of a study that are looked at.
@@ -34,7 +34,7 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
         }
         return study(arguments);
     }
-    let going_on = GoingOn::new("the file and its model");
+    let stage_messages = StageMessages::new("the file and its model");
     let ready = scenario::read(&arguments.file, &arguments.set)?;
     let name = scenario::name(&arguments.file);
     terminal::print(&format!("{name}: no errors; {}\n", contents(&ready)))?;
@@ -44,11 +44,11 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
         let text = format!("not valid for `percuss run`: {fault}");
         denied.extend(advisor::warn(Caution::NotForRuns, &text, &arguments.deny));
     }
-    going_on.stage("estimating the contacts");
+    stage_messages.stage("estimating the contacts");
     let mut advice = advise(model, settings);
-    going_on.stage("estimating the run time");
+    stage_messages.stage("estimating the run time");
     let lasts = running_time(&ready);
-    drop(going_on);
+    drop(stage_messages);
     advisor::judge(&mut advice, ready.scenario.content());
     for one in advice.iter().filter(|one| one.topic == Topic::EffectiveMass) {
         let mass = EffectiveMass { on_mesh: one.value, limit: one.reference };
@@ -79,21 +79,21 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
     let file = arguments.file.display();
     terminal::print(&format!("{file}: no errors; {}\n", contents.join(", ")))?;
     terminal::print(&format!("{}\n", study.how_runs_go()))?;
-    let going_on = GoingOn::new("a sample of its runs");
+    let stage_messages = StageMessages::new("a sample of its runs");
     let (invalid, looked_at) = study.check_sample(SAMPLE);
-    drop(going_on);
+    drop(stage_messages);
     let mut denied = Vec::new();
     if !invalid.is_empty() {
         let of = if looked_at < study.run_count() { "a sample of " } else { "" };
         let bad = runs(invalid.len() as u64);
         let text =
             format!("{bad} of {of}{looked_at} are invalid and have a reason instead of results:");
-        denied.extend(advisor::warn(Caution::UnsoundRuns, &text, &arguments.deny));
+        denied.extend(advisor::warn(Caution::InvalidRuns, &text, &arguments.deny));
     }
     let mut printed: Vec<&str> = Vec::new();
     for one in &invalid {
         if printed.len() < REASONS && !printed.contains(&one.reason.as_str()) {
-            terminal::warning(Caution::UnsoundRuns, &format!("run {}: {}", one.run, one.reason));
+            terminal::warning(Caution::InvalidRuns, &format!("run {}: {}", one.run, one.reason));
             printed.push(&one.reason);
         }
     }

@@ -13,7 +13,7 @@ use percuss_study::{Function, Study};
 
 use crate::coupling_arguments::Eval;
 use crate::outcome::{Failure, Status};
-use crate::{fresh, scenario, terminal};
+use crate::{new_file, scenario, terminal};
 use asked::{Answered, Asked, Wanted};
 
 /// More than any file of parameters needs [bytes].
@@ -37,16 +37,18 @@ pub fn run(arguments: &Eval) -> Result<Status, Failure> {
         let text = format!("{}: exists already; remove it or give another name", out.display());
         return Err(Failure::input(percuss_codes::FileCode::Foreign, text));
     }
-    let (told, status) = match evaluate(&mut function, &point, &wanted, &by) {
-        Ok(all) => (if is_json { json::told(&all) } else { dakota::told(&all) }, Status::Done),
+    let (formatted, status) = match evaluate(&mut function, &point, &wanted, &by) {
+        Ok(all) => {
+            (if is_json { json::formatted(&all) } else { dakota::formatted(&all) }, Status::Done)
+        }
         Err(why) => {
             terminal::say_error(&why);
             (if is_json { json::failed(&why) } else { dakota::failed(&why) }, Status::GaveUp)
         }
     };
     match &arguments.results {
-        Some(out) => fresh::write(out, &told, "remove it or give another name")?,
-        None => terminal::print(&told)?,
+        Some(out) => new_file::write(out, &formatted, "remove it or give another name")?,
+        None => terminal::print(&formatted)?,
     }
     Ok(status)
 }

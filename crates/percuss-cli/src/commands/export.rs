@@ -49,10 +49,10 @@ pub fn run(arguments: &Export) -> Result<Status, Failure> {
             (dir.join(INSIDE), names)
         }
     };
-    terminal::tell(&told(&place, &names, fields.frames.len()));
+    terminal::tell(&description(&place, &names, fields.frames.len()));
     Ok(Status::Done)
 }
 
-fn told(place: &Path, names: &[String], frames: usize) -> String {
+fn description(place: &Path, names: &[String], frames: usize) -> String {
     format!("{}: {} with {frames} instants, for ParaView", place.display(), names.join(", "))
 }

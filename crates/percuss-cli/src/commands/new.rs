@@ -4,14 +4,14 @@ use percuss_scenario::{Template, study_templates, templates};
 
 use crate::arguments::New;
 use crate::outcome::{Failure, Status};
-use crate::{fresh, terminal};
+use crate::{new_file, terminal};
 
 /// Prints or writes a template, or lists them.
 pub fn run(arguments: &New) -> Result<Status, Failure> {
     let template = all().find(|t| Some(t.name) == arguments.template.as_deref());
     match (template, &arguments.out) {
         (Some(template), Some(out)) => {
-            fresh::write(out, template.text, "give another --out")?;
+            new_file::write(out, template.text, "give another --out")?;
             let out = out.display();
             let is_study = study_templates().contains(template);
             let command = if is_study { "sweep" } else { "run" };

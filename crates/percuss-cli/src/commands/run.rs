@@ -282,7 +282,7 @@ fn simulate(
     })
 }
 
-/// What the advisor says before the run, told unless it is to be quiet.
+/// What the advisor says before the run, reported unless it is to be quiet.
 ///
 /// # Errors
 /// Advice that is denied.

@@ -83,9 +83,9 @@ fn table(found: &percuss_study::Sensitivity) -> String {
         text += &format!("{} = {} {}\n", result.path, number(result.value), plain(&result.unit));
         let both = derivatives.iter().zip(uncertainties);
         for (parameter, both) in found.parameters.iter().zip(both) {
-            let told =
+            let shown =
                 missing(found, result, parameter).unwrap_or_else(|| known(result, parameter, both));
-            text += &format!("  by {:width$}  {told}\n", parameter.path);
+            text += &format!("  by {:width$}  {shown}\n", parameter.path);
         }
     }
     text
@@ -98,12 +98,12 @@ fn known(
 ) -> String {
     let share = 100.0 * derivative * 0.01 * parameter.value / result.value;
     let unit = quotient(&result.unit, &parameter.unit);
-    let told = format!("{:>13} +- {:<9}", number(*derivative), uncertain(*uncertainty));
+    let shown = format!("{:>13} +- {:<9}", number(*derivative), uncertain(*uncertainty));
     // Of nothing there is no per cent, nor of what one per cent of a parameter turns into its opposite or doubles.
     if share.abs() < 100.0 {
-        format!("{told} {unit:<14} effect of +1 %: {share:+.3} %")
+        format!("{shown} {unit:<14} effect of +1 %: {share:+.3} %")
     } else {
-        format!("{told} {unit}")
+        format!("{shown} {unit}")
     }
 }
 

@@ -14,7 +14,7 @@ use mio::{Poll, Waker};
 use percuss_codes::{AnalysisCode, Code, FileCode, RequestCode};
 use percuss_study::{Function, Study};
 
-use self::connections::{ANSWERED, Asked, Connections, Told};
+use self::connections::{ANSWERED, Asked, Connections, NumberedAnswer};
 use self::protocol::{Answer, Kind, Model};
 use self::request::{Gate, Request};
 use crate::coupling_arguments::Serve;
@@ -33,12 +33,12 @@ pub fn run(arguments: &Serve) -> Result<Status, Failure> {
     let hosts = arguments.allow_host.iter().cloned().chain([arguments.host.clone()]).collect();
     let jobs = arguments.jobs.map_or_else(cores, |jobs| jobs as usize);
     let differentiable = OnceLock::new();
-    let (poll, (asked, to_do), (tell, told)) = (Poll::new(), channel(), channel());
+    let (poll, (asked, to_do), (tell, answers)) = (Poll::new(), channel(), channel());
     let poll = poll.map_err(broken)?;
     let waker = Waker::new(poll.registry(), ANSWERED).map_err(broken)?;
     let listener = mio::net::TcpListener::from_std(listener);
     let gate = Gate { hosts, token };
-    let mut all = Connections::new(poll, listener, gate, asked, told).map_err(broken)?;
+    let mut all = Connections::new(poll, listener, gate, asked, answers).map_err(broken)?;
     let to_do = Mutex::new(to_do);
     thread::scope(|scope| {
         for job in 0..jobs {
@@ -128,7 +128,7 @@ fn greeting(address: SocketAddr, token: Option<&str>, function: &Function<'_>) -
 /// Answers requests one after the other, as they come.
 fn answer_all(
     to_do: &Mutex<Receiver<Asked>>,
-    tell: &Sender<Told>,
+    tell: &Sender<NumberedAnswer>,
     waker: &Waker,
     (study, differentiable): (&Study, &OnceLock<bool>),
 ) {

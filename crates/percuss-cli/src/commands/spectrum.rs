@@ -49,7 +49,7 @@ pub fn run(arguments: &Spectrum) -> Result<Status, Failure> {
         replacing::put(path, bytes, &may_go)?;
     }
     if !arguments.quiet {
-        terminal::print(&told(&signal, &spectrum, arguments.cfc))?;
+        terminal::print(&description(&signal, &spectrum, arguments.cfc))?;
         terminal::tell(&format!("{}\n{}", table.display(), drawn.display()));
     }
     Ok(Status::Done)
@@ -106,7 +106,7 @@ fn is_spectrum(path: &Path) -> bool {
 }
 
 /// Peaks of the signal and of its spectrum.
-fn told(signal: &Signal, spectrum: &ShockSpectrum, class: Option<Cfc>) -> String {
+fn description(signal: &Signal, spectrum: &ShockSpectrum, class: Option<Cfc>) -> String {
     let mut text = String::new();
     if signal.resampled {
         text += &format!(

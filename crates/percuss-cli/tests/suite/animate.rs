@@ -7,7 +7,7 @@ use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use common::Desk;
+use common::Sandbox;
 use percuss_output::fields;
 use percuss_output::report::{scene_colours, scene_scripts};
 use serde_json::{Map, Value, json};
@@ -15,18 +15,18 @@ use serde_json::{Map, Value, json};
 /// Options of a small film: ten frames.
 const SMALL: [&str; 6] = ["--width", "320", "--duration", "1", "--fps", "10"];
 
-/// A desk with a finished run of each example.
-fn desk() -> Desk {
-    let desk = Desk::new();
+/// A sandbox with a finished run of each example.
+fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::new();
     for name in ["elastic", "rigid"] {
         let file = format!("{name}.toml");
-        desk.percuss(&["run", &file, "--out", name, "--no-report", "-q"]).ends_with(0);
+        sandbox.percuss(&["run", &file, "--out", name, "--no-report", "-q"]).ends_with(0);
     }
-    desk
+    sandbox
 }
 
-fn film(desk: &Desk, run: &str, file: &str) {
-    let made = desk.percuss(&[&["animate", run, "-o", file][..], &SMALL].concat());
+fn film(sandbox: &Sandbox, run: &str, file: &str) {
+    let made = sandbox.percuss(&[&["animate", run, "-o", file][..], &SMALL].concat());
     made.ends_with(0).tells("10 frames of 320 x ");
 }
 
@@ -75,25 +75,25 @@ fn read_png(path: &Path) -> ([usize; 2], Vec<Vec<u8>>, Vec<f64>) {
 }
 
 /// The picture of the last instant of a run.
-fn last(desk: &Desk, run: &str) -> Vec<u8> {
-    let frames = fields::read(desk.path(run)).unwrap().unwrap().frames;
+fn last(sandbox: &Sandbox, run: &str) -> Vec<u8> {
+    let frames = fields::read(sandbox.path(run)).unwrap().unwrap().frames;
     let time = format!("{}", frames.last().unwrap().time);
     let file = format!("{run}-last.png");
     let arguments = ["animate", run, "-o", &file, "--width", "320", "--still", &time];
-    desk.percuss(&arguments).ends_with(0);
-    read_png(&desk.path(&file)).1.remove(0)
+    sandbox.percuss(&arguments).ends_with(0);
+    read_png(&sandbox.path(&file)).1.remove(0)
 }
 
 #[test]
 fn a_gif_moves_in_due_time_and_ends_where_the_run_ends() {
-    let desk = desk();
+    let sandbox = sandbox();
     for run in ["elastic", "rigid"] {
-        film(&desk, run, "film.gif");
-        let ([width, height], frames, delays) = read_gif(&desk.path("film.gif"));
+        film(&sandbox, run, "film.gif");
+        let ([width, height], frames, delays) = read_gif(&sandbox.path("film.gif"));
         assert_eq!((width, delays.iter().sum::<u64>()), (320, 100));
         assert!((5..=10).contains(&frames.len()) && delays.len() == frames.len());
         assert!(frames.windows(2).all(|pair| pair[0] != pair[1]));
-        let still = last(&desk, run);
+        let still = last(&sandbox, run);
         assert_eq!(still.len(), 3 * width * height);
         let shown = frames.last().unwrap().chunks_exact(4).flat_map(|p| &p[..3]);
         let off: usize = shown.zip(&still).map(|(a, b)| usize::from(a.abs_diff(*b))).sum();
@@ -104,15 +104,15 @@ fn a_gif_moves_in_due_time_and_ends_where_the_run_ends() {
 
 #[test]
 fn an_animated_png_has_every_frame_as_it_is() {
-    let desk = desk();
+    let sandbox = sandbox();
     for run in ["elastic", "rigid"] {
-        film(&desk, run, "film.apng");
-        let ([width, _], frames, delays) = read_png(&desk.path("film.apng"));
+        film(&sandbox, run, "film.apng");
+        let ([width, _], frames, delays) = read_png(&sandbox.path("film.apng"));
         assert_eq!((width, frames.len()), (320, 10));
         assert_eq!(delays, [0.1; 10]);
         assert!(frames.windows(2).all(|pair| pair[0] != pair[1]));
-        assert_eq!(frames.last(), Some(&last(&desk, run)), "{run}");
-        let bytes = std::fs::read(desk.path("film.apng")).unwrap();
+        assert_eq!(frames.last(), Some(&last(&sandbox, run)), "{run}");
+        let bytes = std::fs::read(sandbox.path("film.apng")).unwrap();
         assert!(bytes.windows(4).any(|w| w == b"acTL") && bytes.windows(4).any(|w| w == b"fdAT"));
     }
 }
@@ -120,32 +120,32 @@ fn an_animated_png_has_every_frame_as_it_is() {
 #[cfg(unix)]
 #[test]
 fn ffmpeg_gets_every_pixel_of_every_frame() {
-    let desk = desk();
+    let sandbox = sandbox();
     let says = "#!/bin/sh\nfor last; do :; done\necho \"$@\" > arguments\nwc -c < /dev/stdin > \"${last#file:}\"\n";
     let fails = "#!/bin/sh\necho 'no such encoder' >&2\nexit 1\n";
     let with = |program: &str| {
-        std::fs::create_dir_all(desk.path("bin")).unwrap();
-        desk.put("bin/ffmpeg", program);
-        let file = desk.path("bin/ffmpeg");
+        std::fs::create_dir_all(sandbox.path("bin")).unwrap();
+        sandbox.put("bin/ffmpeg", program);
+        let file = sandbox.path("bin/ffmpeg");
         let mode = std::os::unix::fs::PermissionsExt::from_mode(0o755);
         std::fs::set_permissions(file, mode).unwrap();
         let mut command =
-            desk.command(&[&["animate", "rigid", "-o", "film.mp4"][..], &SMALL].concat());
-        let path = format!("{}:/usr/bin:/bin", desk.path("bin").display());
+            sandbox.command(&[&["animate", "rigid", "-o", "film.mp4"][..], &SMALL].concat());
+        let path = format!("{}:/usr/bin:/bin", sandbox.path("bin").display());
         command.env("PATH", path).output().unwrap()
     };
     let failed = common::Outcome::from(with(fails));
     failed.ends_with(1).tells("no such encoder");
-    assert!(desk.names().iter().all(|name| !name.contains("film")), "{:?}", desk.names());
+    assert!(sandbox.names().iter().all(|name| !name.contains("film")), "{:?}", sandbox.names());
     let made = common::Outcome::from(with(says));
     made.ends_with(0);
     let size = made.stderr.split_once("frames of ").unwrap().1.split_once(',').unwrap().0;
     let (width, height) = size.split_once(" x ").unwrap();
     let [width, height] = [width, height].map(|n| n.parse::<usize>().unwrap());
     assert!(width % 2 == 0 && height % 2 == 0);
-    let bytes = std::fs::read_to_string(desk.path("film.mp4")).unwrap();
+    let bytes = std::fs::read_to_string(sandbox.path("film.mp4")).unwrap();
     assert_eq!(bytes.trim().parse::<usize>().unwrap(), 10 * 3 * width * height);
-    let arguments = std::fs::read_to_string(desk.path("arguments")).unwrap();
+    let arguments = std::fs::read_to_string(sandbox.path("arguments")).unwrap();
     for expected in
         ["-f rawvideo", "rgb24", &format!("{width}x{height}"), "-framerate 10", "-f mp4"]
     {
@@ -154,24 +154,24 @@ fn ffmpeg_gets_every_pixel_of_every_frame() {
 }
 
 #[test]
-fn without_ffmpeg_one_is_told_what_works() {
-    let desk = desk();
-    let mut command = desk.command(&["animate", "rigid", "-o", "film.mp4"]);
+fn without_ffmpeg_a_message_says_what_works() {
+    let sandbox = sandbox();
+    let mut command = sandbox.command(&["animate", "rigid", "-o", "film.mp4"]);
     let refused =
-        common::Outcome::from(command.env("PATH", desk.path("nowhere")).output().unwrap());
+        common::Outcome::from(command.env("PATH", sandbox.path("nowhere")).output().unwrap());
     refused.ends_with(2).tells(".gif").tells(".apng").tells("ffmpeg");
-    assert!(desk.names().iter().all(|name| !name.contains("film")), "{:?}", desk.names());
+    assert!(sandbox.names().iter().all(|name| !name.contains("film")), "{:?}", sandbox.names());
 }
 
 #[test]
 fn files_of_others_stay() {
-    let desk = desk();
+    let sandbox = sandbox();
     let make = |file: &str, more: &[&str]| {
-        desk.percuss(&[&["animate", "rigid", "-o", file][..], &SMALL, more].concat())
+        sandbox.percuss(&[&["animate", "rigid", "-o", file][..], &SMALL, more].concat())
     };
-    desk.put("film.gif", "mine");
+    sandbox.put("film.gif", "mine");
     make("film.gif", &[]).ends_with(2).tells("--force");
-    assert_eq!(std::fs::read_to_string(desk.path("film.gif")).unwrap(), "mine");
+    assert_eq!(std::fs::read_to_string(sandbox.path("film.gif")).unwrap(), "mine");
     make("film.gif", &["--force"]).ends_with(0);
     for file in ["film.gif", "film.apng"] {
         make(file, &[]).ends_with(0);
@@ -179,20 +179,22 @@ fn files_of_others_stay() {
     }
     for file in ["still.svg", "still.pdf", "still.png"] {
         for _ in 0..2 {
-            desk.percuss(&["animate", "rigid", "-o", file, "--still", "1 ms", "-q"]).ends_with(0);
+            sandbox
+                .percuss(&["animate", "rigid", "-o", file, "--still", "1 ms", "-q"])
+                .ends_with(0);
         }
     }
-    std::fs::create_dir(desk.path("dir.gif")).unwrap();
+    std::fs::create_dir(sandbox.path("dir.gif")).unwrap();
     make("dir.gif", &["--force"]).ends_with(2).tells("directory");
     make("no/such/dir.gif", &[]).ends_with(1).tells("no/such");
-    assert!(desk.names().iter().all(|name| !name.contains("partial")), "{:?}", desk.names());
+    assert!(sandbox.names().iter().all(|name| !name.contains("partial")), "{:?}", sandbox.names());
 }
 
 #[test]
-fn unavailable_outputs_are_told_with_their_cure() {
-    let desk = desk();
+fn unavailable_outputs_are_reported_with_their_cure() {
+    let sandbox = sandbox();
     let refused = |arguments: &[&str], text: &str| {
-        desk.percuss(&[&["animate"][..], arguments].concat()).ends_with(2).tells(text);
+        sandbox.percuss(&[&["animate"][..], arguments].concat()).ends_with(2).tells(text);
     };
     refused(&["rigid", "-o", "a.avi"], ".mp4");
     refused(&["rigid", "-o", "a.gif", "--still", "0"], ".svg");
@@ -203,44 +205,44 @@ fn unavailable_outputs_are_told_with_their_cure() {
     refused(&["rigid", "-o", "a.gif", "--fps", "60"], "50 or less");
     refused(&["nowhere", "-o", "a.gif"], "no such directory");
     let set = ["--set", "record.shapes=0", "--no-report", "-q", "--out", "bare"];
-    desk.percuss(&[&["run", "rigid.toml"][..], &set].concat()).ends_with(0);
+    sandbox.percuss(&[&["run", "rigid.toml"][..], &set].concat()).ends_with(0);
     refused(&["bare", "-o", "a.gif"], "record.shapes");
     let discs = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/disc-chain.toml");
     let run = ["run", discs, "--no-report", "-q", "--out", "discs"];
-    desk.percuss(&run).ends_with(0);
+    sandbox.percuss(&run).ends_with(0);
     let touch = "touch in this run (contact `striker`)";
     refused(&["discs", "-o", "a.gif", "--exaggeration", "5"], touch);
-    assert!(!desk.path("a.gif").exists());
+    assert!(!sandbox.path("a.gif").exists());
 }
 
 #[test]
 fn frames_that_do_not_fit_their_scene_are_refused() {
-    let desk = desk();
-    let scene = desk.path("rigid/fields/scene.json");
+    let sandbox = sandbox();
+    let scene = sandbox.path("rigid/fields/scene.json");
     let text = std::fs::read_to_string(&scene).unwrap();
     let mut value: Value = serde_json::from_str(&text).unwrap();
     value["beams"][0]["x"].as_array_mut().unwrap().pop();
     std::fs::write(&scene, value.to_string()).unwrap();
-    desk.percuss(&["animate", "rigid", "-o", "a.gif"]).ends_with(2).tells("rigid");
+    sandbox.percuss(&["animate", "rigid", "-o", "a.gif"]).ends_with(2).tells("rigid");
     // Arrays fit, but what stands on a beam that is not there cannot be drawn.
     let mut value: Value = serde_json::from_str(&text).unwrap();
     value["supports"] =
         json!([{ "name": "s", "kind": "pin", "at": { "beam": 7, "s": 0.0 }, "until": null }]);
     std::fs::write(&scene, value.to_string()).unwrap();
     for file in ["a.gif", "a.apng"] {
-        let made = desk.percuss(&["animate", "rigid", "-o", file]);
+        let made = sandbox.percuss(&["animate", "rigid", "-o", file]);
         made.ends_with(2).tells("fields/scene.json is damaged");
         assert_eq!(made.stderr.lines().count(), 1, "{}", made.stderr);
     }
-    assert!(desk.names().iter().all(|name| !name.contains("a.")), "{:?}", desk.names());
+    assert!(sandbox.names().iter().all(|name| !name.contains("a.")), "{:?}", sandbox.names());
 }
 
 #[test]
 fn the_impact_alone_is_shown_longer_than_it_lasts_by_little() {
-    let desk = desk();
+    let sandbox = sandbox();
     let of = |more: &[&str]| {
         let all = [&["animate", "elastic", "-o", "a.gif"][..], &SMALL, more].concat();
-        let made = desk.percuss(&all);
+        let made = sandbox.percuss(&all);
         made.ends_with(0);
         made.stderr
     };
@@ -253,11 +255,11 @@ fn the_impact_alone_is_shown_longer_than_it_lasts_by_little() {
 #[cfg(unix)]
 #[test]
 fn an_interrupted_film_leaves_nothing() {
-    let desk = desk();
+    let sandbox = sandbox();
     let arguments = ["animate", "elastic", "-o", "long.apng", "--duration", "600", "--fps", "50"];
-    let mut child = desk.command(&arguments).spawn().unwrap();
+    let mut child = sandbox.command(&arguments).spawn().unwrap();
     let begun = std::time::Instant::now();
-    while !desk.names().iter().any(|name| name.contains("partial")) {
+    while !sandbox.names().iter().any(|name| name.contains("partial")) {
         if begun.elapsed().as_secs() > 60 {
             let _ = child.kill();
             panic!("no film was begun");
@@ -268,13 +270,13 @@ fn an_interrupted_film_leaves_nothing() {
     assert!(sent.unwrap().success());
     let ended = common::Outcome::from(child.wait_with_output().unwrap());
     ended.ends_with(130).tells("nothing is written");
-    assert!(desk.names().iter().all(|name| !name.contains("long")), "{:?}", desk.names());
+    assert!(sandbox.names().iter().all(|name| !name.contains("long")), "{:?}", sandbox.names());
 }
 
 /// What node makes of the same scripts; none if there is no node.
-fn drawn_by_node(desk: &Desk, run: &str, look: &Value, time: f64) -> Option<String> {
+fn drawn_by_node(sandbox: &Sandbox, run: &str, look: &Value, time: f64) -> Option<String> {
     Command::new("node").arg("--version").stdout(Stdio::null()).status().ok()?;
-    let fields = fields::read(desk.path(run)).unwrap().unwrap();
+    let fields = fields::read(sandbox.path(run)).unwrap().unwrap();
     let all = |list: fn(&fields::StoredFrame) -> &Vec<f32>| -> Vec<f32> {
         fields.frames.iter().flat_map(list).copied().collect()
     };
@@ -300,8 +302,8 @@ fn drawn_by_node(desk: &Desk, run: &str, look: &Value, time: f64) -> Option<Stri
         "scripts": scripts, "scene": fields.scene.to_string(), "frames": frames, "look": look.to_string(),
         "colours": Value::Object(colours).to_string(), "time": time, "flash": flash,
     });
-    desk.put("task.json", task.to_string());
-    desk.put(
+    sandbox.put("task.json", task.to_string());
+    sandbox.put(
         "draw.js",
         "const vm = require('node:vm');\n\
          const task = JSON.parse(require('node:fs').readFileSync('task.json', 'utf8'));\n\
@@ -312,25 +314,26 @@ fn drawn_by_node(desk: &Desk, run: &str, look: &Value, time: f64) -> Option<Stri
          context.openFilm(task.scene, typed, task.colours, task.look);\n\
          process.stdout.write(context.drawFilm(task.time, task.flash));\n",
     );
-    let output = Command::new("node").arg("draw.js").current_dir(desk.path("")).output().unwrap();
+    let output =
+        Command::new("node").arg("draw.js").current_dir(sandbox.path("")).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     Some(String::from_utf8(output.stdout).unwrap())
 }
 
 #[test]
 fn a_still_is_what_another_engine_makes_of_the_same_scripts() {
-    let desk = desk();
+    let sandbox = sandbox();
     let options = ["--colour", "moment", "--diagram", "shear", "--exaggeration", "3"];
     for (run, time) in [("elastic", 0.02), ("rigid", 0.011)] {
         let text = format!("{time}");
         let still = ["animate", run, "-o", "still.svg", "--title", "A < B & C", "--still", &text];
-        desk.percuss(&[&still[..], &options].concat()).ends_with(0);
-        let file = std::fs::read_to_string(desk.path("still.svg")).unwrap();
+        sandbox.percuss(&[&still[..], &options].concat()).ends_with(0);
+        let file = std::fs::read_to_string(sandbox.path("still.svg")).unwrap();
         let (mark, svg) = file.split_once('\n').unwrap();
         assert!(mark.starts_with("<!-- made by percuss"), "{mark}");
         assert!(svg.contains("A &lt; B &amp; C") && !svg.contains("NaN"), "{svg}");
         let look = json!({ "width": 800, "title": "A < B & C", "colour": "moment", "diagram": "shear", "exaggeration": 3.0 });
-        match drawn_by_node(&desk, run, &look, time) {
+        match drawn_by_node(&sandbox, run, &look, time) {
             Some(drawn) => assert!(drawn == svg, "{run}: node draws something else"),
             None => eprintln!("node is missing: not compared"),
         }

@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::{Desk, ELASTIC, RIGID};
+use common::{ELASTIC, RIGID, Sandbox};
 
 /// Runs and checks `text`: both fail alike, with a message at the place of `mark` (its line, and the
 /// column where it begins) that contains `found` and `expected`; nothing is written.
@@ -13,16 +13,16 @@ fn fault(text: &str, mark: &str, found: &str, expected: &str) {
         text.lines().nth(line).and_then(|l| l.find(mark)).expect("the mark is in its line");
     let value = mark.find("= ").map_or(0, |at| at + 2);
     let place = format!("bad.toml:{}:{}: ", line + 1, column + value + 1);
-    let desk = Desk::empty();
-    desk.put("bad.toml", text);
-    let run = desk.percuss(&["run", "bad.toml"]);
+    let sandbox = Sandbox::empty();
+    sandbox.put("bad.toml", text);
+    let run = sandbox.percuss(&["run", "bad.toml"]);
     run.ends_with(2).tells(&place).tells(found).tells(expected);
     assert_eq!(run.stderr.lines().count(), 1, "more than one message:\n{}", run.stderr);
     assert_eq!(run.stdout, "");
-    let check = desk.percuss(&["check", "bad.toml"]);
+    let check = sandbox.percuss(&["check", "bad.toml"]);
     check.ends_with(2);
     assert_eq!(check.stderr, run.stderr);
-    assert_eq!(desk.names(), ["bad.toml"], "something was written");
+    assert_eq!(sandbox.names(), ["bad.toml"], "something was written");
 }
 
 /// As [`fault`], with `old` in `text` replaced by `new`, the mark.
@@ -90,12 +90,12 @@ fn a_unit_must_have_the_dimension_due() {
 #[test]
 fn an_unknown_key_is_answered_with_the_nearest_known_one() {
     let text = ELASTIC.replacen("stiffness = ", "stifness = ", 1);
-    let desk = Desk::empty();
-    desk.put("bad.toml", text);
-    let run = desk.percuss(&["run", "bad.toml"]);
+    let sandbox = Sandbox::empty();
+    sandbox.put("bad.toml", text);
+    let run = sandbox.percuss(&["run", "bad.toml"]);
     run.ends_with(2).tells("bad.toml:30:1: ").tells("unknown key `stifness`");
     run.tells("did you mean `stiffness`?");
-    assert_eq!(desk.names(), ["bad.toml"]);
+    assert_eq!(sandbox.names(), ["bad.toml"]);
 }
 
 #[test]
@@ -138,55 +138,55 @@ fn every_fault_is_reported_at_once() {
         .replace("density = \"3000 kg/m^3\"", "density = -1")
         .replace("elements = 6", "elements = 0")
         .replace("mass = \"100 kg\"", "mass = \"100 m\"");
-    let desk = Desk::empty();
-    desk.put("bad.toml", text);
-    let check = desk.percuss(&["check", "bad.toml"]);
+    let sandbox = Sandbox::empty();
+    sandbox.put("bad.toml", text);
+    let check = sandbox.percuss(&["check", "bad.toml"]);
     check.ends_with(2).tells("bad.toml:5:11").tells("bad.toml:13:12").tells("bad.toml:27:8");
     assert_eq!(check.stderr.lines().count(), 3, "{}", check.stderr);
 }
 
 #[test]
 fn binary_files_are_no_scenarios() {
-    let desk = Desk::empty();
-    desk.put("latin.toml", b"# one\ntitle = \"\xfcber\"\n");
-    desk.put("empty.toml", "");
-    std::fs::create_dir(desk.path("directory.toml")).expect("a directory");
-    let before = desk.names();
+    let sandbox = Sandbox::empty();
+    sandbox.put("latin.toml", b"# one\ntitle = \"\xfcber\"\n");
+    sandbox.put("empty.toml", "");
+    std::fs::create_dir(sandbox.path("directory.toml")).expect("a directory");
+    let before = sandbox.names();
     for command in ["run", "check"] {
-        let latin = desk.percuss(&[command, "latin.toml"]);
+        let latin = sandbox.percuss(&[command, "latin.toml"]);
         latin.ends_with(2).tells("latin.toml:2:10: ").tells("not UTF-8").tells("expected a text");
-        let empty = desk.percuss(&[command, "empty.toml"]);
+        let empty = sandbox.percuss(&[command, "empty.toml"]);
         empty.ends_with(2).tells("empty.toml").tells("an empty file").tells("expected a scenario");
-        let directory = desk.percuss(&[command, "directory.toml"]);
+        let directory = sandbox.percuss(&[command, "directory.toml"]);
         directory.ends_with(2).tells("directory.toml: found a directory").tells("a scenario file");
-        let missing = desk.percuss(&[command, "missing.toml"]);
+        let missing = sandbox.percuss(&[command, "missing.toml"]);
         missing.ends_with(2).tells("missing.toml: found no such file").tells("a scenario file");
     }
-    assert_eq!(desk.names(), before);
+    assert_eq!(sandbox.names(), before);
 }
 
 #[test]
 fn a_change_that_does_not_fit_is_a_fault() {
-    let desk = Desk::new();
-    let before = desk.names();
-    let unknown = desk.percuss(&["run", "elastic.toml", "--set", "projectile.mass.mas=3"]);
+    let sandbox = Sandbox::new();
+    let before = sandbox.names();
+    let unknown = sandbox.percuss(&["run", "elastic.toml", "--set", "projectile.mass.mas=3"]);
     unknown.ends_with(2).tells("--set").tells("did you mean `mass`?");
-    let nobody = desk.percuss(&["run", "elastic.toml", "--set", "projectile.ball.mass=3"]);
+    let nobody = sandbox.percuss(&["run", "elastic.toml", "--set", "projectile.ball.mass=3"]);
     nobody.ends_with(2).tells("the unknown name `ball`");
-    let negative = desk.percuss(&["run", "elastic.toml", "--set", "projectile.mass.mass=-3"]);
+    let negative = sandbox.percuss(&["run", "elastic.toml", "--set", "projectile.mass.mass=-3"]);
     negative.ends_with(2).tells("elastic.toml:29:8: ").tells("found -3").tells("--set changes");
-    assert_eq!(desk.names(), before);
+    assert_eq!(sandbox.names(), before);
 }
 
 #[test]
 fn the_command_line_itself_is_checked() {
-    let desk = Desk::new();
-    desk.percuss(&["rum", "elastic.toml"]).ends_with(2).tells("'run'");
-    desk.percuss(&["run"]).ends_with(2).tells("<FILE>");
-    desk.percuss(&["run", "elastic.toml", "--stric"]).ends_with(2).tells("--strict");
-    desk.percuss(&["run", "elastic.toml", "--history", "xml"]).ends_with(2).tells("parquet");
-    desk.percuss(&["new", "elastik"]).ends_with(2).tells("'elastic'");
-    desk.percuss(&["verify", "rigid-rot"]).ends_with(2).tells("'rigid-rod'");
+    let sandbox = Sandbox::new();
+    sandbox.percuss(&["rum", "elastic.toml"]).ends_with(2).tells("'run'");
+    sandbox.percuss(&["run"]).ends_with(2).tells("<FILE>");
+    sandbox.percuss(&["run", "elastic.toml", "--stric"]).ends_with(2).tells("--strict");
+    sandbox.percuss(&["run", "elastic.toml", "--history", "xml"]).ends_with(2).tells("parquet");
+    sandbox.percuss(&["new", "elastik"]).ends_with(2).tells("'elastic'");
+    sandbox.percuss(&["verify", "rigid-rot"]).ends_with(2).tells("'rigid-rod'");
 }
 
 /// The elastic example with its projectile free; `keys` stand below.
@@ -203,35 +203,35 @@ fn keys_of_free_projectiles_say_so() {
         let key = bad.split(' ').next().expect("a key");
         let found = format!("hammer.{key}: found `{key}`, which belongs to contact = \"surface\"");
         let text = RIGID.replacen(old, &format!("{old}\n{bad}"), 1);
-        let desk = Desk::empty();
-        desk.put("bad.toml", text);
-        desk.percuss(&["check", "bad.toml"]).ends_with(2).tells("bad.toml:31:1: ").tells(&found);
+        let sandbox = Sandbox::empty();
+        sandbox.put("bad.toml", text);
+        sandbox.percuss(&["check", "bad.toml"]).ends_with(2).tells("bad.toml:31:1: ").tells(&found);
     }
 }
 
 #[test]
 fn an_elastic_projectile_takes_a_rebound_for_a_restitution() {
     let old = "standoff = \"0.2 m\"";
-    let desk = Desk::empty();
-    desk.put("bad.toml", ELASTIC.replacen(old, &format!("{old}\nrestitution = 0.5"), 1));
-    let run = desk.percuss(&["run", "bad.toml"]);
+    let sandbox = Sandbox::empty();
+    sandbox.put("bad.toml", ELASTIC.replacen(old, &format!("{old}\nrestitution = 0.5"), 1));
+    let run = sandbox.percuss(&["run", "bad.toml"]);
     run.ends_with(2).tells("bad.toml:34:1: projectile.mass.restitution: found `restitution`");
     run.tells("expected `rebound = { restitution = ..., velocity = ... }`");
     let rebound = "rebound = { restitution = 1.5, velocity = 2 }";
-    desk.put("bad.toml", ELASTIC.replacen(old, &format!("{old}\n{rebound}"), 1));
-    let run = desk.percuss(&["run", "bad.toml"]);
+    sandbox.put("bad.toml", ELASTIC.replacen(old, &format!("{old}\n{rebound}"), 1));
+    let run = sandbox.percuss(&["run", "bad.toml"]);
     run.ends_with(2).tells("bad.toml:34:27: projectile.mass.rebound.restitution: found 1.5");
 }
 
 #[test]
 fn a_free_projectile_begins_somewhere_and_strikes_what_there_is() {
     let text = free("").replacen("\"girder.mid\"", "\"girder\"", 1);
-    let desk = Desk::empty();
-    desk.put("bad.toml", text);
-    desk.percuss(&["run", "bad.toml"]).ends_with(2).tells("found no `position`");
+    let sandbox = Sandbox::empty();
+    sandbox.put("bad.toml", text);
+    sandbox.percuss(&["run", "bad.toml"]).ends_with(2).tells("found no `position`");
     let unknown = free("").replacen("\"girder.mid\"", "[\"girder.mid\", \"flor\"]", 1);
-    desk.put("bad.toml", unknown + "[obstacle.floor]\nkind = \"half-plane\"\npoint = [0, -1]\n");
-    let run = desk.percuss(&["run", "bad.toml"]);
+    sandbox.put("bad.toml", unknown + "[obstacle.floor]\nkind = \"half-plane\"\npoint = [0, -1]\n");
+    let run = sandbox.percuss(&["run", "bad.toml"]);
     run.ends_with(2)
         .tells("unknown beam, obstacle or projectile \"flor\"")
         .tells("did you mean `floor`?");
@@ -242,11 +242,11 @@ fn a_free_projectile_begins_somewhere_and_strikes_what_there_is() {
 #[test]
 fn an_obstacle_stands_for_something_to_touch() {
     let wall = "[obstacle.wall]\nkind = \"wall\"\nends = [[0, 2], [3, 2]]\n";
-    let desk = Desk::empty();
-    desk.put("bad.toml", format!("{ELASTIC}\n{wall}"));
-    desk.percuss(&["run", "bad.toml"]).ends_with(2).tells("obstacle.wall: found no contact");
+    let sandbox = Sandbox::empty();
+    sandbox.put("bad.toml", format!("{ELASTIC}\n{wall}"));
+    sandbox.percuss(&["run", "bad.toml"]).ends_with(2).tells("obstacle.wall: found no contact");
     let contact = "[contact.c]\nbetween = [\"mass\", \"wall\"]\nstiffness = 1\n";
-    desk.put("bad.toml", format!("{ELASTIC}\n{wall}{contact}"));
-    let run = desk.percuss(&["run", "bad.toml"]);
+    sandbox.put("bad.toml", format!("{ELASTIC}\n{wall}{contact}"));
+    let run = sandbox.percuss(&["run", "bad.toml"]);
     run.ends_with(2).tells("contact.c.between: found the projectile \"mass\", which is guided");
 }

@@ -1,13 +1,13 @@
-//! The book: its commands run, its codes are told, its results reference says what a run leaves.
+//! The book: its commands run, its codes are reported, its results reference says what a run leaves.
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use percuss_book::{Desk, Effort, Provocations, authored, run, set};
+use percuss_book::{Effort, Provocations, Sandbox, authored, run, set};
 use percuss_codes::Code;
 use serde_json::Value;
 
-use crate::common::Desk as Table;
+use crate::common::Sandbox as Table;
 
 fn repository() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../.."))
@@ -22,8 +22,9 @@ fn runs(folders: &[&str]) {
             continue;
         }
         let folder = tempfile::tempdir().unwrap();
-        let desk = Desk::new(folder.path().join("desk"), Path::new(env!("CARGO_BIN_EXE_percuss")));
-        let (text, wrong) = run(&text, &desk.unwrap(), Effort::Quick).unwrap();
+        let sandbox =
+            Sandbox::new(folder.path().join("desk"), Path::new(env!("CARGO_BIN_EXE_percuss")));
+        let (text, wrong) = run(&text, &sandbox.unwrap(), Effort::Quick).unwrap();
         faults
             .extend(wrong.into_iter().chain(set(&text, "").1).map(|one| format!("{path}: {one}")));
         count += 1;
@@ -48,13 +49,14 @@ fn commands_of_the_theory_run() {
 }
 
 #[test]
-fn every_code_is_told_by_its_example() {
+fn every_code_is_reported_by_its_example() {
     let provocations = Provocations::load(&repository().join("docs/book/codes.toml")).unwrap();
     let mut faults = Vec::new();
     for code in Code::all() {
         let folder = tempfile::tempdir().unwrap();
-        let desk = Desk::new(folder.path().join("desk"), Path::new(env!("CARGO_BIN_EXE_percuss")));
-        faults.extend(provocations.provoke(code, &desk.unwrap()).unwrap().faults);
+        let sandbox =
+            Sandbox::new(folder.path().join("desk"), Path::new(env!("CARGO_BIN_EXE_percuss")));
+        faults.extend(provocations.provoke(code, &sandbox.unwrap()).unwrap().faults);
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
@@ -79,13 +81,13 @@ fn keys(value: &Value, under: &str, found: &mut BTreeSet<String>) {
 #[test]
 fn the_results_reference_names_what_a_run_leaves() {
     let text = std::fs::read_to_string(repository().join("docs/results.md")).unwrap();
-    let desk = Table::new();
+    let sandbox = Table::new();
     let mut found = BTreeSet::new();
     for name in ["elastic", "rigid"] {
-        let outcome = desk.percuss(&["run", &format!("{name}.toml"), "--out", name]);
+        let outcome = sandbox.percuss(&["run", &format!("{name}.toml"), "--out", name]);
         assert_eq!(outcome.status, Some(0), "{}", outcome.stderr);
-        keys(&desk.summary(name), "", &mut found);
-        let folder = std::fs::read_dir(desk.path(name)).unwrap();
+        keys(&sandbox.summary(name), "", &mut found);
+        let folder = std::fs::read_dir(sandbox.path(name)).unwrap();
         let files = folder.map(|entry| entry.unwrap().file_name().into_string().unwrap());
         found.extend(files);
     }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-use crate::common::{Desk, Outcome};
+use crate::common::{Outcome, Sandbox};
 
 const HEAD: &str = "[material.steel]\nyoung = \"210 GPa\"\ndensity = 7850\n\
     [section.plate]\nshape = \"rectangle\"\ndepth = 0.02\nwidth = 0.1\n\
@@ -84,68 +84,68 @@ fn the_time_of_a_check_grows_with_the_file() {
         ("points", zigzag(20_000, 0)),
         ("recorded", zigzag(2, 100_000)),
     ] {
-        let desk = Desk::empty();
-        desk.put("large.toml", text);
+        let sandbox = Sandbox::empty();
+        sandbox.put("large.toml", text);
         let begun = Instant::now();
-        let told = desk.percuss(&["check", "large.toml"]);
+        let reported = sandbox.percuss(&["check", "large.toml"]);
         let took = begun.elapsed();
-        assert!(told.status == Some(0), "{name}: {}", told.stderr);
+        assert!(reported.status == Some(0), "{name}: {}", reported.stderr);
         assert!(took < Duration::from_secs(40), "{name}: {took:?}");
-        let goes_on = told.stderr.contains("still checking after 5 s");
-        assert!(took < Duration::from_secs(6) || goes_on, "{name}: {took:?}: {}", told.stderr);
+        let goes_on = reported.stderr.contains("still checking after 5 s");
+        assert!(took < Duration::from_secs(6) || goes_on, "{name}: {took:?}: {}", reported.stderr);
     }
 }
 
 #[test]
 fn of_very_many_messages_the_rest_is_counted() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let unknown = |n: usize| stack(n).replace("section =", "colour = 1\nsection =");
-    desk.put("faults.toml", unknown(80));
-    let told = desk.percuss(&["check", "faults.toml"]);
-    told.ends_with(2).tells("and 30 more errors");
-    assert_eq!(told.stderr.lines().count(), 51, "{}", told.stderr);
-    desk.put("faults.toml", unknown(50));
-    let told = desk.percuss(&["check", "faults.toml"]);
-    assert_eq!(told.stderr.lines().count(), 50, "{}", told.stderr);
+    sandbox.put("faults.toml", unknown(80));
+    let reported = sandbox.percuss(&["check", "faults.toml"]);
+    reported.ends_with(2).tells("and 30 more errors");
+    assert_eq!(reported.stderr.lines().count(), 51, "{}", reported.stderr);
+    sandbox.put("faults.toml", unknown(50));
+    let reported = sandbox.percuss(&["check", "faults.toml"]);
+    assert_eq!(reported.stderr.lines().count(), 50, "{}", reported.stderr);
     // Each its own, and one that weighs more behind them all.
     let mut notes = stack(80);
     for i in 0..80 {
         let _ = writeln!(notes, "[mass.m{i}]\nat = \"b{i}.end\"\nmass = {}e12", 12 + i);
     }
-    desk.put("notes.toml", notes);
-    desk.percuss(&["check", "notes.toml"]).ends_with(0).tells("more notes and warnings");
+    sandbox.put("notes.toml", notes);
+    sandbox.percuss(&["check", "notes.toml"]).ends_with(0).tells("more notes and warnings");
 }
 
 /// What `ulimit -v` leaves is what there is.
 #[test]
 #[cfg(target_os = "linux")]
 fn scenes_beyond_memory_are_refused_with_an_estimate() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let fine =
         |elements: usize| stack(1).replace("elements = 4", &format!("elements = {elements}"));
-    desk.put("fine.toml", fine(6_000_000));
+    sandbox.put("fine.toml", fine(6_000_000));
     let limited = |file: &str, kilobytes: usize| -> Outcome {
         let line =
             format!("ulimit -v {kilobytes}; exec '{}' check {file}", env!("CARGO_BIN_EXE_percuss"));
-        let shell = Command::new("sh").args(["-c", &line]).current_dir(desk.path(".")).output();
+        let shell = Command::new("sh").args(["-c", &line]).current_dir(sandbox.path(".")).output();
         shell.expect("a shell").into()
     };
-    let told = limited("fine.toml", 4_000_000);
-    told.ends_with(1).tells("6e6 elements").tells("need about").tells("GB of memory (");
+    let reported = limited("fine.toml", 4_000_000);
+    reported.ends_with(1).tells("6e6 elements").tells("need about").tells("GB of memory (");
     // Half of what is refused fits, so that the estimate is no wild guess.
-    desk.put("half.toml", fine(300_000));
+    sandbox.put("half.toml", fine(300_000));
     limited("half.toml", 2_000_000).ends_with(0);
 }
 
 #[test]
 fn a_load_that_swings_faster_than_any_step_is_refused() {
-    let desk = Desk::new();
+    let sandbox = Sandbox::new();
     let shaken = |frequency: &str| {
         let load = "[load.hum]\nkind = \"point\"\nat = \"girder.mid\"\nforce = [0, 1]\n";
         let function =
             format!("function = {{ kind = \"harmonic\", frequency = \"{frequency}\" }}\n");
-        desk.put("hum.toml", format!("{}\n{load}{function}", crate::common::ELASTIC));
-        desk.percuss(&["check", "hum.toml"])
+        sandbox.put("hum.toml", format!("{}\n{load}{function}", crate::common::ELASTIC));
+        sandbox.percuss(&["check", "hum.toml"])
     };
     shaken("50 Hz").ends_with(0);
     shaken("1e300 Hz").ends_with(2).tells("load.hum.function").tells("periods in a step");

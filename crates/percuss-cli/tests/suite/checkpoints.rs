@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::common::{Desk, RIGID};
+use crate::common::{RIGID, Sandbox};
 
 /// What a run determines: every file, but for times of computing.
 fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
@@ -48,13 +48,13 @@ fn arguments<'a>(more: &[&'a str]) -> Vec<&'a str> {
 
 #[test]
 fn a_killed_run_goes_on_where_it_was() {
-    let desk = Desk::new();
-    desk.percuss(&arguments(&["--out", "whole"])).ends_with(0);
+    let sandbox = Sandbox::new();
+    sandbox.percuss(&arguments(&["--out", "whole"])).ends_with(0);
     let mut resumed = 0;
     for _ in 0..200 {
-        let state = desk.path("out.checkpoint/state");
+        let state = sandbox.path("out.checkpoint/state");
         let more = ["--out", "out", "--checkpoint", "500 steps", "--resume"];
-        let mut child = desk.command(&arguments(&more)).spawn().unwrap();
+        let mut child = sandbox.command(&arguments(&more)).spawn().unwrap();
         let before = fs::metadata(&state).and_then(|m| m.modified()).ok();
         resumed += usize::from(before.is_some());
         // Killed once it has written a checkpoint of its own, wherever it then is.
@@ -76,76 +76,77 @@ fn a_killed_run_goes_on_where_it_was() {
         }
     }
     assert!(resumed >= 3, "{resumed}");
-    assert_eq!(differences(&desk.path("whole"), &desk.path("out")), Vec::<String>::new());
-    assert!(!desk.path("out.checkpoint").exists());
+    assert_eq!(differences(&sandbox.path("whole"), &sandbox.path("out")), Vec::<String>::new());
+    assert!(!sandbox.path("out.checkpoint").exists());
 }
 
 #[test]
 fn a_run_is_extended_in_its_place_or_beside_it_once_and_again() {
-    let desk = Desk::new();
+    let sandbox = Sandbox::new();
     let at = |end: &'static str, out: &'static str| arguments(&["--set", end, "--out", out]);
     // The first end lies within a step.
     let first = [at("time.end=0.0100005", "run"), vec!["--checkpoint", "1 h", "--history", "csv"]];
-    desk.percuss(&first.concat()).ends_with(0);
+    sandbox.percuss(&first.concat()).ends_with(0);
     let whole = [at("time.end=0.02", "whole"), vec!["--history", "csv"]];
-    desk.percuss(&whole.concat()).ends_with(0);
-    let short = contents(&desk.path("run"));
+    sandbox.percuss(&whole.concat()).ends_with(0);
+    let short = contents(&sandbox.path("run"));
     let extend = |more: &[&str]| {
-        desk.percuss(&[&["extend", "run", "--quiet", "--no-report"], more].concat())
+        sandbox.percuss(&[&["extend", "run", "--quiet", "--no-report"], more].concat())
     };
     extend(&["--end", "20 ms", "--out", "long"]).ends_with(0);
-    assert_eq!(differences(&desk.path("whole"), &desk.path("long")), Vec::<String>::new());
-    assert_eq!(short, contents(&desk.path("run")));
+    assert_eq!(differences(&sandbox.path("whole"), &sandbox.path("long")), Vec::<String>::new());
+    assert_eq!(short, contents(&sandbox.path("run")));
     extend(&["--end", "15 ms"]).ends_with(0);
     extend(&["--end", "20 ms"]).ends_with(0);
-    assert_eq!(differences(&desk.path("whole"), &desk.path("run")), Vec::<String>::new());
+    assert_eq!(differences(&sandbox.path("whole"), &sandbox.path("run")), Vec::<String>::new());
     extend(&["--end", "20 ms"])
         .ends_with(2)
         .tells("already reaches t = 20 ms; choose a later time");
-    let without = desk.percuss(&["extend", "whole", "--end", "1 s"]);
+    let without = sandbox.percuss(&["extend", "whole", "--end", "1 s"]);
     without.ends_with(2).tells("only a complete run with --checkpoint has one");
 }
 
 #[test]
 fn an_extension_that_was_killed_goes_on_where_it_was() {
-    let desk = Desk::new();
+    let sandbox = Sandbox::new();
     let end = |end: &'static str| arguments(&["--set", end]);
-    desk.percuss(&[end("time.end=0.03"), vec!["--out", "whole"]].concat()).ends_with(0);
+    sandbox.percuss(&[end("time.end=0.03"), vec!["--out", "whole"]].concat()).ends_with(0);
     let first = [end("time.end=0.01"), vec!["--out", "out", "--checkpoint", "1 h"]].concat();
-    desk.percuss(&first).ends_with(0);
+    sandbox.percuss(&first).ends_with(0);
     let extend = ["extend", "out", "--end", "30 ms", "--quiet", "--no-report"];
     let extend = [extend.as_slice(), &["--checkpoint", "500 steps", "--resume"]].concat();
-    let state = desk.path("out.checkpoint/state");
-    let mut child = desk.command(&extend).spawn().unwrap();
+    let state = sandbox.path("out.checkpoint/state");
+    let mut child = sandbox.command(&extend).spawn().unwrap();
     while !state.exists() {
         assert!(child.try_wait().unwrap().is_none(), "it ended without a checkpoint");
         std::thread::yield_now();
     }
     child.kill().unwrap();
     child.wait().unwrap();
-    assert_eq!(desk.summary("out")["time"], 0.01, "the run before is not whole");
-    desk.percuss(&extend[..extend.len() - 1]).ends_with(2).tells("continue with --resume");
-    desk.percuss(&extend).ends_with(0);
-    assert_eq!(differences(&desk.path("whole"), &desk.path("out")), Vec::<String>::new());
-    assert!(!desk.path("out.checkpoint").exists());
+    assert_eq!(sandbox.summary("out")["time"], 0.01, "the run before is not whole");
+    sandbox.percuss(&extend[..extend.len() - 1]).ends_with(2).tells("continue with --resume");
+    sandbox.percuss(&extend).ends_with(0);
+    assert_eq!(differences(&sandbox.path("whole"), &sandbox.path("out")), Vec::<String>::new());
+    assert!(!sandbox.path("out.checkpoint").exists());
     // A queue that starts the job once more finds nothing to do.
-    desk.percuss(&extend).ends_with(0);
-    let told: Vec<&str> = extend.iter().copied().filter(|word| *word != "--quiet").collect();
-    desk.percuss(&told).ends_with(0).tells("reached t = 30 ms; nothing to do");
+    sandbox.percuss(&extend).ends_with(0);
+    let reported: Vec<&str> = extend.iter().copied().filter(|word| *word != "--quiet").collect();
+    sandbox.percuss(&reported).ends_with(0).tells("reached t = 30 ms; nothing to do");
 }
 
 #[test]
 fn files_that_are_no_checkpoint_of_the_run_are_refused_and_left_alone() {
-    let desk = Desk::new();
-    let resume =
-        |more: &[&str]| desk.percuss(&arguments(&[&["--out", "out", "--resume"], more].concat()));
+    let sandbox = Sandbox::new();
+    let resume = |more: &[&str]| {
+        sandbox.percuss(&arguments(&[&["--out", "out", "--resume"], more].concat()))
+    };
     resume(&[]).ends_with(2).tells("no checkpoint: a run writes one with --checkpoint");
     // One that a killed run left, made by one that cannot write its results.
-    let mut child = desk
+    let mut child = sandbox
         .command(&arguments(&["--set", "time.end=10", "--out", "out", "--checkpoint", "10 steps"]))
         .spawn()
         .unwrap();
-    let state = desk.path("out.checkpoint/state");
+    let state = sandbox.path("out.checkpoint/state");
     while !state.exists() {
         assert!(child.try_wait().unwrap().is_none(), "it ended without a checkpoint");
         std::thread::yield_now();
@@ -153,11 +154,11 @@ fn files_that_are_no_checkpoint_of_the_run_are_refused_and_left_alone() {
     child.kill().unwrap();
     child.wait().unwrap();
     let kept = fs::read(&state).unwrap();
-    let again = desk.percuss(&arguments(&["--out", "out", "--checkpoint", "1 s"]));
+    let again = sandbox.percuss(&arguments(&["--out", "out", "--checkpoint", "1 s"]));
     again.ends_with(2).tells("continue with --resume, or remove it");
-    desk.put("rigid.toml", RIGID.replace("restitution = ", "restitution = 0.25 # "));
+    sandbox.put("rigid.toml", RIGID.replace("restitution = ", "restitution = 0.25 # "));
     resume(&[]).ends_with(2).tells("belongs to a different scenario");
-    desk.put("rigid.toml", RIGID);
+    sandbox.put("rigid.toml", RIGID);
     for (cut, word) in
         [(kept.len() - 9, "damaged"), (10, "not a checkpoint"), (0, "not a checkpoint")]
     {
@@ -168,13 +169,13 @@ fn files_that_are_no_checkpoint_of_the_run_are_refused_and_left_alone() {
     fs::write(&state, [older.as_bytes(), &kept[21..]].concat()).unwrap();
     resume(&[]).ends_with(2).tells("another version of Percuss");
     fs::write(&state, &kept).unwrap();
-    let rows = desk.path("out.checkpoint/rows");
+    let rows = sandbox.path("out.checkpoint/rows");
     let mut damaged = fs::read(&rows).unwrap();
     damaged[20] ^= 1;
     fs::write(&rows, damaged).unwrap();
     resume(&[]).ends_with(2).tells("damaged");
-    desk.put("out.checkpoint/mine", "my own");
+    sandbox.put("out.checkpoint/mine", "my own");
     resume(&[]).ends_with(2).tells("is the checkpoint directory but contains mine; move this file");
-    assert_eq!(fs::read(desk.path("out.checkpoint/mine")).unwrap(), b"my own");
-    assert!(!desk.path("out").exists());
+    assert_eq!(fs::read(sandbox.path("out.checkpoint/mine")).unwrap(), b"my own");
+    assert!(!sandbox.path("out").exists());
 }

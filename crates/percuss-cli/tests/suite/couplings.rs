@@ -5,7 +5,7 @@ use crate::common;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::net::TcpStream;
 
-use common::Desk;
+use common::Sandbox;
 use serde_json::{Value, json};
 
 const STUDY: &str = r#"
@@ -29,15 +29,15 @@ force = "contact.mass.peak_force.value"
 exit = "projectile.mass.velocity_final[1]"
 "#;
 
-fn desk() -> Desk {
-    let desk = Desk::new();
-    desk.put("study.toml", STUDY);
-    desk
+fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::new();
+    sandbox.put("study.toml", STUDY);
+    sandbox
 }
 
 /// What `percuss sensitivity` and a run say at 20 m/s and 500 kg, the values of the file.
-fn expected(desk: &Desk) -> Value {
-    let told = desk.percuss(&[
+fn expected(sandbox: &Sandbox) -> Value {
+    let reported = sandbox.percuss(&[
         "sensitivity",
         "elastic.toml",
         "--json",
@@ -50,7 +50,7 @@ fn expected(desk: &Desk) -> Value {
         "-r",
         "projectile.mass.velocity_final[1]",
     ]);
-    serde_json::from_str(&told.stdout).expect("JSON")
+    serde_json::from_str(&reported.stdout).expect("JSON")
 }
 
 fn close(a: f64, b: f64) -> bool {
@@ -62,29 +62,32 @@ const DAKOTA: &str = "2 variables\n500 mass\n20 speed\n1 functions\n3 ASV_1:exit
 
 #[test]
 fn a_point_is_evaluated_in_every_form() {
-    let desk = desk();
-    let expected = expected(&desk);
+    let sandbox = sandbox();
+    let expected = expected(&sandbox);
     let number = |value: &Value| value.as_f64().expect("a number");
-    desk.put("point.json", r#"{"mass": 500, "speed": 20}"#);
-    let told = desk.percuss(&["eval", "study.toml", "point.json", "--gradients"]);
-    assert_eq!(told.status, Some(0), "{}", told.stderr);
-    let told: Value = serde_json::from_str(&told.stdout).expect("JSON alone");
-    let plain = desk.percuss(&["eval", "study.toml", "point.json"]);
+    sandbox.put("point.json", r#"{"mass": 500, "speed": 20}"#);
+    let reported = sandbox.percuss(&["eval", "study.toml", "point.json", "--gradients"]);
+    assert_eq!(reported.status, Some(0), "{}", reported.stderr);
+    let reported: Value = serde_json::from_str(&reported.stdout).expect("JSON alone");
+    let plain = sandbox.percuss(&["eval", "study.toml", "point.json"]);
     let plain: Value = serde_json::from_str(&plain.stdout).expect("JSON alone");
     assert_eq!(
-        plain["results"], told["results"],
+        plain["results"], reported["results"],
         "values do not depend on whether gradients are asked for"
     );
     for (k, result) in ["force", "exit"].iter().enumerate() {
-        assert!(close(number(&told["results"][result]), number(&expected["results"][k]["value"])));
+        assert!(close(
+            number(&reported["results"][result]),
+            number(&expected["results"][k]["value"])
+        ));
         for (j, parameter) in ["speed", "mass"].iter().enumerate() {
-            let found = number(&told["derivatives"][result][parameter]);
-            assert!(close(found, number(&expected["derivatives"][k][j])), "{told:#}");
+            let found = number(&reported["derivatives"][result][parameter]);
+            assert!(close(found, number(&expected["derivatives"][k][j])), "{reported:#}");
         }
     }
-    desk.put("params.in", DAKOTA);
-    desk.percuss(&["eval", "study.toml", "params.in", "results.out"]).ends_with(0);
-    let text = std::fs::read_to_string(desk.path("results.out")).expect("results");
+    sandbox.put("params.in", DAKOTA);
+    sandbox.percuss(&["eval", "study.toml", "params.in", "results.out"]).ends_with(0);
+    let text = std::fs::read_to_string(sandbox.path("results.out")).expect("results");
     let lines: Vec<&str> = text.lines().collect();
     let (value, label) = lines[0].split_once(' ').expect("a value and its label");
     assert!(
@@ -96,22 +99,24 @@ fn a_point_is_evaluated_in_every_form() {
 }
 
 #[test]
-fn failed_evaluations_are_told_and_nothing_is_lost() {
-    let desk = desk();
-    desk.put("params.in", DAKOTA);
-    desk.put("results.out", "earlier");
-    desk.percuss(&["eval", "study.toml", "params.in", "results.out"])
+fn failed_evaluations_are_reported_and_nothing_is_lost() {
+    let sandbox = sandbox();
+    sandbox.put("params.in", DAKOTA);
+    sandbox.put("results.out", "earlier");
+    sandbox
+        .percuss(&["eval", "study.toml", "params.in", "results.out"])
         .ends_with(2)
         .tells("exists already");
-    assert_eq!(std::fs::read(desk.path("results.out")).expect("a file"), b"earlier");
+    assert_eq!(std::fs::read(sandbox.path("results.out")).expect("a file"), b"earlier");
     // A failed evaluation is one for Dakota too.
-    desk.put("heavy.in", DAKOTA.replace("500 mass", "-500 mass"));
-    desk.percuss(&["eval", "study.toml", "heavy.in", "failed.out"])
+    sandbox.put("heavy.in", DAKOTA.replace("500 mass", "-500 mass"));
+    sandbox
+        .percuss(&["eval", "study.toml", "heavy.in", "failed.out"])
         .ends_with(3)
         .tells("a mass above zero");
-    let failed = std::fs::read_to_string(desk.path("failed.out")).expect("results");
+    let failed = std::fs::read_to_string(sandbox.path("failed.out")).expect("results");
     assert!(failed.starts_with("FAIL") && failed.contains("[E016]"), "{failed}");
-    for (text, told) in [
+    for (text, reported) in [
         (
             DAKOTA.replace("20 speed", "20 sped"),
             "`sped` is no parameter of the study, expected one of `speed`, `mass` (did you mean `speed`?)",
@@ -145,24 +150,25 @@ fn failed_evaluations_are_told_and_nothing_is_lost() {
             "a file of more than 16 MiB is no file of parameters",
         ),
     ] {
-        desk.put("bad.in", text);
-        desk.percuss(&["eval", "study.toml", "bad.in", "bad.out"])
+        sandbox.put("bad.in", text);
+        sandbox
+            .percuss(&["eval", "study.toml", "bad.in", "bad.out"])
             .ends_with(2)
-            .tells(told)
+            .tells(reported)
             .tells("E319");
-        assert!(!desk.path("bad.out").exists());
+        assert!(!sandbox.path("bad.out").exists());
     }
 }
 
 /// Whether runs go side by side, and what keeps them from it.
 #[test]
 fn checks_say_whether_runs_go_side_by_side() {
-    let desk = desk();
-    let told = |study: String| {
-        desk.put("asked.toml", study);
-        let told = desk.percuss(&["check", "asked.toml"]);
-        assert_eq!(told.status, Some(0), "{}", told.stderr);
-        told.stdout.lines().nth(1).unwrap_or_default().to_owned()
+    let sandbox = sandbox();
+    let reported = |study: String| {
+        sandbox.put("asked.toml", study);
+        let reported = sandbox.percuss(&["check", "asked.toml"]);
+        assert_eq!(reported.status, Some(0), "{}", reported.stderr);
+        reported.stdout.lines().nth(1).unwrap_or_default().to_owned()
     };
     let rigid = STUDY
         .replace("elastic.toml", "rigid.toml")
@@ -174,18 +180,18 @@ fn checks_say_whether_runs_go_side_by_side() {
     let [moment, stress] = ["moment_max.value", "stress.max.value"]
         .map(|force| asking(&format!("section_forces.girder.{force}")));
     for study in [STUDY.to_owned(), rigid, moment, stress] {
-        assert_eq!(told(study), "runs are computed in SIMD batches");
+        assert_eq!(reported(study), "runs are computed in SIMD batches");
     }
     for alone in ["section_forces.girder.strain.max.value", "support.left.moment.max.value"] {
         let why = format!("runs are computed one at a time: `asked` is requested ({alone})");
-        assert_eq!(told(asking(alone)), why);
+        assert_eq!(reported(asking(alone)), why);
     }
     let stayed = common::ELASTIC.to_owned()
         + "\n[spring.stay]\nbetween = [\"girder.mid\", [0, 1]]\nstiffness = 1e3\n";
-    desk.put("stayed.toml", stayed);
+    sandbox.put("stayed.toml", stayed);
     let springs = STUDY.replace("elastic.toml", "stayed.toml");
     let why = "runs are computed one at a time: springs between points, and rotational springs";
-    assert_eq!(told(springs), why);
+    assert_eq!(reported(springs), why);
 }
 
 /// A request over HTTP: status and answer.
@@ -207,9 +213,9 @@ fn ask(address: &str, path: &str, body: &Value) -> (u16, Value) {
 
 #[test]
 fn a_served_study_speaks_um_bridge() {
-    let desk = desk();
+    let sandbox = sandbox();
     let mut server =
-        desk.command(&["serve", "study.toml", "--port", "0"]).spawn().expect("percuss");
+        sandbox.command(&["serve", "study.toml", "--port", "0"]).spawn().expect("percuss");
     let mut first = String::new();
     BufReader::new(server.stderr.take().expect("piped")).read_line(&mut first).expect("a greeting");
     let address = first
@@ -240,7 +246,7 @@ fn a_served_study_speaks_um_bridge() {
     assert_eq!(asked("/InputSizes", json!({})).1, json!({ "inputSizes": [2] }));
     assert_eq!(asked("/OutputSizes", json!({})).1, json!({ "outputSizes": [2] }));
     assert_eq!(asked("/ModelInfo", json!({})).1["support"]["Gradient"], true);
-    let expected = expected(&desk);
+    let expected = expected(&sandbox);
     let d = |k: usize, j: usize| expected["derivatives"][k][j].as_f64().expect("a number");
     let numbers = |(status, answer): (u16, Value)| -> Vec<f64> {
         assert_eq!(status, 200, "{answer}");
@@ -279,9 +285,9 @@ fn a_served_study_speaks_um_bridge() {
 
 #[test]
 fn manual_pages_are_written_for_every_command() {
-    let desk = Desk::empty();
-    desk.percuss(&["man", "--out", "pages"]).ends_with(0);
-    let page = std::fs::read_to_string(desk.path("pages/percuss-run.1")).expect("a page");
+    let sandbox = Sandbox::empty();
+    sandbox.percuss(&["man", "--out", "pages"]).ends_with(0);
+    let page = std::fs::read_to_string(sandbox.path("pages/percuss-run.1")).expect("a page");
     assert!(page.contains(".TH percuss-run 1") && page.contains("checkpoint"));
-    assert!(desk.path("pages/percuss.1").exists());
+    assert!(sandbox.path("pages/percuss.1").exists());
 }

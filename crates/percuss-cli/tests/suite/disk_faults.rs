@@ -8,7 +8,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::common::{Desk, ELASTIC, Outcome};
+use crate::common::{ELASTIC, Outcome, Sandbox};
 
 /// ENOSPC.
 const NO_SPACE: i32 = 28;
@@ -17,9 +17,9 @@ const NO_SPACE: i32 = 28;
 const ERRORS: [i32; 4] = [NO_SPACE, 5, 13, 24];
 
 /// The library that makes operations fail; none where there is no C compiler.
-pub fn shim(desk: &Desk) -> Option<PathBuf> {
+pub fn shim(sandbox: &Sandbox) -> Option<PathBuf> {
     let source = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/faults.c");
-    let library = desk.path("faults.so");
+    let library = sandbox.path("faults.so");
     let options = ["-shared", "-fPIC", "-O1", "-o"];
     match Command::new("cc").args(options).arg(&library).arg(source).arg("-ldl").status() {
         Ok(status) => {
@@ -77,7 +77,7 @@ fn differing(a: &Files, b: &Files) -> String {
 
 /// A command that leaves results in `out`, where earlier ones are.
 struct Case<'a> {
-    desk: Desk,
+    sandbox: Sandbox,
     shim: PathBuf,
     /// Commands that lead to the earlier results, and the one under test.
     earlier: &'a [&'a [&'a str]],
@@ -90,7 +90,7 @@ struct Case<'a> {
 
 impl Case<'_> {
     fn fresh(&self) {
-        for entry in fs::read_dir(self.desk.path("work")).into_iter().flatten() {
+        for entry in fs::read_dir(self.sandbox.path("work")).into_iter().flatten() {
             let path = entry.unwrap().path();
             if path.is_dir() {
                 fs::remove_dir_all(path).unwrap()
@@ -98,16 +98,16 @@ impl Case<'_> {
                 fs::remove_file(path).unwrap()
             }
         }
-        copy(&self.desk.path("before"), &self.desk.path("work"));
+        copy(&self.sandbox.path("before"), &self.sandbox.path("work"));
     }
 
     fn run(&self, fault: Option<(usize, i32)>) -> Outcome {
-        let mut command = self.desk.command(self.command);
-        command.current_dir(self.desk.path("work"));
+        let mut command = self.sandbox.command(self.command);
+        command.current_dir(self.sandbox.path("work"));
         if let Some((at, error)) = fault {
-            let under = self.desk.path("work").canonicalize().unwrap();
+            let under = self.sandbox.path("work").canonicalize().unwrap();
             command.env("LD_PRELOAD", &self.shim).env("FAULT_UNDER", under);
-            command.env("FAULT_COUNT", self.desk.path("count"));
+            command.env("FAULT_COUNT", self.sandbox.path("count"));
             command.env("FAULT_AT", at.to_string()).env("FAULT_ERRNO", error.to_string());
         }
         command.output().unwrap().into()
@@ -115,7 +115,7 @@ impl Case<'_> {
 
     /// Results in `out`, without the user's own file there, which must be whole.
     fn results(&self) -> Files {
-        let mut found = contents(&self.desk.path("work/out"));
+        let mut found = contents(&self.sandbox.path("work/out"));
         // What a process that died was writing is nobody's, and goes with the next one.
         let hidden = |part: &str| part.starts_with(".percuss-") || part.ends_with(".partial");
         let of_a_shard = |name: &str| name.starts_with("shards/.") || name.starts_with(".results");
@@ -154,44 +154,44 @@ impl Case<'_> {
             && before.keys().all(|name| found.contains_key(name) || !after.contains_key(name));
         let whole = added || found == *before || found == *after;
         holds(whole, &format!("neither earlier nor new results ({})", differing(&found, after)))?;
-        let told = outcome.status.is_some_and(|s| s != 0);
-        holds(error == 0 || found != *before || told, "nothing was done, and nothing said")?;
+        let reported = outcome.status.is_some_and(|s| s != 0);
+        holds(error == 0 || found != *before || reported, "nothing was done, and nothing said")?;
         let named =
-            error != NO_SPACE || !told || outcome.stderr.contains("No space left on device");
+            error != NO_SPACE || !reported || outcome.stderr.contains("No space left on device");
         holds(named, "the full disk is not named")?;
         // Whoever comes next puts it in order; an extension that is done is not done again.
         let again = self.run(None);
         let done = found == *after && again.stderr.contains("already reaches t = 3 ms");
         holds(done || again.status == Some(0), &format!("the next one fails: {}", again.stderr))?;
-        let differs = differing(&contents(&self.desk.path("work/out")), whole_after);
+        let differs = differing(&contents(&self.sandbox.path("work/out")), whole_after);
         holds(differs.is_empty(), &format!("the next one ends otherwise in {differs}"))?;
         let expected =
             |n: &String| names.contains(n) || self.beside.iter().any(|b| n.starts_with(b));
-        let mut left = crate::common::names(&self.desk.path("work"));
+        let mut left = crate::common::names(&self.sandbox.path("work"));
         left.retain(|n| !done && !expected(n));
         holds(left.is_empty(), &format!("{left:?} are left"))
     }
 
     /// Tries every operation; the number of faults.
     fn try_all(&self) -> usize {
-        fs::create_dir(self.desk.path("work")).unwrap();
+        fs::create_dir(self.sandbox.path("work")).unwrap();
         for arguments in self.earlier {
-            let mut command = self.desk.command(arguments);
+            let mut command = self.sandbox.command(arguments);
             let done: Outcome =
-                command.current_dir(self.desk.path("work")).output().unwrap().into();
+                command.current_dir(self.sandbox.path("work")).output().unwrap().into();
             done.ends_with(0);
         }
-        fs::write(self.desk.path("work/out/mine.txt"), "my own").unwrap();
-        fs::rename(self.desk.path("work"), self.desk.path("before")).unwrap();
-        fs::create_dir(self.desk.path("work")).unwrap();
+        fs::write(self.sandbox.path("work/out/mine.txt"), "my own").unwrap();
+        fs::rename(self.sandbox.path("work"), self.sandbox.path("before")).unwrap();
+        fs::create_dir(self.sandbox.path("work")).unwrap();
         self.fresh();
         let before = self.results();
-        let names: Vec<String> = crate::common::names(&self.desk.path("work"));
+        let names: Vec<String> = crate::common::names(&self.sandbox.path("work"));
         self.run(Some((0, 0))).ends_with(0);
         let after = self.results();
-        let whole_after = contents(&self.desk.path("work/out"));
+        let whole_after = contents(&self.sandbox.path("work/out"));
         assert_ne!(before, after, "the command changes nothing");
-        let count = fs::read_to_string(self.desk.path("count")).unwrap();
+        let count = fs::read_to_string(self.sandbox.path("count")).unwrap();
         let count: usize = count.trim().parse().unwrap();
         assert!(count > 5, "{count}");
         let mut faults = Vec::new();
@@ -199,9 +199,9 @@ impl Case<'_> {
         let every = if crate::common::whole() { 1 } else { 5 };
         for at in (1..=count).step_by(every) {
             for error in [0, ERRORS[at % ERRORS.len()]] {
-                let told = self.try_one(at, error, (&before, &after, &whole_after), &names);
+                let reported = self.try_one(at, error, (&before, &after, &whole_after), &names);
                 faults.extend(
-                    told.err().map(|fault| format!("operation {at}, error {error}: {fault}")),
+                    reported.err().map(|fault| format!("operation {at}, error {error}: {fault}")),
                 );
             }
         }
@@ -224,11 +224,11 @@ pub fn copy(from: &Path, to: &Path) {
 }
 
 fn survives(earlier: &[&[&str]], command: &[&str], beside: &[&str], adds: bool) {
-    let desk = Desk::new();
-    desk.put("study.toml", STUDY);
-    desk.put("heavy.toml", format!("{ELASTIC}{WEIGHT}"));
-    let Some(shim) = shim(&desk) else { return };
-    let case = Case { desk, shim, earlier, command, beside, adds };
+    let sandbox = Sandbox::new();
+    sandbox.put("study.toml", STUDY);
+    sandbox.put("heavy.toml", format!("{ELASTIC}{WEIGHT}"));
+    let Some(shim) = shim(&sandbox) else { return };
+    let case = Case { sandbox, shim, earlier, command, beside, adds };
     let faults = case.try_all();
     eprintln!("{faults} faults survived");
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use percuss_advice::Topic;
 
-use crate::common::Desk;
+use crate::common::Sandbox;
 
 const SCENARIOS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/");
 
@@ -102,7 +102,7 @@ fn provocations() -> Vec<(Topic, String, &'static str)> {
         .into_iter()
         .map(|topic| {
             let (file, set) = match topic {
-                Topic::Touch => (elastic.clone(), "time.end=0.005"),
+                Topic::FirstContact => (elastic.clone(), "time.end=0.005"),
                 Topic::ContactDuration => (elastic.clone(), "time.step=0.01"),
                 Topic::BendingWave => (puck.clone(), stiff),
                 Topic::WaveTransit => (of("disc-chain"), "record.every=1"),
@@ -116,7 +116,9 @@ fn provocations() -> Vec<(Topic, String, &'static str)> {
                 Topic::Recording => (of("rattling-tube"), "time.end=0.01"),
                 Topic::Reactions => (of("disc-chain"), "record.every=1"),
                 Topic::Taper => (of("sweet-spot"), "record.every=1"),
-                Topic::Strain | Topic::Slip => (elastic.clone(), "material.composite.young=2e5"),
+                Topic::Strain | Topic::Magnitude => {
+                    (elastic.clone(), "material.composite.young=2e5")
+                }
                 Topic::Ending => (elastic.clone(), "time.end=0.02"),
                 Topic::StaticStart => ("pendulum.toml".to_owned(), "record.every=1"),
                 Topic::FaceStiffness => ("ram.toml".to_owned(), "record.every=1"),
@@ -130,110 +132,111 @@ fn provocations() -> Vec<(Topic, String, &'static str)> {
         .collect()
 }
 
-fn desk() -> Desk {
-    let desk = Desk::new();
-    desk.put("hammer.toml", [ROD, HAMMER].concat());
-    desk.put("wall.toml", [ROD, WALL].concat());
+fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::new();
+    sandbox.put("hammer.toml", [ROD, HAMMER].concat());
+    sandbox.put("wall.toml", [ROD, WALL].concat());
     let rear = "stiffness = \"7.5e5 N/m\"\nrear = { mass = 100, stiffness = \"1e12 N/m\" }";
     let text = crate::common::ELASTIC.replace("stiffness = \"7.5e5 N/m\"", rear);
-    desk.put("rear.toml", text);
-    desk.put("pendulum.toml", [ROD, PENDULUM].concat());
-    desk.put("ram.toml", [ROD, RAM].concat());
+    sandbox.put("rear.toml", text);
+    sandbox.put("pendulum.toml", [ROD, PENDULUM].concat());
+    sandbox.put("ram.toml", [ROD, RAM].concat());
     // Those whose examples stand whole in the book.
     let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/codes.toml");
     let book = percuss_book::Provocations::load(&book).unwrap();
     for (file, code) in [("pressed.toml", "W022"), ("carried.toml", "W023")] {
-        desk.put(file, book.scenario(code).expect("a whole scenario"));
+        sandbox.put(file, book.scenario(code).expect("a whole scenario"));
     }
-    desk.put("loose.toml", [ROD, LOOSE].concat());
-    desk
+    sandbox.put("loose.toml", [ROD, LOOSE].concat());
+    sandbox
 }
 
 #[test]
 fn every_code_can_be_provoked_and_is_explained() {
-    let desk = desk();
-    let list = desk.percuss(&["explain"]).stdout;
+    let sandbox = sandbox();
+    let list = sandbox.percuss(&["explain"]).stdout;
     for (topic, file, set) in provocations() {
         let (code, name) = (topic.code(), topic.name());
-        let run = desk.percuss(&["run", &file, "--out", "out", "--no-report", "--set", set]);
+        let run = sandbox.percuss(&["run", &file, "--out", "out", "--no-report", "--set", set]);
         run.ends_with(0).tells(&format!("[{code}]"));
-        let advice = desk.summary("out")["advice"].as_array().expect("a list").clone();
+        let advice = sandbox.summary("out")["advice"].as_array().expect("a list").clone();
         assert!(
             advice.iter().any(|a| a["code"] == code && a["topic"] == name),
             "{code}: {advice:?}"
         );
-        let told = desk.percuss(&["explain", &code.to_lowercase()]);
-        told.ends_with(0);
-        assert!(told.stdout.starts_with(&format!("{code}  {name}\n\n")), "{}", told.stdout);
-        assert!(told.stdout.lines().all(|line| line.len() <= 96), "{}", told.stdout);
+        let reported = sandbox.percuss(&["explain", &code.to_lowercase()]);
+        reported.ends_with(0);
+        assert!(reported.stdout.starts_with(&format!("{code}  {name}\n\n")), "{}", reported.stdout);
+        assert!(reported.stdout.lines().all(|line| line.len() <= 96), "{}", reported.stdout);
         assert!(list.contains(&format!("{code}  {name}\n")), "{list}");
     }
     for fault in percuss_scenario::FaultCode::ALL {
         let heading = format!("{}  {}\n", fault.code(), fault.name());
         assert!(list.contains(&heading), "{list}");
-        let told = desk.percuss(&["explain", fault.code()]);
-        told.ends_with(0);
-        assert!(told.stdout.starts_with(&(heading + "\n")), "{}", told.stdout);
+        let reported = sandbox.percuss(&["explain", fault.code()]);
+        reported.ends_with(0);
+        assert!(reported.stdout.starts_with(&(heading + "\n")), "{}", reported.stdout);
     }
-    desk.percuss(&["explain", "W099"]).ends_with(2).tells("no such code");
+    sandbox.percuss(&["explain", "W099"]).ends_with(2).tells("no such code");
 }
 
 #[test]
 fn denied_findings_end_a_run_before_it_or_fail_it_after() {
-    let desk = desk();
+    let sandbox = sandbox();
     let run = |more: &[&str]| {
-        desk.percuss(&[&["run", "elastic.toml", "--no-report", "--out", "out"], more].concat())
+        sandbox.percuss(&[&["run", "elastic.toml", "--no-report", "--out", "out"], more].concat())
     };
     run(&["--deny", "W007"]).ends_with(2).tells("[W007] is denied");
-    assert!(!desk.path("out").exists());
-    desk.percuss(&["check", "elastic.toml", "--deny", "w007"])
+    assert!(!sandbox.path("out").exists());
+    sandbox
+        .percuss(&["check", "elastic.toml", "--deny", "w007"])
         .ends_with(2)
         .tells("[W007] is denied");
     // What is found only afterwards: the results stay.
     let late = ["--set", "time.end=0.02", "--deny", "W016"];
     run(&late).ends_with(4).tells("[W016] is denied");
-    assert!(desk.path("out/summary.json").is_file());
+    assert!(sandbox.path("out/summary.json").is_file());
     run(&["--deny", "W005", "--deny", "W016"]).ends_with(0);
     run(&["--deny", "W0"]).ends_with(2).tells("no such code");
 }
 
 #[test]
-fn allowed_findings_are_told_with_their_reason_and_not_denied() {
-    let desk = desk();
-    let text = std::fs::read_to_string(desk.path("elastic.toml")).unwrap();
+fn allowed_findings_are_reported_with_their_reason_and_not_denied() {
+    let sandbox = sandbox();
+    let text = std::fs::read_to_string(sandbox.path("elastic.toml")).unwrap();
     let allow =
         "\n[allow]\nW007 = \"a short <beam>\"\nW012 = \"rows are few\"\nW013 = \"none are read\"\n";
-    desk.put("allowed.toml", text + allow);
-    let check = desk.percuss(&["check", "allowed.toml", "--deny", "W007"]);
+    sandbox.put("allowed.toml", text + allow);
+    let check = sandbox.percuss(&["check", "allowed.toml", "--deny", "W007"]);
     check.ends_with(0).tells("(reason: a short <beam>) [W007]");
     check.tells("[allow] W012: no such warning (");
     assert!(!check.stderr.contains("W013"), "only a run can tell: {}", check.stderr);
     for line in check.stderr.lines().filter(|line| line.contains("[W007]")) {
         assert!(line.starts_with("allowed: "), "{line}");
     }
-    let run = desk.percuss(&["run", "allowed.toml", "--deny", "W007", "--out", "out"]);
+    let run = sandbox.percuss(&["run", "allowed.toml", "--deny", "W007", "--out", "out"]);
     run.ends_with(0).tells("[allow] W013: no such warning (");
-    let summary = desk.summary("out");
+    let summary = sandbox.summary("out");
     let advice = summary["advice"].as_array().unwrap();
     let one = advice.iter().find(|a| a["code"] == "W007").unwrap();
     assert_eq!((&one["verdict"], &one["reason"]), (&"allowed".into(), &"a short <beam>".into()));
     let found: Vec<bool> =
         summary["allow"].as_array().unwrap().iter().map(|a| a["found"] == true).collect();
     assert_eq!(found, [true, false, false]);
-    let page = std::fs::read_to_string(desk.path("out/report.html")).unwrap();
+    let page = std::fs::read_to_string(sandbox.path("out/report.html")).unwrap();
     assert!(page.contains("accepted: a short &lt;beam&gt; ("));
     assert!(page.contains("Allowed in the scenario but not raised: W012, W013"));
     // The results keep what was allowed, so that they can be run again.
-    desk.percuss(&["check", "out/scenario.toml"]).ends_with(0).tells("a short <beam>");
-    desk.percuss(&["check", "elastic.toml", "--deny", "W007"]).ends_with(2);
+    sandbox.percuss(&["check", "out/scenario.toml"]).ends_with(0).tells("a short <beam>");
+    sandbox.percuss(&["check", "elastic.toml", "--deny", "W007"]).ends_with(2);
 }
 
 /// What is printed is the reference from which the book is written.
 #[test]
 fn tables_keys_and_words_of_files_are_explained() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let explained = |topic: &str| {
-        let outcome = desk.percuss(&["explain", topic]);
+        let outcome = sandbox.percuss(&["explain", topic]);
         outcome.ends_with(0);
         outcome.stdout
     };
@@ -276,18 +279,18 @@ fn tables_keys_and_words_of_files_are_explained() {
     }
     let base = explained("load.base.acceleration");
     assert!(base.starts_with("load.acceleration (kind = \"base\")\n"), "{base}");
-    let list = desk.percuss(&["explain"]).stdout;
+    let list = sandbox.percuss(&["explain"]).stdout;
     assert!(
         list.contains("Tables of scenario files\n  [material.NAME]  Material of a beam."),
         "{list}"
     );
-    desk.percuss(&["explain", "beeam"]).ends_with(2).tells("no such code, table, key or word");
+    sandbox.percuss(&["explain", "beeam"]).ends_with(2).tells("no such code, table, key or word");
 }
 
 /// The field's names stand beside the keys that have others.
 #[test]
 fn keys_are_documented_by_the_names_of_the_field() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     for (key, name) in [
         ("material.retardation", "Rayleigh's beta"),
         ("material.mass_damping", "Rayleigh's alpha"),
@@ -307,7 +310,7 @@ fn keys_are_documented_by_the_names_of_the_field() {
         ("beam.material", "such as \"S355\""),
         ("load.base.acceleration", "times `function`"),
     ] {
-        let outcome = desk.percuss(&["explain", key]);
+        let outcome = sandbox.percuss(&["explain", key]);
         outcome.ends_with(0);
         let text = outcome.stdout.split_whitespace().collect::<Vec<_>>().join(" ");
         assert!(text.contains(name), "{key}: {text}");

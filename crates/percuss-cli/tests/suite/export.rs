@@ -2,85 +2,85 @@
 
 use crate::common;
 
-use common::Desk;
+use common::Sandbox;
 
 const NAMES: [&str; 4] = ["beams.vtkhdf", "bodies.vtkhdf", "contacts.vtkhdf", "supports.vtkhdf"];
 
 #[test]
 fn a_run_gets_files_that_belong_to_it() {
-    let desk = Desk::new();
-    desk.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
+    let sandbox = Sandbox::new();
+    sandbox.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
     for _ in 0..2 {
-        let done = desk.percuss(&["export", "hit", "--format", "vtkhdf"]);
+        let done = sandbox.percuss(&["export", "hit", "--format", "vtkhdf"]);
         done.ends_with(0);
         assert!(done.stderr.contains("beams.vtkhdf") || done.stdout.contains("beams.vtkhdf"));
-        assert_eq!(common::names(&desk.path("hit/paraview")), NAMES);
+        assert_eq!(common::names(&sandbox.path("hit/paraview")), NAMES);
     }
     for name in NAMES {
-        let bytes = std::fs::read(desk.path("hit/paraview").join(name)).unwrap();
+        let bytes = std::fs::read(sandbox.path("hit/paraview").join(name)).unwrap();
         assert_eq!(&bytes[..8], b"\x89HDF\r\n\x1a\n", "{name}");
     }
     // A later run into the same directory replaces what is its own.
-    desk.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
-    assert!(!desk.path("hit/paraview").exists());
+    sandbox.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
+    assert!(!sandbox.path("hit/paraview").exists());
 }
 
 #[test]
 fn a_list_of_files_has_one_for_each_instant() {
-    let desk = Desk::new();
+    let sandbox = Sandbox::new();
     let set = ["--set", "time.end=0.02 s", "--no-report", "-q"];
-    desk.percuss(&[&["run", "elastic.toml", "--out", "hit"][..], &set].concat()).ends_with(0);
-    desk.percuss(&["export", "hit", "--format", "pvd"]).ends_with(0).tells("beams.pvd");
-    let list = std::fs::read_to_string(desk.path("hit/paraview/beams.pvd")).unwrap();
-    let files = common::names(&desk.path("hit/paraview/beams"));
+    sandbox.percuss(&[&["run", "elastic.toml", "--out", "hit"][..], &set].concat()).ends_with(0);
+    sandbox.percuss(&["export", "hit", "--format", "pvd"]).ends_with(0).tells("beams.pvd");
+    let list = std::fs::read_to_string(sandbox.path("hit/paraview/beams.pvd")).unwrap();
+    let files = common::names(&sandbox.path("hit/paraview/beams"));
     assert_eq!(list.matches("<DataSet ").count(), files.len());
     assert!(files.iter().all(|file| list.contains(&format!("\"beams/{file}\""))));
     // Another format takes the place of the first one and leaves nothing of it.
-    desk.percuss(&["export", "hit", "--out", "files", "--format", "pvd"]).ends_with(0);
-    desk.percuss(&["export", "hit", "--out", "files"]).ends_with(0);
-    assert_eq!(common::names(&desk.path("files")), NAMES);
+    sandbox.percuss(&["export", "hit", "--out", "files", "--format", "pvd"]).ends_with(0);
+    sandbox.percuss(&["export", "hit", "--out", "files"]).ends_with(0);
+    assert_eq!(common::names(&sandbox.path("files")), NAMES);
 }
 
 #[test]
 fn another_directory_keeps_what_is_not_an_export() {
-    let desk = Desk::new();
-    desk.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
+    let sandbox = Sandbox::new();
+    sandbox.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
     for _ in 0..2 {
-        desk.percuss(&["export", "hit", "--out", "files"]).ends_with(0);
+        sandbox.percuss(&["export", "hit", "--out", "files"]).ends_with(0);
     }
-    std::fs::create_dir(desk.path("mine")).unwrap();
-    desk.put("mine/beams.vtkhdf", "mine");
-    let refused = desk.percuss(&["export", "hit", "--out", "mine"]);
+    std::fs::create_dir(sandbox.path("mine")).unwrap();
+    sandbox.put("mine/beams.vtkhdf", "mine");
+    let refused = sandbox.percuss(&["export", "hit", "--out", "mine"]);
     refused.ends_with(2);
-    assert_eq!(std::fs::read_to_string(desk.path("mine/beams.vtkhdf")).unwrap(), "mine");
-    let into_run = desk.percuss(&["export", "hit", "--out", "hit"]);
+    assert_eq!(std::fs::read_to_string(sandbox.path("mine/beams.vtkhdf")).unwrap(), "mine");
+    let into_run = sandbox.percuss(&["export", "hit", "--out", "hit"]);
     into_run.ends_with(2);
 }
 
 #[test]
 fn runs_without_frames_say_so() {
-    let desk = Desk::new();
+    let sandbox = Sandbox::new();
     let set = ["--set", "record.shapes=0", "--no-report", "-q"];
-    desk.percuss(&[&["run", "rigid.toml", "--out", "hit"][..], &set].concat()).ends_with(0);
-    let refused = desk.percuss(&["export", "hit"]);
+    sandbox.percuss(&[&["run", "rigid.toml", "--out", "hit"][..], &set].concat()).ends_with(0);
+    let refused = sandbox.percuss(&["export", "hit"]);
     refused.ends_with(2);
     refused.tells("record.shapes");
-    let nowhere = desk.percuss(&["export", "elsewhere"]);
+    let nowhere = sandbox.percuss(&["export", "elsewhere"]);
     nowhere.ends_with(2);
     nowhere.tells("no such directory");
 }
 
 #[test]
 fn frames_that_do_not_fit_their_scene_are_refused_and_nothing_is_left() {
-    let desk = Desk::new();
-    desk.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
-    let scene = desk.path("hit/fields/scene.json");
+    let sandbox = Sandbox::new();
+    sandbox.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
+    let scene = sandbox.path("hit/fields/scene.json");
     let mut value: serde_json::Value =
         serde_json::from_str(&std::fs::read_to_string(&scene).unwrap()).unwrap();
     value["beams"][0]["x"].as_array_mut().unwrap().pop();
     std::fs::write(&scene, value.to_string()).unwrap();
-    let refused = desk.percuss(&["export", "hit"]);
+    let refused = sandbox.percuss(&["export", "hit"]);
     refused.ends_with(2);
     refused.tells("girder");
-    assert!(!desk.path("hit/paraview").exists());
+    assert!(!sandbox.path("hit/paraview").exists());
 }

@@ -6,7 +6,7 @@ use crate::common;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use common::{Desk, Outcome};
+use common::{Outcome, Sandbox};
 
 /// Waits until something is true, for at most a minute; says whether it came true.
 fn wait_for(mut is_true: impl FnMut() -> bool) -> bool {
@@ -21,19 +21,19 @@ fn wait_for(mut is_true: impl FnMut() -> bool) -> bool {
 }
 
 /// A run without end, its history begun.
-fn endless(desk: &Desk) -> Child {
+fn endless(sandbox: &Sandbox) -> Child {
     let set = ["--set", "time.end=1e4", "--set", "record.every=1000"];
     let arguments = [["run", "elastic.toml"].as_slice(), &set, &["--out", "out"]].concat();
-    begun(desk, &mut desk.command(&arguments))
+    begun(sandbox, &mut sandbox.command(&arguments))
 }
 
 /// Starts a run to `out` and waits until its history has begun.
-fn begun(desk: &Desk, command: &mut Command) -> Child {
+fn begun(sandbox: &Sandbox, command: &mut Command) -> Child {
     let mut child = command.spawn().expect("the command starts");
     let is_staging = |name: &String| name.starts_with(".out.percuss-staged-");
     let has_begun = wait_for(|| {
-        let staging = desk.names().into_iter().find(is_staging);
-        staging.is_some_and(|dir| desk.path(&dir).join(".history.parquet.partial").exists())
+        let staging = sandbox.names().into_iter().find(is_staging);
+        staging.is_some_and(|dir| sandbox.path(&dir).join(".history.parquet.partial").exists())
     });
     if !has_begun {
         let _ = child.kill(); // it would run for ever
@@ -67,17 +67,17 @@ fn end_of(child: Child) -> Outcome {
 fn an_interrupted_run_leaves_a_readable_result() {
     // The last ones are sent by batch systems when time is up, and by terminals that go away.
     for name in ["-INT", "-TERM", "-HUP", "-USR1", "-USR2", "-XCPU"] {
-        let desk = Desk::new();
-        let child = endless(&desk);
+        let sandbox = Sandbox::new();
+        let child = endless(&sandbox);
         signal(&child, name);
         end_of(child).ends_with(130).tells("interrupted at t = ");
-        let summary = desk.summary("out");
+        let summary = sandbox.summary("out");
         assert_eq!(summary["status"], "interrupted");
         assert!(summary["steps"].as_u64() > Some(0));
-        let history = percuss_output::read_history(desk.path("out")).expect("a history");
+        let history = percuss_output::read_history(sandbox.path("out")).expect("a history");
         assert_eq!(summary["rows"].as_u64(), Some(history.rows() as u64));
-        assert!(desk.path("out/report.html").is_file());
-        assert_eq!(desk.names(), ["elastic.toml", "out", "rigid.toml"]);
+        assert!(sandbox.path("out/report.html").is_file());
+        assert_eq!(sandbox.names(), ["elastic.toml", "out", "rigid.toml"]);
     }
 }
 
@@ -85,14 +85,14 @@ fn an_interrupted_run_leaves_a_readable_result() {
 #[test]
 fn a_signal_of_a_batch_system_leaves_a_checkpoint_of_what_was_reached() {
     for name in ["-USR1", "-HUP", "-TERM"] {
-        let desk = Desk::new();
+        let sandbox = Sandbox::new();
         let run = ["run", "elastic.toml", "--set", "time.end=1e4", "--set", "record.every=1000"];
         let run = [&run[..], &["--out", "out", "--checkpoint", "1 h", "--no-report"]].concat();
-        let child = begun(&desk, &mut desk.command(&run));
+        let child = begun(&sandbox, &mut sandbox.command(&run));
         signal(&child, name);
         end_of(child).ends_with(130).tells("the same command with --resume continues from t = ");
-        let reached = desk.summary("out")["time"].clone();
-        let state = std::fs::read(desk.path("out.checkpoint/state")).expect("a checkpoint");
+        let reached = sandbox.summary("out")["time"].clone();
+        let state = std::fs::read(sandbox.path("out.checkpoint/state")).expect("a checkpoint");
         let head = state.split(|byte| *byte == b'\n').find(|line| line.starts_with(b"{"));
         let head = head.or_else(|| state.split(|byte| *byte == b'\n').next()).unwrap_or_default();
         let head = String::from_utf8_lossy(head);
@@ -106,15 +106,15 @@ fn a_signal_of_a_batch_system_leaves_a_checkpoint_of_what_was_reached() {
 #[cfg(target_os = "linux")]
 #[test]
 fn no_command_needs_a_thread() {
-    let desk = Desk::new();
-    let Some(shim) = crate::disk_faults::shim(&desk) else { return };
-    desk.put(
+    let sandbox = Sandbox::new();
+    let Some(shim) = crate::disk_faults::shim(&sandbox) else { return };
+    sandbox.put(
         "study.toml",
         "base = \"elastic.toml\"\n[parameter.end]\npath = \"time.end\"\nrange = { from = 1e-3, to = 2e-3, count = 3 }\n\
          [design]\nkind = \"grid\"\n[results]\nenergy = \"energy.final\"\n",
     );
     let run = ["run", "elastic.toml", "--quiet", "--set", "time.end=2e-3", "--out"];
-    desk.percuss(&[&run[..], &["expected", "--figures"]].concat()).ends_with(0);
+    sandbox.percuss(&[&run[..], &["expected", "--figures"]].concat()).ends_with(0);
     let commands: [&[&str]; 6] = [
         &[&run[..], &["out", "--figures"]].concat(),
         &["report", "out", "--figures"],
@@ -125,45 +125,48 @@ fn no_command_needs_a_thread() {
     ];
     for allowed in ["0", "1", "2"] {
         for arguments in commands {
-            let mut command = desk.command(arguments);
+            let mut command = sandbox.command(arguments);
             command.env("LD_PRELOAD", &shim).env("FAULT_THREADS", allowed);
             let ended: Outcome = command.output().expect("the command starts").into();
             ended.ends_with(0);
         }
         for file in ["history.parquet", "fields/frames.parquet"] {
-            let bytes = |run: &str| std::fs::read(desk.path(run).join(file)).expect(file);
+            let bytes = |run: &str| std::fs::read(sandbox.path(run).join(file)).expect(file);
             assert!(bytes("out") == bytes("expected"), "{file} with {allowed} threads");
         }
-        assert!(desk.path("study/results.parquet").is_file());
+        assert!(sandbox.path("study/results.parquet").is_file());
     }
     // It ends by signals all the same, with what it has.
     let set = ["run", "elastic.toml", "--set", "time.end=1e4", "--set", "record.every=1000"];
-    let mut command = desk.command(&[&set[..], &["--out", "long"]].concat());
+    let mut command = sandbox.command(&[&set[..], &["--out", "long"]].concat());
     command.env("LD_PRELOAD", &shim).env("FAULT_THREADS", "0");
     let child = command.spawn().expect("the command starts");
-    assert!(wait_for(|| desk.names().iter().any(|name| name.starts_with(".long.percuss-staged"))));
+    assert!(wait_for(|| sandbox
+        .names()
+        .iter()
+        .any(|name| name.starts_with(".long.percuss-staged"))));
     std::thread::sleep(Duration::from_millis(300));
     signal(&child, "-TERM");
     end_of(child).ends_with(130);
-    assert_eq!(desk.summary("long")["status"], "interrupted");
+    assert_eq!(sandbox.summary("long")["status"], "interrupted");
 }
 
 /// What `nohup` relies on.
 #[test]
 fn an_ignored_hangup_stays_ignored() {
-    let desk = Desk::new();
+    let sandbox = Sandbox::new();
     let program = env!("CARGO_BIN_EXE_percuss");
     let run = "run elastic.toml --set time.end=1e4 --set record.every=1000 --out out";
     let mut shell = Command::new("sh");
     let script = format!("trap '' HUP; exec '{program}' {run} --no-report");
-    shell.args(["-c", &script]).current_dir(desk.path("")).stdout(Stdio::piped());
-    let mut child = begun(&desk, shell.stderr(Stdio::piped()));
+    shell.args(["-c", &script]).current_dir(sandbox.path("")).stdout(Stdio::piped());
+    let mut child = begun(&sandbox, shell.stderr(Stdio::piped()));
     signal(&child, "-HUP");
     std::thread::sleep(Duration::from_millis(100));
     assert!(child.try_wait().expect("a state").is_none(), "ended by a hang-up");
     signal(&child, "-INT");
     end_of(child).ends_with(130);
-    assert_eq!(desk.summary("out")["status"], "interrupted");
+    assert_eq!(sandbox.summary("out")["status"], "interrupted");
 }
 
 /// Commands that do not work in steps end at once; what they have not finished goes with them.
@@ -186,8 +189,8 @@ fn every_long_command_ends_at_the_first_signal() {
         &["check", "-"],
     ];
     for arguments in long {
-        let desk = Desk::new();
-        let mut command = desk.command(arguments);
+        let sandbox = Sandbox::new();
+        let mut command = sandbox.command(arguments);
         let mut child = command.stdin(Stdio::piped()).spawn().expect("the command starts");
         // What is read from must stay open until the end.
         let input = child.stdin.take();
@@ -196,22 +199,22 @@ fn every_long_command_ends_at_the_first_signal() {
         let ended = end_of(child);
         drop(input);
         assert_eq!(ended.status, Some(130), "{arguments:?}: {}", ended.stderr);
-        assert_eq!(desk.names(), ["elastic.toml", "rigid.toml"], "{arguments:?}");
+        assert_eq!(sandbox.names(), ["elastic.toml", "rigid.toml"], "{arguments:?}");
     }
 }
 
 #[test]
 fn a_second_signal_ends_at_once_and_leaves_no_half_result() {
-    let desk = Desk::new();
-    let child = endless(&desk);
+    let sandbox = Sandbox::new();
+    let child = endless(&sandbox);
     signal(&child, "-INT");
     signal(&child, "-INT");
     // Whether the second came while the first was being served or after, nothing is half there.
     assert_eq!(end_of(child).status, Some(130));
-    if desk.path("out").exists() {
-        assert_eq!(desk.summary("out")["status"], "interrupted");
-        percuss_output::read_history(desk.path("out")).expect("a history");
+    if sandbox.path("out").exists() {
+        assert_eq!(sandbox.summary("out")["status"], "interrupted");
+        percuss_output::read_history(sandbox.path("out")).expect("a history");
     }
-    let names = desk.names();
+    let names = sandbox.names();
     assert!(names.iter().all(|name| !name.contains("percuss")), "left behind: {names:?}");
 }

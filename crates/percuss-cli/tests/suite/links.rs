@@ -6,7 +6,7 @@ use std::fs;
 use std::os::unix::fs::symlink;
 use std::path::Path;
 
-use crate::common::{Desk, ELASTIC};
+use crate::common::{ELASTIC, Sandbox};
 use crate::disk_faults::{copy, shim};
 
 const STUDY: &str = r#"
@@ -23,13 +23,13 @@ const RUN: [&str; 7] =
     ["run", "../elastic.toml", "--quiet", "--out", "out", "--set", "time.end=2e-3"];
 
 /// Paths that a command makes, within the folder in which it works, but for those of a random name.
-fn made(desk: &Desk, shim: &Path, earlier: &[&[&str]], command: &[&str]) -> BTreeSet<String> {
-    let names = desk.path("names");
+fn made(sandbox: &Sandbox, shim: &Path, earlier: &[&[&str]], command: &[&str]) -> BTreeSet<String> {
+    let names = sandbox.path("names");
     let _ = fs::remove_file(&names);
-    fresh(desk, earlier);
-    let work = desk.path("work").canonicalize().unwrap();
-    let mut run = desk.command(command);
-    run.current_dir(&work).env("LD_PRELOAD", shim).env("FAULT_UNDER", desk.path(""));
+    fresh(sandbox, earlier);
+    let work = sandbox.path("work").canonicalize().unwrap();
+    let mut run = sandbox.command(command);
+    run.current_dir(&work).env("LD_PRELOAD", shim).env("FAULT_UNDER", sandbox.path(""));
     run.env("FAULT_NAMES", &names).env("FAULT_AT", "-1");
     let ended = run.output().unwrap();
     assert!(ended.status.success(), "{command:?}: {}", String::from_utf8_lossy(&ended.stderr));
@@ -42,12 +42,12 @@ fn made(desk: &Desk, shim: &Path, earlier: &[&[&str]], command: &[&str]) -> BTre
     text.lines().filter_map(within).collect()
 }
 
-fn fresh(desk: &Desk, earlier: &[&[&str]]) {
-    let (work, before) = (desk.path("work"), desk.path("before"));
+fn fresh(sandbox: &Sandbox, earlier: &[&[&str]]) {
+    let (work, before) = (sandbox.path("work"), sandbox.path("before"));
     if !before.exists() {
         fs::create_dir(&work).unwrap();
         for arguments in earlier {
-            let done = desk.command(arguments).current_dir(&work).output().unwrap();
+            let done = sandbox.command(arguments).current_dir(&work).output().unwrap();
             assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
         }
         fs::rename(&work, &before).unwrap();
@@ -60,21 +60,21 @@ fn fresh(desk: &Desk, earlier: &[&[&str]]) {
 
 /// Plants a link at every name that a command writes and that can be foreseen, one after the other; how many there are.
 fn follows_none(earlier: &[&[&str]], command: &[&str]) -> usize {
-    let desk = Desk::new();
-    desk.put("study.toml", STUDY);
-    desk.put(
+    let sandbox = Sandbox::new();
+    sandbox.put("study.toml", STUDY);
+    sandbox.put(
         "heavy.toml",
         format!("{ELASTIC}\n[load.weight]\nkind = \"gravity\"\nacceleration = [0, -9.81]\n"),
     );
-    let Some(shim) = shim(&desk) else { return usize::MAX };
-    let once = made(&desk, &shim, earlier, command);
-    let twice = made(&desk, &shim, earlier, command);
+    let Some(shim) = shim(&sandbox) else { return usize::MAX };
+    let once = made(&sandbox, &shim, earlier, command);
+    let twice = made(&sandbox, &shim, earlier, command);
     let (mut planted, mut faults) = (0, Vec::new());
     for line in once.intersection(&twice) {
         let (kind, name) = line.split_at(2);
         for link in ["link", "dangling", "second name"] {
-            fresh(&desk, earlier);
-            let place = desk.path("work").join(name);
+            fresh(&sandbox, earlier);
+            let place = sandbox.path("work").join(name);
             let is_folder = kind == "D ";
             let may_stand = place.parent().is_some_and(Path::is_dir)
                 && fs::symlink_metadata(&place).is_err()
@@ -82,7 +82,7 @@ fn follows_none(earlier: &[&[&str]], command: &[&str]) -> usize {
             if !may_stand {
                 continue;
             }
-            let (victim, gone) = (desk.path("victim"), desk.path("gone"));
+            let (victim, gone) = (sandbox.path("victim"), sandbox.path("gone"));
             let _ = fs::remove_dir_all(&victim);
             fs::create_dir(&victim).unwrap();
             fs::write(victim.join("thesis.tex"), "years").unwrap();
@@ -93,8 +93,8 @@ fn follows_none(earlier: &[&[&str]], command: &[&str]) -> usize {
                 _ => fs::hard_link(victim.join("thesis.tex"), &place).unwrap(),
             }
             planted += 1;
-            let mut run = desk.command(command);
-            let ended = run.current_dir(desk.path("work")).output().unwrap();
+            let mut run = sandbox.command(command);
+            let ended = run.current_dir(sandbox.path("work")).output().unwrap();
             let text = String::from_utf8_lossy(&ended.stderr).into_owned();
             let whole = fs::read_to_string(victim.join("thesis.tex")).is_ok_and(|t| t == "years")
                 && crate::common::names(&victim) == ["thesis.tex"];

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::fs;
 
-use crate::common::{Desk, ELASTIC};
+use crate::common::{ELASTIC, Sandbox};
 
 const ROWS: usize = 20_000;
 
@@ -15,41 +15,41 @@ fn table(amplitude: u32) -> String {
     })
 }
 
-fn desk() -> Desk {
-    let desk = Desk::empty();
-    fs::create_dir_all(desk.path("in")).unwrap();
+fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::empty();
+    fs::create_dir_all(sandbox.path("in")).unwrap();
     let load = "\n[load.pull]\nkind = \"point\"\nat = \"girder.mid\"\nforce = [0, 1]\nfunction = { kind = \"table\", file = \"pull.csv\" }\n";
-    desk.put("in/pulled.toml", format!("{ELASTIC}{load}"));
-    desk.put("in/pull.csv", table(1));
-    desk
+    sandbox.put("in/pulled.toml", format!("{ELASTIC}{load}"));
+    sandbox.put("in/pull.csv", table(1));
+    sandbox
 }
 
 #[test]
 fn nothing_of_it_is_copied_and_the_results_are_run_again_and_extended() {
-    let desk = desk();
+    let sandbox = sandbox();
     let run = |file: &str, more: &[&str]| {
-        desk.percuss(&[&["run", file, "--quiet", "--set", "time.end=0.02"], more].concat())
+        sandbox.percuss(&[&["run", file, "--quiet", "--set", "time.end=0.02"], more].concat())
     };
     run("in/pulled.toml", &["--out", "a", "--checkpoint", "1 h"]).ends_with(0);
-    let echo = fs::read_to_string(desk.path("a/scenario.toml")).unwrap();
+    let echo = fs::read_to_string(sandbox.path("a/scenario.toml")).unwrap();
     assert!(echo.contains("pull.csv\", sha256 = \""), "{echo}");
     assert!(echo.len() < 4000, "{} bytes", echo.len());
     // The time of a row in the middle stands nowhere: not on the page, nor in what describes the history and the scene.
     let row = "0.10037";
     assert!(table(1).contains(row));
     for name in ["report.html", "summary.json", "fields/scene.json"] {
-        assert!(!fs::read_to_string(desk.path("a").join(name)).unwrap().contains(row), "{name}");
+        assert!(!fs::read_to_string(sandbox.path("a").join(name)).unwrap().contains(row), "{name}");
     }
-    let history = fs::metadata(desk.path("a/history.parquet")).unwrap().len();
+    let history = fs::metadata(sandbox.path("a/history.parquet")).unwrap().len();
     assert!(history < 2_000_000, "{history} bytes");
     run("a/scenario.toml", &["--out", "b"]).ends_with(0);
-    let energy = |name: &str| desk.summary(name)["energy"].clone();
+    let energy = |name: &str| sandbox.summary(name)["energy"].clone();
     assert_eq!(energy("a"), energy("b"));
-    desk.percuss(&["extend", "a", "--end", "0.03", "--out", "c", "--quiet"]).ends_with(0);
-    desk.put("in/pull.csv", table(2));
-    let told =
+    sandbox.percuss(&["extend", "a", "--end", "0.03", "--out", "c", "--quiet"]).ends_with(0);
+    sandbox.put("in/pull.csv", table(2));
+    let reported =
         "outside the folder of this file and is not there with the content that `sha256` says";
-    desk.percuss(&["extend", "a", "--end", "0.04", "--quiet"]).ends_with(2).tells(told);
+    sandbox.percuss(&["extend", "a", "--end", "0.04", "--quiet"]).ends_with(2).tells(reported);
     run("a/scenario.toml", &["--out", "b"]).ends_with(2).tells("[E023]");
     let open = run("a/scenario.toml", &["--out", "b", "--allow-outside"]);
     open.ends_with(2).tells("pull.csv\", which has changed: its SHA-256 is ");
@@ -57,19 +57,19 @@ fn nothing_of_it_is_copied_and_the_results_are_run_again_and_extended() {
 
 #[test]
 fn a_run_does_not_go_on_with_another_table() {
-    let desk = desk();
+    let sandbox = sandbox();
     let run = ["run", "in/pulled.toml", "--out", "a", "--quiet", "--no-report"];
     let begin = ["--set", "time.end=100", "--checkpoint", "10 steps"];
-    let mut child = desk.command(&[&run[..], &begin[..]].concat()).spawn().unwrap();
-    while !desk.path("a.checkpoint/state").exists() {
+    let mut child = sandbox.command(&[&run[..], &begin[..]].concat()).spawn().unwrap();
+    while !sandbox.path("a.checkpoint/state").exists() {
         assert!(child.try_wait().unwrap().is_none(), "it ended without a checkpoint");
         std::thread::yield_now();
     }
     child.kill().unwrap();
     child.wait().unwrap();
-    desk.put("in/pull.csv", table(2));
-    let resume = desk.percuss(&[&run[..], &["--resume"]].concat());
+    sandbox.put("in/pull.csv", table(2));
+    let resume = sandbox.percuss(&[&run[..], &["--resume"]].concat());
     resume.ends_with(2).tells("pull.csv was modified after the checkpoint was written");
-    desk.put("in/pull.csv", table(1));
-    desk.percuss(&[&run[..], &["--resume"]].concat()).ends_with(0);
+    sandbox.put("in/pull.csv", table(1));
+    sandbox.percuss(&[&run[..], &["--resume"]].concat()).ends_with(0);
 }

@@ -1,5 +1,6 @@
 //! All integration tests of the crate in one program: linking one for each file took gigabytes and minutes.
 
+mod agreement;
 mod animate;
 mod bad_input;
 mod book;
@@ -17,6 +18,7 @@ mod export;
 mod interrupt;
 mod links;
 mod long_tables;
+mod magnitudes;
 mod modes;
 mod outside;
 mod plot;
@@ -25,9 +27,7 @@ mod report;
 mod run;
 mod scenes;
 mod serving;
-mod slips;
 mod spectrum;
 mod statics;
 mod sweep;
-mod told;
 mod unescaped;

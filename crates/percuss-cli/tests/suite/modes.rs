@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::{Desk, names};
+use common::{Sandbox, names};
 use serde_json::Value;
 
 const BEAM: &str = r#"
@@ -39,9 +39,9 @@ fn value(text: &str) -> Value {
 
 #[test]
 fn a_cantilever_has_the_frequencies_of_the_textbook() {
-    let desk = Desk::empty();
-    desk.put("arm.toml", format!("{BEAM}{CLAMP}"));
-    let found = desk.percuss(&["modes", "arm.toml", "--count", "3", "--json"]);
+    let sandbox = Sandbox::empty();
+    sandbox.put("arm.toml", format!("{BEAM}{CLAMP}"));
+    let found = sandbox.percuss(&["modes", "arm.toml", "--count", "3", "--json"]);
     let value = value(&found.ends_with(0).stdout);
     let modes = value["modes"].as_array().expect("modes");
     assert_eq!(modes.len(), 3);
@@ -55,12 +55,13 @@ fn a_cantilever_has_the_frequencies_of_the_textbook() {
         assert!((period * frequency - 1.0).abs() < 1e-12);
     }
     assert_eq!((&value["about"], &value["stable"]), (&"reference".into(), &true.into()));
-    assert_eq!(names(&desk.path("runs/arm-modes")), FILES);
-    let kept = std::fs::read_to_string(desk.path("runs/arm-modes/modes.json")).expect("a file");
+    assert_eq!(names(&sandbox.path("runs/arm-modes")), FILES);
+    let kept = std::fs::read_to_string(sandbox.path("runs/arm-modes/modes.json")).expect("a file");
     assert_eq!(kept, found.stdout);
-    let shapes = std::fs::read_to_string(desk.path("runs/arm-modes/shapes.csv")).expect("a file");
+    let shapes =
+        std::fs::read_to_string(sandbox.path("runs/arm-modes/shapes.csv")).expect("a file");
     assert_eq!(shapes.lines().count(), 1 + 3 * 9, "modes times nodes");
-    let page = std::fs::read_to_string(desk.path("runs/arm-modes/modes.html")).expect("a file");
+    let page = std::fs::read_to_string(sandbox.path("runs/arm-modes/modes.html")).expect("a file");
     assert!(page.contains("A plank") && page.contains("<svg") && !page.contains("{{"));
     let (_, index) = page.split_once("id=\"percuss-index\">").expect("what is drawn");
     let index: Value = self::value(index.split_once("</script>").expect("its end").0);
@@ -72,21 +73,22 @@ fn a_cantilever_has_the_frequencies_of_the_textbook() {
 
 #[test]
 fn a_beam_in_flight_has_three_motions_of_a_rigid_body() {
-    let desk = Desk::empty();
-    desk.put("free.toml", BEAM);
-    let found = desk.percuss(&["modes", "free.toml", "--count", "4", "--out", "m"]);
+    let sandbox = Sandbox::empty();
+    sandbox.put("free.toml", BEAM);
+    let found = sandbox.percuss(&["modes", "free.toml", "--count", "4", "--out", "m"]);
     found.ends_with(0).tells("results  m");
     assert_eq!(found.stdout.matches("rigid-body mode").count(), 3, "{}", found.stdout);
-    let about_static = desk.percuss(&["modes", "free.toml", "--about", "static"]);
+    let about_static = sandbox.percuss(&["modes", "free.toml", "--about", "static"]);
     about_static.ends_with(2).tells("mechanism");
 }
 
 #[test]
 fn stresses_count_about_a_static_equilibrium() {
-    let desk = Desk::empty();
-    desk.put("pulled.toml", format!("{BEAM}start = \"static\"\n{CLAMP}{}", load("[\"20 kN\", 0]")));
+    let sandbox = Sandbox::empty();
+    sandbox
+        .put("pulled.toml", format!("{BEAM}start = \"static\"\n{CLAMP}{}", load("[\"20 kN\", 0]")));
     let first = |arguments: &[&str]| {
-        let found = desk.percuss(&[&["modes", "pulled.toml", "--json"], arguments].concat());
+        let found = sandbox.percuss(&[&["modes", "pulled.toml", "--json"], arguments].concat());
         let value = value(&found.ends_with(0).stdout);
         (value["about"].clone(), value["modes"][0]["frequency"].as_f64().expect("a frequency"))
     };
@@ -99,11 +101,11 @@ fn stresses_count_about_a_static_equilibrium() {
 
 #[test]
 fn a_column_beyond_eulers_load_is_unstable() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     // Euler's load is pi^2 EI / (2 L)^2 = 10.36 kN.
-    desk.put("column.toml", format!("{BEAM}{CLAMP}{}", load("[\"-10.6 kN\", 0]")));
+    sandbox.put("column.toml", format!("{BEAM}{CLAMP}{}", load("[\"-10.6 kN\", 0]")));
     let arguments = ["modes", "column.toml", "--about", "static", "--count", "2"];
-    let found = desk.percuss(&[&arguments[..], &["--json"]].concat());
+    let found = sandbox.percuss(&[&arguments[..], &["--json"]].concat());
     found.ends_with(0).tells("unstable equilibrium: 1 unstable mode");
     let value = value(&found.stdout);
     assert_eq!(value["stable"], false);
@@ -112,30 +114,31 @@ fn a_column_beyond_eulers_load_is_unstable() {
     assert!(first["frequency"].is_null() && first["period"].is_null(), "{first}");
     assert!(first["eigenvalue"].as_f64().is_some_and(|e| e < 0.0), "{first}");
     assert_eq!(value["modes"][1]["kind"], "vibration");
-    let table = desk.percuss(&arguments);
+    let table = sandbox.percuss(&arguments);
     assert!(table.stdout.contains("unstable mode"), "{}", table.stdout);
 }
 
 #[test]
-fn wrong_input_is_told_and_nothing_written() {
-    let desk = Desk::empty();
-    desk.put("arm.toml", format!("{BEAM}{CLAMP}"));
-    desk.percuss(&["modes", "arm.toml", "--count", "0"]).ends_with(2).tells("--count");
-    desk.percuss(&["modes", "arm.toml", "--about", "nothing"]).ends_with(2).tells("reference");
-    desk.percuss(&["modes", "none.toml"]).ends_with(2).tells("none.toml");
-    desk.put("notes.txt", "mine");
-    desk.percuss(&["modes", "arm.toml", "--out", "."]).ends_with(2).tells(".percuss.json");
-    desk.percuss(&["modes", "arm.toml", "--out", "notes.txt"])
+fn wrong_input_is_reported_and_nothing_written() {
+    let sandbox = Sandbox::empty();
+    sandbox.put("arm.toml", format!("{BEAM}{CLAMP}"));
+    sandbox.percuss(&["modes", "arm.toml", "--count", "0"]).ends_with(2).tells("--count");
+    sandbox.percuss(&["modes", "arm.toml", "--about", "nothing"]).ends_with(2).tells("reference");
+    sandbox.percuss(&["modes", "none.toml"]).ends_with(2).tells("none.toml");
+    sandbox.put("notes.txt", "mine");
+    sandbox.percuss(&["modes", "arm.toml", "--out", "."]).ends_with(2).tells(".percuss.json");
+    sandbox
+        .percuss(&["modes", "arm.toml", "--out", "notes.txt"])
         .ends_with(2)
         .tells("not a directory");
-    assert_eq!(desk.names(), ["arm.toml", "notes.txt"]);
+    assert_eq!(sandbox.names(), ["arm.toml", "notes.txt"]);
 }
 
 #[test]
 fn more_modes_than_the_mesh_has_are_fewer() {
-    let desk = Desk::empty();
-    desk.put("arm.toml", format!("{BEAM}{CLAMP}").replace("elements = 8", "elements = 1"));
-    let found = desk.percuss(&["modes", "arm.toml", "--count", "50", "--json"]);
+    let sandbox = Sandbox::empty();
+    sandbox.put("arm.toml", format!("{BEAM}{CLAMP}").replace("elements = 8", "elements = 1"));
+    let found = sandbox.percuss(&["modes", "arm.toml", "--count", "50", "--json"]);
     let modes = value(&found.ends_with(0).stdout)["modes"].as_array().map_or(0, Vec::len);
     assert!((1..=8).contains(&modes), "{modes}");
 }

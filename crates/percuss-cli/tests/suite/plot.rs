@@ -2,12 +2,12 @@
 
 use crate::common;
 
-use common::Desk;
+use common::Sandbox;
 
-fn desk() -> Desk {
-    let desk = Desk::new();
-    desk.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
-    desk
+fn sandbox() -> Sandbox {
+    let sandbox = Sandbox::new();
+    sandbox.percuss(&["run", "elastic.toml", "--out", "hit", "--no-report", "-q"]).ends_with(0);
+    sandbox
 }
 
 /// The bytes of a big-endian number behind a mark.
@@ -18,8 +18,8 @@ fn number_behind(bytes: &[u8], mark: &[u8]) -> u32 {
 
 #[test]
 fn the_list_names_what_can_be_plotted() {
-    let desk = desk();
-    let listed = desk.percuss(&["plot", "hit", "--list"]);
+    let sandbox = sandbox();
+    let listed = sandbox.percuss(&["plot", "hit", "--list"]);
     listed.ends_with(0);
     assert!(
         listed.stdout.lines().any(|line| line.starts_with("energy ") && line.ends_with(" Energy"))
@@ -27,28 +27,32 @@ fn the_list_names_what_can_be_plotted() {
     let ids: Vec<&str> =
         listed.stdout.lines().filter_map(|line| line.split_whitespace().next()).collect();
     assert!(ids.contains(&"force") && ids.len() > 5, "{ids:?}");
-    let before = desk.names();
-    desk.percuss(&["plot", "hit", "--figure", "forse"]).ends_with(2).tells("did you mean `force`?");
-    assert_eq!(desk.names(), before);
+    let before = sandbox.names();
+    sandbox
+        .percuss(&["plot", "hit", "--figure", "forse"])
+        .ends_with(2)
+        .tells("did you mean `force`?");
+    assert_eq!(sandbox.names(), before);
     // Each of them can be had by its id.
     for id in ids {
-        desk.percuss(&["plot", "hit", "--figure", id, "--format", "svg", "--out", "all"])
+        sandbox
+            .percuss(&["plot", "hit", "--figure", id, "--format", "svg", "--out", "all"])
             .ends_with(0);
     }
-    assert_eq!(common::names(&desk.path("all")).len(), listed.stdout.lines().count());
+    assert_eq!(common::names(&sandbox.path("all")).len(), listed.stdout.lines().count());
 }
 
 #[test]
 fn figures_are_as_wide_on_paper_as_asked_for() {
-    let desk = desk();
+    let sandbox = sandbox();
     let arguments =
         ["plot", "hit", "--figure", "force,energy", "--format", "svg,pdf,png", "--width"];
     for (width, millimetres) in [("85mm", 85.0), ("17.4 cm", 174.0)] {
-        desk.percuss(&[&arguments[..], &[width, "--out", "figures"]].concat()).ends_with(0);
+        sandbox.percuss(&[&arguments[..], &[width, "--out", "figures"]].concat()).ends_with(0);
         let names =
             ["energy.pdf", "energy.png", "energy.svg", "force.pdf", "force.png", "force.svg"];
-        assert_eq!(common::names(&desk.path("figures")), names);
-        let read = |name: &str| std::fs::read(desk.path("figures").join(name)).unwrap();
+        assert_eq!(common::names(&sandbox.path("figures")), names);
+        let read = |name: &str| std::fs::read(sandbox.path("figures").join(name)).unwrap();
         let near = |found: f64| {
             assert!((found - millimetres).abs() < 0.15, "{found} mm for {millimetres} mm");
         };
@@ -68,23 +72,23 @@ fn figures_are_as_wide_on_paper_as_asked_for() {
             near(f64::from(pixels) / f64::from(a_metre) * 1000.0);
         }
     }
-    desk.percuss(&["plot", "hit", "--width", "85 kg"]).ends_with(2).tells("85mm");
-    desk.percuss(&["plot", "hit", "--width", "85"]).ends_with(2).tells("85mm");
+    sandbox.percuss(&["plot", "hit", "--width", "85 kg"]).ends_with(2).tells("85mm");
+    sandbox.percuss(&["plot", "hit", "--width", "85"]).ends_with(2).tells("85mm");
 }
 
 #[test]
 fn nothing_is_written_where_files_of_others_are_in_the_way() {
-    let desk = desk();
-    std::fs::create_dir(desk.path("figures")).unwrap();
-    desk.put("figures/force.pdf", "mine");
+    let sandbox = sandbox();
+    std::fs::create_dir(sandbox.path("figures")).unwrap();
+    sandbox.put("figures/force.pdf", "mine");
     let arguments =
         ["plot", "hit", "--figure", "energy,force", "--format", "pdf", "--out", "figures"];
-    desk.percuss(&arguments).ends_with(2).tells("force.pdf");
-    assert_eq!(common::names(&desk.path("figures")), ["force.pdf"]);
-    assert_eq!(std::fs::read_to_string(desk.path("figures/force.pdf")).unwrap(), "mine");
-    desk.percuss(&[&arguments[..], &["--force"]].concat()).ends_with(0);
-    desk.percuss(&arguments).ends_with(0);
-    assert_eq!(common::names(&desk.path("figures")), ["energy.pdf", "force.pdf"]);
+    sandbox.percuss(&arguments).ends_with(2).tells("force.pdf");
+    assert_eq!(common::names(&sandbox.path("figures")), ["force.pdf"]);
+    assert_eq!(std::fs::read_to_string(sandbox.path("figures/force.pdf")).unwrap(), "mine");
+    sandbox.percuss(&[&arguments[..], &["--force"]].concat()).ends_with(0);
+    sandbox.percuss(&arguments).ends_with(0);
+    assert_eq!(common::names(&sandbox.path("figures")), ["energy.pdf", "force.pdf"]);
     // The run itself is left as it is.
-    assert!(!desk.path("hit/figures").exists());
+    assert!(!sandbox.path("hit/figures").exists());
 }

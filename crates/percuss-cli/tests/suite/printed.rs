@@ -1,15 +1,15 @@
 //! What the terminal prints of a run: units and terms.
 
-use crate::common::Desk;
+use crate::common::Sandbox;
 
 /// Stored strains may drift from the configuration only under the scheme that stores them.
 #[test]
 fn strain_drift_is_printed_for_the_scheme_that_stores_strains() {
-    let desk = Desk::new();
+    let sandbox = Sandbox::new();
     let run = |scheme: &str| {
         let scheme = format!("integrator.scheme={scheme}");
         let set = ["--set", scheme.as_str(), "--set", "time.end=0.02"];
-        desk.percuss(&[&["run", "elastic.toml", "--no-report"][..], &set].concat())
+        sandbox.percuss(&[&["run", "elastic.toml", "--no-report"][..], &set].concat())
     };
     run("strain-rate").ends_with(0).tells("strain drift");
     let conserving = run("energy-momentum");
@@ -19,9 +19,9 @@ fn strain_drift_is_printed_for_the_scheme_that_stores_strains() {
 /// Quantities have prefixes of thousands in the sentences and in the table; no unit follows a power of ten.
 #[test]
 fn quantities_of_a_run_have_one_format() {
-    let desk = Desk::empty();
-    desk.put("bar.toml", include_str!("../../../../scenarios/yielding-beam.toml"));
-    let run = desk.percuss(&["run", "bar.toml", "--no-report"]);
+    let sandbox = Sandbox::empty();
+    sandbox.put("bar.toml", include_str!("../../../../scenarios/yielding-beam.toml"));
+    let run = sandbox.percuss(&["run", "bar.toml", "--no-report"]);
     let words: Vec<&str> = run.ends_with(0).stderr.split_whitespace().collect();
     for pair in words.windows(2) {
         let (number, unit) =
@@ -51,13 +51,13 @@ fn four_digits(value: f64) -> String {
 /// The sentences about a run say what its summary has: permanent deflection, peak moment and its place, the error of the balance.
 #[test]
 fn sentences_have_the_numbers_of_the_summary() {
-    let desk = Desk::empty();
-    desk.put("bar.toml", include_str!("../../../../scenarios/yielding-beam.toml"));
-    let run = desk.percuss(&["run", "bar.toml", "--out", "out"]);
+    let sandbox = Sandbox::empty();
+    sandbox.put("bar.toml", include_str!("../../../../scenarios/yielding-beam.toml"));
+    let run = sandbox.percuss(&["run", "bar.toml", "--out", "out"]);
     let printed = run.ends_with(0).stderr.split_whitespace().collect::<Vec<_>>().join(" ");
-    let page = std::fs::read_to_string(desk.path("out/report.html")).expect("a page");
+    let page = std::fs::read_to_string(sandbox.path("out/report.html")).expect("a page");
     let page = page.replace('\u{a0}', " ").replace("&#39;", "'");
-    let summary = desk.summary("out");
+    let summary = sandbox.summary("out");
     let set = &summary["plastic"]["girder"];
     let down = set["permanent_set_at"]["displacement"][1].as_f64().expect("a displacement");
     assert!(down < 0.0 && set["permanent_set_at"]["s"] == 0.5, "{set}");
@@ -90,14 +90,14 @@ fn sentences_have_the_numbers_of_the_summary() {
 /// Terminal and page have one line about the state of a run, with the number of warnings that its summary has.
 #[test]
 fn terminal_and_page_have_the_same_state_and_number_of_warnings() {
-    let desk = Desk::new();
+    let sandbox = Sandbox::new();
     let allow = "[allow]\nW005 = \"a property of this mesh is asked for\"\n";
     for (more, warnings) in [("", "1 warning"), (allow, "no warnings")] {
-        desk.put("rigid.toml", format!("{STRUCK}{more}"));
-        let run = desk.percuss(&["run", "rigid.toml", "--out", "out"]);
+        sandbox.put("rigid.toml", format!("{STRUCK}{more}"));
+        let run = sandbox.percuss(&["run", "rigid.toml", "--out", "out"]);
         let state = format!("Completed, t = 2 ms, {warnings}");
         run.ends_with(0).tells(&format!("{state}, 100 steps"));
-        let page = std::fs::read_to_string(desk.path("out/report.html")).expect("a page");
+        let page = std::fs::read_to_string(sandbox.path("out/report.html")).expect("a page");
         let line = page.lines().find(|line| line.contains("class=\"status\"")).expect("a state");
         let mut text = String::new();
         let mut inside = false;
@@ -108,7 +108,7 @@ fn terminal_and_page_have_the_same_state_and_number_of_warnings() {
             }
         }
         assert_eq!(text.trim(), state);
-        let shown = percuss_output::report::RunState::of(&desk.summary("out"));
+        let shown = percuss_output::report::RunState::of(&sandbox.summary("out"));
         assert_eq!(shown.warnings_in_words(), warnings);
         assert_eq!(run.stderr.matches("warning: ").count(), shown.warnings, "{}", run.stderr);
     }

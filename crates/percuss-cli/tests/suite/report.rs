@@ -2,7 +2,7 @@
 
 use crate::common;
 
-use common::Desk;
+use common::Sandbox;
 
 const STOPPED: &str = r#"
 [material.steel]
@@ -45,17 +45,18 @@ step = "0.1 ms"
 
 #[test]
 fn runs_are_laid_over_each_other_on_one_page() {
-    let desk = Desk::empty();
-    desk.put("a.toml", STOPPED);
-    desk.percuss(&["run", "a.toml", "--out", "a"]).ends_with(0);
-    desk.percuss(&["run", "a.toml", "--out", "b", "--set", "projectile.mass.mass=0.4"])
+    let sandbox = Sandbox::empty();
+    sandbox.put("a.toml", STOPPED);
+    sandbox.percuss(&["run", "a.toml", "--out", "a"]).ends_with(0);
+    sandbox
+        .percuss(&["run", "a.toml", "--out", "b", "--set", "projectile.mass.mass=0.4"])
         .ends_with(0);
-    let told = desk.percuss(&["report", "a", "b", "--out", "both.html"]);
-    told.ends_with(0);
-    assert!(told.stderr.contains("both.html compares 2 runs"), "{}", told.stderr);
-    let page = std::fs::read_to_string(desk.path("both.html")).expect("a page");
+    let reported = sandbox.percuss(&["report", "a", "b", "--out", "both.html"]);
+    reported.ends_with(0);
+    assert!(reported.stderr.contains("both.html compares 2 runs"), "{}", reported.stderr);
+    let page = std::fs::read_to_string(sandbox.path("both.html")).expect("a page");
     let peak = |run: &str| {
-        let value = &desk.summary(run)["contact"]["mass"]["peak_force"];
+        let value = &sandbox.summary(run)["contact"]["mass"]["peak_force"];
         value["value"].as_f64().expect("a force")
     };
     let percent = 100.0 * (peak("b") / peak("a") - 1.0);
@@ -68,35 +69,35 @@ fn runs_are_laid_over_each_other_on_one_page() {
     assert!((shown / percent - 1.0).abs() < 0.006, "{shown} % for {percent} %");
     // Both scenes, and once more into the same page, which is ours.
     assert_eq!(page.matches("\"contact_count\"").count(), 2);
-    desk.percuss(&["report", "b", "a", "--out", "both.html"]).ends_with(0);
+    sandbox.percuss(&["report", "b", "a", "--out", "both.html"]).ends_with(0);
 }
 
 #[test]
 fn a_comparison_replaces_no_file_that_is_not_one() {
-    let desk = Desk::empty();
-    desk.put("a.toml", STOPPED);
-    desk.percuss(&["run", "a.toml", "--out", "a", "--no-report"]).ends_with(0);
-    desk.put("comparison.html", "my own page");
-    let told = desk.percuss(&["report", "a", "a"]);
-    told.ends_with(2);
+    let sandbox = Sandbox::empty();
+    sandbox.put("a.toml", STOPPED);
+    sandbox.percuss(&["run", "a.toml", "--out", "a", "--no-report"]).ends_with(0);
+    sandbox.put("comparison.html", "my own page");
+    let reported = sandbox.percuss(&["report", "a", "a"]);
+    reported.ends_with(2);
     assert!(
-        told.stderr.contains("comparison.html") && told.stderr.contains("--out"),
+        reported.stderr.contains("comparison.html") && reported.stderr.contains("--out"),
         "{}",
-        told.stderr
+        reported.stderr
     );
-    assert_eq!(std::fs::read(desk.path("comparison.html")).expect("the page"), b"my own page");
-    assert!(desk.percuss(&["report", "a", "nothing"]).ends_with(2).stderr.contains("nothing"));
+    assert_eq!(std::fs::read(sandbox.path("comparison.html")).expect("the page"), b"my own page");
+    assert!(sandbox.percuss(&["report", "a", "nothing"]).ends_with(2).stderr.contains("nothing"));
 }
 
 #[test]
 fn the_log_has_the_touches_of_a_stop_as_its_reaction_shows_them() {
-    let desk = Desk::empty();
-    desk.put("a.toml", STOPPED);
-    desk.percuss(&["run", "a.toml", "--out", "a", "--history", "csv"]).ends_with(0);
-    let summary = desk.summary("a");
+    let sandbox = Sandbox::empty();
+    sandbox.put("a.toml", STOPPED);
+    sandbox.percuss(&["run", "a.toml", "--out", "a", "--history", "csv"]).ends_with(0);
+    let summary = sandbox.summary("a");
     let touches = summary["support"]["bracket"]["intervals"].as_array().expect("touches").clone();
     assert!(summary["support"]["root"]["intervals"].is_null(), "a clamp is no stop");
-    let history = std::fs::read_to_string(desk.path("a/history.csv")).expect("a history");
+    let history = std::fs::read_to_string(sandbox.path("a/history.csv")).expect("a history");
     let mut lines = history.lines();
     let header: Vec<&str> = lines.next().expect("a header").split(',').collect();
     let column = |name: &str| header.iter().position(|h| *h == name).expect("a column");
@@ -139,12 +140,12 @@ fn the_log_has_the_touches_of_a_stop_as_its_reaction_shows_them() {
         near(&touch["impulse"], impulse);
         near(&touch["peak_force"]["value"], peak);
     }
-    let log = std::fs::read_to_string(desk.path("a/impacts.csv")).expect("a log");
+    let log = std::fs::read_to_string(sandbox.path("a/impacts.csv")).expect("a log");
     assert_eq!(
         log.lines().filter(|l| l.starts_with("bracket,") && l.contains(",stop,")).count(),
         touches.len()
     );
-    let page = std::fs::read_to_string(desk.path("a/report.html")).expect("a page");
+    let page = std::fs::read_to_string(sandbox.path("a/report.html")).expect("a page");
     assert!(page.contains("<td>bracket</td>"));
 }
 
@@ -152,20 +153,21 @@ fn the_log_has_the_touches_of_a_stop_as_its_reaction_shows_them() {
 #[test]
 fn the_page_is_opened_where_something_can_open_it() {
     use std::os::unix::fs::PermissionsExt as _;
-    let desk = Desk::empty();
-    desk.put("a.toml", STOPPED);
-    desk.put("xdg-open", "#!/bin/sh\necho \"$1\" > opened\n");
-    let program = desk.path("xdg-open");
+    let sandbox = Sandbox::empty();
+    sandbox.put("a.toml", STOPPED);
+    sandbox.put("xdg-open", "#!/bin/sh\necho \"$1\" > opened\n");
+    let program = sandbox.path("xdg-open");
     std::fs::set_permissions(&program, std::fs::Permissions::from_mode(0o755)).expect("a program");
     let here = program.parent().expect("a folder").to_owned();
     let path = format!("{}:/usr/bin:/bin", here.display());
     let run = |path: &str| {
-        let mut command = desk.command(&["run", "a.toml", "--out", "a", "--open"]);
+        let mut command = sandbox.command(&["run", "a.toml", "--out", "a", "--open"]);
         command.env("PATH", path).output().expect("the command runs")
     };
     let done = run(&path);
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
-    let opened = || std::fs::read_to_string(desk.path("opened")).ok().filter(|t| t.ends_with('\n'));
+    let opened =
+        || std::fs::read_to_string(sandbox.path("opened")).ok().filter(|t| t.ends_with('\n'));
     let limit = std::time::Instant::now() + std::time::Duration::from_secs(20);
     while opened().is_none() && std::time::Instant::now() < limit {
         std::thread::sleep(std::time::Duration::from_millis(20));
@@ -173,6 +175,6 @@ fn the_page_is_opened_where_something_can_open_it() {
     assert!(opened().expect("it was opened").trim().ends_with("a/report.html"));
     let nothing = run("/nowhere");
     assert!(nothing.status.success(), "the run is done all the same");
-    let told = String::from_utf8_lossy(&nothing.stderr).into_owned();
-    assert!(told.contains("in a browser") && told.contains("report.html"), "{told}");
+    let reported = String::from_utf8_lossy(&nothing.stderr).into_owned();
+    assert!(reported.contains("in a browser") && reported.contains("report.html"), "{reported}");
 }

@@ -5,7 +5,7 @@ use std::net::TcpStream;
 use std::process::Child;
 use std::time::{Duration, Instant};
 
-use crate::common::Desk;
+use crate::common::Sandbox;
 
 const STUDY: &str = "base = \"elastic.toml\"\n[parameter.speed]\npath = \"projectile.mass.velocity[1]\"\n\
     range = { from = \"10 m/s\", to = \"30 m/s\" }\n[design]\nkind = \"sobol\"\nruns = 8\n\
@@ -17,7 +17,7 @@ struct Served {
     child: Child,
     host: String,
     token: String,
-    _desk: Desk,
+    _sandbox: Sandbox,
 }
 
 impl Drop for Served {
@@ -29,17 +29,17 @@ impl Drop for Served {
 
 impl Served {
     fn new() -> Self {
-        let desk = Desk::new();
-        desk.put("study.toml", STUDY);
+        let sandbox = Sandbox::new();
+        sandbox.put("study.toml", STUDY);
         let line = ["serve", "study.toml", "--port", "0", "--jobs", "2"];
-        let mut child = desk.command(&line).spawn().expect("percuss");
+        let mut child = sandbox.command(&line).spawn().expect("percuss");
         let mut first = String::new();
-        let told = child.stderr.take().expect("piped");
-        BufReader::new(told).read_line(&mut first).expect("a greeting");
+        let reported = child.stderr.take().expect("piped");
+        BufReader::new(reported).read_line(&mut first).expect("a greeting");
         let address = first.split("http://").nth(1).and_then(|rest| rest.split(' ').next());
         let (host, token) = address.and_then(|a| a.split_once('/')).expect("an address");
         let (host, token) = (host.to_owned(), token.to_owned());
-        Self { child, host, token, _desk: desk }
+        Self { child, host, token, _sandbox: sandbox }
     }
 
     fn open(&self) -> TcpStream {
@@ -49,7 +49,7 @@ impl Served {
     }
 
     /// What is answered to bytes; empty where the connection is closed.
-    fn told(&self, bytes: &[u8]) -> String {
+    fn reported(&self, bytes: &[u8]) -> String {
         let mut stream = self.open();
         let _ = stream.write_all(bytes);
         let mut answer = Vec::new();
@@ -60,7 +60,7 @@ impl Served {
     /// The status with which a request is answered.
     fn status(&self, path: &str, headers: &str, body: &str) -> String {
         let head = format!("POST {path} HTTP/1.1\r\nConnection: close\r\n{headers}\r\n\r\n");
-        let answer = self.told((head + body).as_bytes());
+        let answer = self.reported((head + body).as_bytes());
         answer.split(' ').nth(1).unwrap_or_default().to_owned()
     }
 
@@ -102,13 +102,13 @@ fn whoever_does_not_know_the_token_or_comes_from_elsewhere_is_refused() {
 }
 
 #[test]
-fn a_server_that_tells_nothing_needs_to_be_told_its_token() {
-    let desk = Desk::new();
-    desk.put("study.toml", STUDY);
-    let told = desk.percuss(&["serve", "study.toml", "--port", "0", "--quiet"]);
-    told.ends_with(2).tells("--token or --no-token");
-    let told = desk.percuss(&["serve", "study.toml", "--port", "0", "--token", "a/b"]);
-    told.ends_with(2).tells("--token");
+fn a_server_that_tells_nothing_needs_to_be_given_its_token() {
+    let sandbox = Sandbox::new();
+    sandbox.put("study.toml", STUDY);
+    let reported = sandbox.percuss(&["serve", "study.toml", "--port", "0", "--quiet"]);
+    reported.ends_with(2).tells("--token or --no-token");
+    let reported = sandbox.percuss(&["serve", "study.toml", "--port", "0", "--token", "a/b"]);
+    reported.ends_with(2).tells("--token");
 }
 
 /// More slow clients than there are jobs, and than there is room for.
@@ -131,7 +131,7 @@ fn slow_clients_wait_for_themselves_alone() {
     assert!(rest.is_empty());
 }
 
-/// Requests of a kind by their number: cut, too long, of other names, without end, no text at all, and sound ones between them.
+/// Requests of a kind by their number: cut, too long, of other names, without end, no text at all, and valid ones between them.
 #[cfg(target_os = "linux")]
 fn hostile(served: &Served, k: usize) -> Vec<u8> {
     let (host, token) = (&served.host, &served.token);

@@ -2,30 +2,30 @@
 
 use crate::common;
 
-use common::Desk;
+use common::Sandbox;
 
 /// A run with steps short enough for every class, and an acceleration of it.
-fn desk() -> (Desk, String) {
-    let desk = Desk::new();
+fn sandbox() -> (Sandbox, String) {
+    let sandbox = Sandbox::new();
     let run = ["run", "elastic.toml", "--out", "hit", "--no-report", "-q"];
-    desk.percuss(&run).ends_with(0);
-    let asked = desk.percuss(&["spectrum", "hit", "none"]);
+    sandbox.percuss(&run).ends_with(0);
+    let asked = sandbox.percuss(&["spectrum", "hit", "none"]);
     asked.ends_with(2).tells("E320");
     let text = asked.stderr.clone();
     let column = text.split('`').find(|word| word.contains(".acceleration_2"));
     let column = column.expect("an acceleration is named").to_owned();
-    (desk, column)
+    (sandbox, column)
 }
 
 #[test]
-fn a_spectrum_is_written_and_told_and_foreign_files_stay() {
-    let (desk, column) = desk();
+fn a_spectrum_is_written_and_reported_and_foreign_files_stay() {
+    let (sandbox, column) = sandbox();
     let arguments = ["spectrum", "hit", column.as_str(), "--from", "50Hz", "--to", "500Hz"];
     let arguments = [&arguments[..], &["--cfc", "60", "--out", "srs.csv"]].concat();
-    let told = desk.percuss(&arguments);
-    told.ends_with(0);
-    assert!(told.stdout.contains("(CFC 60)"), "{}", told.stdout);
-    let table = std::fs::read_to_string(desk.path("srs.csv")).unwrap();
+    let reported = sandbox.percuss(&arguments);
+    reported.ends_with(0);
+    assert!(reported.stdout.contains("(CFC 60)"), "{}", reported.stdout);
+    let table = std::fs::read_to_string(sandbox.path("srs.csv")).unwrap();
     let rows: Vec<Vec<f64>> = table
         .lines()
         .skip(1)
@@ -39,55 +39,56 @@ fn a_spectrum_is_written_and_told_and_foreign_files_stay() {
         assert!((row[6] - scaled).abs() <= 1e-12 * scaled, "{row:?}");
     }
     // Its own files are replaced, those of others are not.
-    desk.percuss(&arguments).ends_with(0);
-    std::fs::write(desk.path("srs.csv"), "mine").unwrap();
-    desk.percuss(&arguments).ends_with(2).tells("--force");
-    assert_eq!(std::fs::read_to_string(desk.path("srs.csv")).unwrap(), "mine");
+    sandbox.percuss(&arguments).ends_with(0);
+    std::fs::write(sandbox.path("srs.csv"), "mine").unwrap();
+    sandbox.percuss(&arguments).ends_with(2).tells("--force");
+    assert_eq!(std::fs::read_to_string(sandbox.path("srs.csv")).unwrap(), "mine");
 }
 
 #[test]
 fn results_that_cannot_be_judged_are_refused_with_a_cure() {
-    let (desk, column) = desk();
+    let (sandbox, column) = sandbox();
     let velocity = column.replace("acceleration", "velocity");
-    desk.percuss(&["spectrum", "hit", &velocity]).ends_with(2).tells("is no acceleration");
+    sandbox.percuss(&["spectrum", "hit", &velocity]).ends_with(2).tells("is no acceleration");
     // It moves along e2 alone.
     let aside = column.replace("acceleration_2", "acceleration_1");
-    desk.percuss(&["spectrum", "hit", &aside]).ends_with(2).tells("the acceleration is zero");
-    desk.percuss(&["spectrum", "hit", &column, "--to", "1e12"])
+    sandbox.percuss(&["spectrum", "hit", &aside]).ends_with(2).tells("the acceleration is zero");
+    sandbox
+        .percuss(&["spectrum", "hit", &column, "--to", "1e12"])
         .ends_with(2)
         .tells("samples per second");
-    desk.percuss(&["spectrum", "hit", &column, "--damping", "1"]).ends_with(2).tells("0.05");
-    desk.percuss(&["spectrum", "hit", &column, "--cfc", "100"]).ends_with(2).tells("60, 180");
+    sandbox.percuss(&["spectrum", "hit", &column, "--damping", "1"]).ends_with(2).tells("0.05");
+    sandbox.percuss(&["spectrum", "hit", &column, "--cfc", "100"]).ends_with(2).tells("60, 180");
 }
 
 #[test]
-fn accelerations_are_drawn_in_a_class_and_a_rigid_blow_keeps_its_change_of_velocity() {
-    let desk = Desk::new();
-    desk.percuss(&["run", "rigid.toml", "--out", "blow", "--no-report", "-q"]).ends_with(0);
-    let listed = desk.percuss(&["plot", "blow", "--list", "--cfc", "60"]);
+fn accelerations_are_drawn_in_a_class_and_a_rigid_impact_keeps_its_change_of_velocity() {
+    let sandbox = Sandbox::new();
+    sandbox.percuss(&["run", "rigid.toml", "--out", "blow", "--no-report", "-q"]).ends_with(0);
+    let listed = sandbox.percuss(&["plot", "blow", "--list", "--cfc", "60"]);
     listed.ends_with(0);
     let figure = listed.stdout.split_whitespace().find(|word| word.starts_with("acceleration-"));
     let figure = figure.expect("a figure of an acceleration").to_owned();
-    let plain = desk.percuss(&["plot", "blow", "--list"]);
+    let plain = sandbox.percuss(&["plot", "blow", "--list"]);
     assert!(!plain.stdout.contains("acceleration-"), "{}", plain.stdout);
     let draw =
         ["plot", "blow", "--cfc", "60", "--figure", &figure, "--format", "svg", "--out", "."];
-    desk.percuss(&draw).ends_with(0);
-    let drawn = std::fs::read_to_string(desk.path(&format!("{figure}.svg"))).unwrap();
+    sandbox.percuss(&draw).ends_with(0);
+    let drawn = std::fs::read_to_string(sandbox.path(&format!("{figure}.svg"))).unwrap();
     assert!(drawn.contains("<path"), "an empty picture");
 
     // Rows are not evenly spaced about an impact, which is said.
     let projectile = figure.trim_start_matches("acceleration-");
     let column = format!("projectile.{projectile}.acceleration_2");
     let asked = ["spectrum", "blow", &column, "--to", "500", "--damping", "0", "--out", "blow.csv"];
-    let told = desk.percuss(&asked);
-    told.ends_with(0);
-    assert!(told.stdout.contains("non-uniform output interval"), "{}", told.stdout);
-    // The slowest oscillator stays where it was on its way: what it moves relative to the base is what blows move the base.
-    let table = std::fs::read_to_string(desk.path("blow.csv")).unwrap();
+    let reported = sandbox.percuss(&asked);
+    reported.ends_with(0);
+    assert!(reported.stdout.contains("non-uniform output interval"), "{}", reported.stdout);
+    // The slowest oscillator stays where it was on its way: what it moves relative to the base is what impacts move the base.
+    let table = std::fs::read_to_string(sandbox.path("blow.csv")).unwrap();
     let slowest: Vec<f64> =
         table.lines().nth(1).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
-    let history = percuss_output::read_history(desk.path("blow")).unwrap();
+    let history = percuss_output::read_history(sandbox.path("blow")).unwrap();
     let time = history.column("time").unwrap();
     let velocity = history.column(&column.replace("acceleration", "velocity")).unwrap();
     let (mut moved, mut most) = (0.0, 0.0_f64);

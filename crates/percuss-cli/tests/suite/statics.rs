@@ -4,7 +4,7 @@ use crate::common;
 
 use std::process::Command;
 
-use common::{Desk, names};
+use common::{Sandbox, names};
 
 const CANTILEVER: &str = r#"
 [material.steel]
@@ -105,19 +105,19 @@ fn a_cantilever_sags_by_the_hand_formula() {
 
 #[test]
 fn a_column_buckles_at_eulers_load() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let column = CANTILEVER.replace("[0, \"-100 N\"]", "[\"-1 kN\", 0]");
-    desk.put("column.toml", format!("{column}{CLAMP}"));
-    let found = desk.percuss(&["static", "column.toml", "--json"]);
+    sandbox.put("column.toml", format!("{column}{CLAMP}"));
+    let found = sandbox.percuss(&["static", "column.toml", "--json"]);
     let value: serde_json::Value = serde_json::from_str(&found.ends_with(0).stdout).unwrap();
     let factor = value["linear_buckling"][0].as_f64().unwrap();
     let euler = std::f64::consts::PI.powi(2) * 210e9 * 8e-8 / 16.0 / 1000.0; // pi^2 EI / (2 L)^2
     assert!((factor / euler - 1.0).abs() < 1e-2, "{factor} {euler}");
-    let text = desk.percuss(&["static", "column.toml"]);
+    let text = sandbox.percuss(&["static", "column.toml"]);
     assert!(text.stdout.contains("linear buckling factor "), "{}", text.stdout);
     text.tells("runs/column-static");
-    assert_eq!(names(&desk.path("runs/column-static")), ["static.html", "static.json"]);
-    let kept = std::fs::read_to_string(desk.path("runs/column-static/static.json")).unwrap();
+    assert_eq!(names(&sandbox.path("runs/column-static")), ["static.html", "static.json"]);
+    let kept = std::fs::read_to_string(sandbox.path("runs/column-static/static.json")).unwrap();
     assert_eq!(kept, found.stdout);
 }
 
@@ -131,11 +131,11 @@ fn index(page: &std::path::Path) -> serde_json::Value {
 
 #[test]
 fn the_page_of_an_equilibrium_has_supports_loads_forces_and_the_buckling_mode() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let column = CANTILEVER.replace("[0, \"-100 N\"]", "[\"-1 kN\", 0]");
-    desk.put("column.toml", format!("title = \"</script><b>\"\n{column}{CLAMP}"));
-    desk.percuss(&["static", "column.toml", "--out", "s"]).ends_with(0);
-    let page = index(&desk.path("s/static.html"));
+    sandbox.put("column.toml", format!("title = \"</script><b>\"\n{column}{CLAMP}"));
+    sandbox.percuss(&["static", "column.toml", "--out", "s"]).ends_with(0);
+    let page = index(&sandbox.path("s/static.html"));
     let scene = &page["scenes"][0];
     assert_eq!(scene["scene"]["supports"][0]["kind"], "clamp");
     assert_eq!(scene["scene"]["loads"][0]["force"][0], -1000.0);
@@ -149,7 +149,7 @@ fn the_page_of_an_equilibrium_has_supports_loads_forces_and_the_buckling_mode() 
     let details = &page["details"];
     assert_eq!((&details["kind"], &details["panels"][0]["shape"]), (&"static".into(), &1.into()));
     assert!(details["panels"][0]["about"].is_null(), "about the reference configuration");
-    let text = std::fs::read_to_string(desk.path("s/static.html")).unwrap();
+    let text = std::fs::read_to_string(sandbox.path("s/static.html")).unwrap();
     assert!(text.contains("Stable equilibrium") && !text.contains("</script><b>"));
 }
 
@@ -193,20 +193,20 @@ step = "1 ms"
 "#;
 
 #[test]
-fn beyond_a_limit_point_the_path_is_told_of_and_followed() {
-    let desk = Desk::empty();
-    desk.put("arch.toml", ARCH);
-    let lost = desk.percuss(&["static", "arch.toml"]);
+fn beyond_a_limit_point_the_path_is_reported_and_followed() {
+    let sandbox = Sandbox::empty();
+    sandbox.put("arch.toml", ARCH);
+    let lost = sandbox.percuss(&["static", "arch.toml"]);
     lost.ends_with(3).tells("limit point").tells("percuss static --path");
-    assert_eq!(desk.names(), ["arch.toml"], "nothing is written");
-    let text = desk.percuss(&["static", "arch.toml", "--path"]);
+    assert_eq!(sandbox.names(), ["arch.toml"], "nothing is written");
+    let text = sandbox.percuss(&["static", "arch.toml", "--path"]);
     text.ends_with(0).tells("runs/arch-path");
     assert!(text.stdout.contains("limit point at load factor 0.16"), "{}", text.stdout);
     assert_eq!(
-        names(&desk.path("runs/arch-path")),
+        names(&sandbox.path("runs/arch-path")),
         ["path.csv", "path.html", "path.json", "path.png", "path.svg"]
     );
-    let page = index(&desk.path("runs/arch-path/path.html"));
+    let page = index(&sandbox.path("runs/arch-path/path.html"));
     let (details, frames) = (&page["details"], &page["scenes"][0]["frames"]);
     let titles: Vec<&str> =
         details["panels"].as_array().unwrap().iter().filter_map(|p| p["title"].as_str()).collect();
@@ -220,11 +220,11 @@ fn beyond_a_limit_point_the_path_is_told_of_and_followed() {
     // Configurations, and the buckling mode behind them.
     let time = &page["columns"][frames["time"].as_u64().unwrap() as usize];
     assert_eq!(time[1].as_u64().unwrap() as usize, kept.len() + 1);
-    let csv = std::fs::read_to_string(desk.path("runs/arch-path/path.csv")).unwrap();
+    let csv = std::fs::read_to_string(sandbox.path("runs/arch-path/path.csv")).unwrap();
     let header = "factor,point.arch.mid.displacement_1,point.arch.mid.displacement_2,stable";
     assert_eq!(csv.lines().next(), Some(header));
     let json =
-        desk.percuss(&["static", "arch.toml", "--path", "--json", "--out", "runs/arch-path"]);
+        sandbox.percuss(&["static", "arch.toml", "--path", "--json", "--out", "runs/arch-path"]);
     let value: serde_json::Value = serde_json::from_str(&json.ends_with(0).stdout).unwrap();
     assert_eq!(value["path"]["reached"], true);
     assert_eq!(value["path"]["factor"], 1.0);
@@ -232,52 +232,55 @@ fn beyond_a_limit_point_the_path_is_told_of_and_followed() {
     let limit = &value["path"]["limit_points"][0];
     assert!(limit["factor"].as_f64().is_some_and(|f| (f - 0.16).abs() < 0.01), "{limit}");
     assert!(limit["point"]["arch.mid"]["displacement"][1].as_f64().is_some_and(|u| u < 0.0));
-    let kept = std::fs::read_to_string(desk.path("runs/arch-path/path.json")).unwrap();
+    let kept = std::fs::read_to_string(sandbox.path("runs/arch-path/path.json")).unwrap();
     assert_eq!(kept, json.stdout);
 }
 
 #[test]
 fn a_path_that_ends_too_soon_is_written_and_fails() {
-    let desk = Desk::empty();
-    desk.put("arch.toml", format!("{ARCH}\n[path]\npoints = 3\n"));
-    desk.percuss(&["static", "arch.toml", "--path", "--out", "p"])
+    let sandbox = Sandbox::empty();
+    sandbox.put("arch.toml", format!("{ARCH}\n[path]\npoints = 3\n"));
+    sandbox
+        .percuss(&["static", "arch.toml", "--path", "--out", "p"])
         .ends_with(3)
         .tells("the path stopped at load factor ");
-    assert!(desk.path("p/path.csv").is_file());
-    desk.percuss(&["static", "arch.toml", "--out", "q"]).ends_with(3).tells("--path");
-    assert!(!desk.path("q").exists(), "nothing is written");
+    assert!(sandbox.path("p/path.csv").is_file());
+    sandbox.percuss(&["static", "arch.toml", "--out", "q"]).ends_with(3).tells("--path");
+    assert!(!sandbox.path("q").exists(), "nothing is written");
 }
 
 #[test]
-fn the_moment_that_the_green_law_cannot_carry_is_told() {
-    let desk = Desk::empty();
+fn the_moment_that_the_green_law_cannot_carry_is_reported() {
+    let sandbox = Sandbox::empty();
     let green = CANTILEVER
         .replace("young =", "strain = \"green\"\nyoung =")
         .replace("8 cm^4", "8000 cm^4")
         .replace("force = [0, \"-100 N\"]", "moment = \"30 MN m\"");
-    desk.put("green.toml", format!("{green}{CLAMP}"));
-    let found = desk.percuss(&["static", "green.toml"]);
+    sandbox.put("green.toml", format!("{green}{CLAMP}"));
+    let found = sandbox.percuss(&["static", "green.toml"]);
     found.ends_with(3).tells("Green strains").tells("`arm`").tells("percuss static --path");
     assert_eq!(found.stdout, "");
 }
 
 #[test]
 fn a_path_without_a_load_has_no_beginning() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let (before, load) = CANTILEVER.split_once("[load.tip]").unwrap();
     let (_, after) = load.split_once("[record]").unwrap();
-    desk.put("bare.toml", format!("{before}[record]{after}{CLAMP}"));
-    desk.percuss(&["static", "bare.toml", "--path"]).ends_with(3).tells("a path begins with");
-    assert_eq!(desk.names(), ["bare.toml"], "nothing is written");
+    sandbox.put("bare.toml", format!("{before}[record]{after}{CLAMP}"));
+    sandbox.percuss(&["static", "bare.toml", "--path"]).ends_with(3).tells("a path begins with");
+    assert_eq!(sandbox.names(), ["bare.toml"], "nothing is written");
 }
 
 #[test]
 fn a_path_overwrites_no_run() {
-    let desk = Desk::empty();
-    desk.put("arch.toml", ARCH);
-    desk.percuss(&["run", "arch.toml", "--set", "time.end=2e-3", "--out", "out", "-q"])
+    let sandbox = Sandbox::empty();
+    sandbox.put("arch.toml", ARCH);
+    sandbox
+        .percuss(&["run", "arch.toml", "--set", "time.end=2e-3", "--out", "out", "-q"])
         .ends_with(0);
-    desk.percuss(&["static", "arch.toml", "--path", "--out", "out"])
+    sandbox
+        .percuss(&["static", "arch.toml", "--path", "--out", "out"])
         .ends_with(2)
         .tells("contains other results (run)");
 }
@@ -298,15 +301,18 @@ fn a_mechanism_is_named_with_its_place() {
 
 /// `P L / (2 I / depth)` at the root, against the 235 MPa at which structural steel yields.
 #[test]
-fn a_stress_beyond_the_strength_of_a_known_material_is_told() {
+fn a_stress_beyond_the_strength_of_a_known_material_is_reported() {
     let arm = CANTILEVER
         .replace("young = \"210 GPa\"", "preset = \"steel\"")
         .replace("inertia = \"8 cm^4\"", "inertia = \"8 cm^4\"\ndepth = \"40 mm\"");
-    let desk = Desk::new();
+    let sandbox = Sandbox::new();
     let found = |force: f64, more: &str| {
         let text = arm.replace("\"-100 N\"", &format!("{force}"));
-        desk.put("arm.toml", format!("{text}{CLAMP}{more}"));
-        percuss(&desk.path("arm.toml"), &["--json", "--out", desk.path("out").to_str().unwrap()])
+        sandbox.put("arm.toml", format!("{text}{CLAMP}{more}"));
+        percuss(
+            &sandbox.path("arm.toml"),
+            &["--json", "--out", sandbox.path("out").to_str().unwrap()],
+        )
     };
     let beyond = |stdout: &str| {
         let value: serde_json::Value = serde_json::from_str(stdout).unwrap();
@@ -329,17 +335,17 @@ fn a_stress_beyond_the_strength_of_a_known_material_is_told() {
     assert!(!stderr.contains("warning") && stderr.contains("(reason: S355)"), "{stderr}");
 }
 
-/// What fails is told with its load factor, and so is that nothing is left.
+/// What fails is reported with its load factor, and so is that nothing is left.
 #[test]
-fn failures_on_the_way_are_told_with_their_load_factor() {
-    let desk = Desk::empty();
+fn failures_on_the_way_are_reported_with_their_load_factor() {
+    let sandbox = Sandbox::empty();
     let spring = |load: &str| {
         let spring = "between = [\"arm.end\", [\"2 m\", \"1 m\"]]\nstiffness = \"100 kN/m\"\nyield_force = \"60 N\"\n";
         let arm = CANTILEVER.replace("-100 N", load);
         format!("{arm}{CLAMP}\n[spring.k]\n{spring}failure_extension = \"2 mm\"\n")
     };
-    desk.put("arm.toml", spring("-200 N"));
-    let found = desk.percuss(&["static", "arm.toml", "--json", "--out", "a"]);
+    sandbox.put("arm.toml", spring("-200 N"));
+    let found = sandbox.percuss(&["static", "arm.toml", "--json", "--out", "a"]);
     let value: serde_json::Value = serde_json::from_str(&found.ends_with(0).stdout).unwrap();
     assert_eq!(value["failures"][0]["name"], "spring.k");
     assert_eq!(value["failures"][0]["kind"], "extension");
@@ -353,7 +359,7 @@ fn failures_on_the_way_are_told_with_their_load_factor() {
     assert!((reaction / 200.0 - 1.0).abs() < 1e-10, "{reaction}");
     let left = value["balance"]["unbalanced"][1].as_f64().unwrap();
     assert!(left.abs() < 1e-9 * 200.0, "{left}");
-    let text = desk.percuss(&["static", "arm.toml", "--path"]);
-    let told = text.ends_with(0);
-    assert!(told.stdout.contains("`spring.k` fails at load factor"), "{}", told.stdout);
+    let text = sandbox.percuss(&["static", "arm.toml", "--path"]);
+    let reported = text.ends_with(0);
+    assert!(reported.stdout.contains("`spring.k` fails at load factor"), "{}", reported.stdout);
 }

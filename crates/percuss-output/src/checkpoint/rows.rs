@@ -26,7 +26,7 @@ pub(super) struct RowsFile {
 impl RowsFile {
     /// An empty one.
     pub fn create(path: &Path) -> Result<Self, Error> {
-        let created = Place::of(path).and_then(|place| place.create_anew());
+        let created = Place::of(path).and_then(|place| place.create_new());
         let file = created.map_err(|e| Error::io(path, "create", e))?;
         Ok(Self::of(path, file, 0, Sha256::new(), 0))
     }

@@ -224,7 +224,7 @@ pub(super) fn recover(target: &Path) -> Result<Vec<Kept>, Error> {
         }
     }
     for left in left_behind(target, ASIDE)? {
-        kept.extend(put_back(&left, target)?);
+        kept.extend(restore(&left, target)?);
     }
     Ok(kept)
 }
@@ -242,7 +242,7 @@ fn go_on(staged: &Path, target: &Path) -> Result<Vec<Kept>, Error> {
 }
 
 /// Results put aside: back where they were if none have taken their place.
-fn put_back(aside: &Path, target: &Path) -> Result<Vec<Kept>, Error> {
+fn restore(aside: &Path, target: &Path) -> Result<Vec<Kept>, Error> {
     if Manifest::read(target)?.is_some() {
         return match Manifest::read(aside)? {
             Some(_) => discard(aside, target),

@@ -174,7 +174,7 @@ impl RunDirectory {
     }
 }
 
-/// Files written anew into the directory of a finished run, which stays as it is otherwise.
+/// Files written again into the directory of a finished run, which stays as it is otherwise.
 #[derive(Debug)]
 pub struct RunUpdate {
     target: PathBuf,

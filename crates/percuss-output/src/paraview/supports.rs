@@ -150,8 +150,8 @@ fn spring(a: [f64; 2], b: [f64; 2], half: f64) -> Line {
 
 /// Across a level beam downward, to the side of one that stands.
 fn upright(rest: &OnAxis) -> [f64; 2] {
-    let stands = rest.normal[0].abs() > 0.8;
-    if stands { [-rest.normal[0].signum(), 0.0] } else { [0.0, -1.0] }
+    let upright = rest.normal[0].abs() > 0.8;
+    if upright { [-rest.normal[0].signum(), 0.0] } else { [0.0, -1.0] }
 }
 
 /// A direction, turned where it points up.

@@ -43,7 +43,7 @@ pub(super) fn render(summary: &Value, scenario: &str) -> String {
     rows.push(newton(summary));
     rows.push(step_cuts(summary));
     rows.extend(accumulated_steps(summary));
-    rows.extend(shared_blows(summary));
+    rows.extend(multiple_impacts(summary));
     let rows: Vec<Vec<String>> = rows.into_iter().map(Vec::from).collect();
     table("Maximum over the run", &["quantity", "value", "comment"], &rows)
 }
@@ -119,8 +119,9 @@ fn accumulated_steps(summary: &Value) -> Option<[String; 3]> {
 }
 
 /// Impacts on several touching bodies at once, where there are any.
-fn shared_blows(summary: &Value) -> Option<[String; 3]> {
-    let shared = &summary["shared_blows"];
+fn multiple_impacts(summary: &Value) -> Option<[String; 3]> {
+    // Summaries of earlier versions have the old key.
+    let shared = summary.get("multiple_impacts").unwrap_or(&summary["shared_blows"]);
     let count = shared["count"].as_u64().filter(|count| *count > 0)?;
     let name = |k: usize| shared["contacts"][k].as_str().unwrap_or("?").to_owned();
     let verdict = format!(

@@ -36,8 +36,8 @@ pub(super) fn allowances(
     advice: &[Advice],
     warnings: &[AuditWarning],
 ) -> Value {
-    let told = advice.iter().filter(|one| one.verdict > Verdict::Fine);
-    let found: Vec<Code> = told
+    let reported = advice.iter().filter(|one| one.verdict > Verdict::Fine);
+    let found: Vec<Code> = reported
         .map(|one| one.topic.into())
         .chain(warnings.iter().map(|one| one.caution.into()))
         .collect();

@@ -85,7 +85,7 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         "projectile": projectiles(run),
         "contact": named(&run.contacts, |c| &c.name, contact::value),
         "contact_residual_max": run.contact_residual_max,
-        "shared_blows": shared_blows(run),
+        "multiple_impacts": multiple_impacts(run),
         "point": named(&run.points, |p| &p.name, point),
         "support": named(&run.supports, |s| &s.name, support),
         "plastic": named(&run.plastic, |b| &b.name, plastic::value),
@@ -107,8 +107,8 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
 }
 
 /// Impacts that several touching bodies shared; `null` where there was none.
-fn shared_blows(run: &RunSummary) -> Value {
-    let shared = &run.shared_blows;
+fn multiple_impacts(run: &RunSummary) -> Value {
+    let shared = &run.multiple_impacts;
     if shared.count == 0 {
         return Value::Null;
     }

@@ -329,7 +329,7 @@ fn links_at_names_that_can_be_foreseen_are_not_followed() -> Outcome {
 
 /// Files edited while a run computes, between its start and its end.
 #[test]
-fn files_changed_meanwhile_are_kept_beside_and_told() -> Outcome {
+fn files_changed_meanwhile_are_kept_beside_and_reported() -> Outcome {
     let parent = tempfile::tempdir()?;
     let target = parent.path().canonicalize()?.join("run");
     let edited = |within: bool| -> Outcome {

@@ -182,8 +182,9 @@ fn touches_of_stops_stand_among_the_contacts() -> Result<(), Box<dyn Error>> {
     let of_stop: Vec<&Row> = rows.iter().filter(|r| field(r, "kind") == "stop").collect();
     assert_eq!(of_stop.len(), 2);
     assert_eq!(field(of_stop[0], "contact"), "bracket");
-    let told = ["start_s", "end_s", "impulse_N_s", "force_peak_N"].map(|c| field(of_stop[0], c));
-    assert_eq!(told, ["0.0005", "0.002", "0.7", "900.0"]);
+    let reported =
+        ["start_s", "end_s", "impulse_N_s", "force_peak_N"].map(|c| field(of_stop[0], c));
+    assert_eq!(reported, ["0.0005", "0.002", "0.7", "900.0"]);
     assert_eq!((field(of_stop[1], "end_s"), field(of_stop[1], "restitution")), ("", ""));
     let starts: Vec<f64> = rows.iter().filter_map(|r| field(r, "start_s").parse().ok()).collect();
     assert!(starts.is_sorted());

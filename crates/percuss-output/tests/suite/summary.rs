@@ -177,7 +177,7 @@ fn every_number_of_a_summary_can_be_picked_by_its_path() {
         let mut all = Vec::new();
         leaves("", &value(&run), &mut all);
         // What a single number cannot say: how the run was carried out, and what was said about it.
-        let others = ["settings", "advice", "hand_formulas", "shared_blows", "wall_seconds"];
+        let others = ["settings", "advice", "hand_formulas", "multiple_impacts", "wall_seconds"];
         all.retain(|(path, _)| !others.iter().any(|other| path.starts_with(other)));
         assert!(all.len() > 50);
         let found = |(path, _): &(String, _)| {

@@ -5,10 +5,10 @@ use percuss::{Fault, LinePoint};
 use super::beams::Surface;
 use crate::content::Projectile;
 
-/// A line of flight closer to the line of the beam than this (sine of the angle) never meets its face.
+/// A line of motion closer to the line of the beam than this (sine of the angle) never meets its face.
 const GRAZING: f64 = 1e-3;
 
-/// Centre of a disc of given radius whose surface is `standoff` away from that of the beam, along its line of flight towards
+/// Centre of a disc of given radius whose surface is `standoff` away from that of the beam, along its line of motion towards
 /// the point; `None` after a fault.
 pub(super) fn centre(
     name: &str,
@@ -20,7 +20,7 @@ pub(super) fn centre(
     let mut fault = |key: &str, found: String, expected: &str| {
         faults.push(Fault::new(format!("projectile.{name}.{key}"), found, expected));
     };
-    let line = line_of_flight(projectile, &mut fault)?;
+    let line = line_of_motion(projectile, &mut fault)?;
     if standoff < 0.0 {
         let found = format!("an initial penetration of {} m", -standoff);
         fault("standoff", found, "a standoff of zero or above");
@@ -34,7 +34,7 @@ pub(super) fn centre(
     Some([0, 1].map(|i| surface.at.position[i] - line[i] * (standoff + reach)))
 }
 
-/// Distance along a line of flight from the point to a centre that is `r` away from the line of the beam.
+/// Distance along a line of motion from the point to a centre that is `r` away from the line of the beam.
 fn reach(line: [f64; 2], at: LinePoint, r: f64) -> Option<f64> {
     let [t1, t2] = at.tangent;
     let outward = -(line[0] * t1 + line[1] * t2);
@@ -47,7 +47,7 @@ fn reach(line: [f64; 2], at: LinePoint, r: f64) -> Option<f64> {
 }
 
 /// Unit vector along the velocity, or the direction of a projectile at rest.
-fn line_of_flight(
+fn line_of_motion(
     projectile: &Projectile,
     fault: &mut impl FnMut(&str, String, &str),
 ) -> Option<[f64; 2]> {

@@ -100,7 +100,7 @@ fn materials<'c>(
 ) -> BTreeMap<&'c str, MaterialId> {
     let mut materials = BTreeMap::new();
     for Named { name, table } in &content.material {
-        // Values that could not be read are told of already.
+        // Values that could not be read are reported already.
         let (young, density) = (table.young.unwrap_or(1.0), table.density.unwrap_or(1.0));
         let material = percuss::Material {
             poisson: table.poisson,

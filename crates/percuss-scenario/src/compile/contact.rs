@@ -71,7 +71,7 @@ fn discs<'c>(
             mass: table.mass,
             inertia: *inertia,
             radius: *radius,
-            // One that could not be read is told of already.
+            // One that could not be read is reported already.
             position: position.or(aimed).unwrap_or_default(),
             velocity: table.velocity,
             spin: *spin,

@@ -25,7 +25,7 @@ pub(super) fn coarsen(beam: &mut Beam) {
 }
 
 /// Removes the faults that may come of placeholders at the `tainted` paths.
-pub(super) fn keep_sound(content: &Content, tainted: &BTreeSet<String>, faults: &mut Vec<Fault>) {
+pub(super) fn keep_valid(content: &Content, tainted: &BTreeSet<String>, faults: &mut Vec<Fault>) {
     let mut tainted = tainted.clone();
     for Named { name, table } in &content.section {
         let Shape::Tapered { sections, .. } = &table.shape else { continue };

@@ -56,7 +56,7 @@ fn potential(
         Potential::Linear { stiffness, .. } => percuss::Potential::Linear { stiffness: *stiffness },
         Potential::Hertz { hertz: Some(bodies), .. } => hertz(bodies, fault),
         Potential::Hertz { hertz_stiffness, .. } => {
-            // Values that could not be read are told of already.
+            // Values that could not be read are reported already.
             percuss::Potential::Hertz { stiffness: hertz_stiffness.unwrap_or(1.0) }
         }
         Potential::Table { .. } => match potential.columns().map(|both| both.map(Vec::from)) {
@@ -69,11 +69,11 @@ fn potential(
 
 fn hertz(bodies: &HertzBodies, fault: &mut impl FnMut(&str, String, &str)) -> percuss::Potential {
     let HertzBodies { young, poisson, radius } = bodies;
-    let mut sound = true;
+    let mut valid = true;
     let mut check = |key: &str, bad: Option<f64>, unit: &str, expected: &str| {
         if let Some(bad) = bad {
             fault(&format!("hertz.{key}"), format!("{bad}{unit}"), expected);
-            sound = false;
+            valid = false;
         }
     };
     let first = |values: &[f64; 2], bad: fn(f64) -> bool| values.iter().copied().find(|v| bad(*v));
@@ -81,11 +81,11 @@ fn hertz(bodies: &HertzBodies, fault: &mut impl FnMut(&str, String, &str)) -> pe
     let ratio = first(poisson, |v| v <= -1.0 || v > 0.5);
     check("poisson", ratio, "", "Poisson's ratios above -1, up to 0.5");
     check("radius", first(radius, |v| v <= 0.0), " m", "radii above zero, or \"flat\"");
-    if sound && radius.iter().all(|r| r.is_infinite()) {
+    if valid && radius.iter().all(|r| r.is_infinite()) {
         fault("hertz.radius", "two flat faces".into(), "at least one that is curved");
-        sound = false;
+        valid = false;
     }
-    if !sound {
+    if !valid {
         return percuss::Potential::Hertz { stiffness: 1.0 };
     }
     let body = |i: usize| HertzBody { young: young[i], poisson: poisson[i], radius: radius[i] };
@@ -95,13 +95,13 @@ fn hertz(bodies: &HertzBodies, fault: &mut impl FnMut(&str, String, &str)) -> pe
 /// Hunt and Crossley's factor from what it shall lead to.
 fn dissipation(rebound: &Rebound, fault: &mut impl FnMut(&str, String, &str)) -> f64 {
     let Rebound { restitution, velocity } = *rebound;
-    let sound = [0.0 < restitution && restitution <= 1.0, velocity > 0.0];
-    if !sound[0] {
+    let valid = [0.0 < restitution && restitution <= 1.0, velocity > 0.0];
+    if !valid[0] {
         let expected = "a coefficient above 0, up to 1";
         fault("rebound.restitution", restitution.to_string(), expected);
     }
-    if !sound[1] {
+    if !valid[1] {
         fault("rebound.velocity", format!("{velocity} m/s"), "a velocity above zero");
     }
-    if sound == [true; 2] { hunt_crossley(restitution, velocity) } else { 0.0 }
+    if valid == [true; 2] { hunt_crossley(restitution, velocity) } else { 0.0 }
 }

@@ -2,7 +2,7 @@
 
 use percuss::Fault;
 
-use crate::content::{Content, Law, Potential, ProjectileKind, Reach, Smooth, Strikes, Touch};
+use crate::content::{Content, Law, PathTarget, Potential, ProjectileKind, Smooth, Strikes, Touch};
 use crate::table::Named;
 
 /// A fault of the core, whose names of things are not in all cases those of the file.
@@ -30,7 +30,7 @@ fn of_recorded_point(content: &Content, fault: Fault) -> Fault {
         _ => None,
     });
     let ends = match &content.path.until {
-        Some(Reach { point, .. }) if about(&point.label) => Some("path.until.point".into()),
+        Some(PathTarget { point, .. }) if about(&point.label) => Some("path.until.point".into()),
         _ => None,
     };
     Fault { path: ends.or(flown_at).unwrap_or(fault.path), ..fault }

@@ -22,7 +22,7 @@ use percuss::{Fault, ImpactResolution, Model, ModelBuilder, PathEnd, PathSetting
 use locate::in_file_words;
 
 use crate::code::of_path;
-use crate::content::{self, Content, Impacts, Law, ProjectileKind, Reach};
+use crate::content::{self, Content, Impacts, Law, PathTarget, ProjectileKind};
 use crate::diagnostic::{Diagnostic, Diagnostics};
 use crate::given::Given;
 use crate::scenario::Scenario;
@@ -94,7 +94,7 @@ impl Scenario {
 }
 
 /// Faults of the model of a file with reading faults, as far as they do not follow from these.
-pub(crate) fn sound_part(
+pub(crate) fn valid_part(
     content: &Content,
     tainted: &BTreeSet<String>,
     source: &Source,
@@ -104,12 +104,12 @@ pub(crate) fn sound_part(
     content.beam.iter_mut().for_each(|beam| follow::coarsen(&mut beam.table));
     let mut faults = comparison_faults(&content);
     faults.extend(path(&content).err());
-    // What refers to beams that are not there has been told of by the reader.
+    // What refers to beams that are not there has been reported by the reader.
     if !content.beam.is_empty() {
         faults.extend(build(&content, None).err().unwrap_or_default());
     }
     faults.extend(settings_alone(&content, &settings(&content)));
-    follow::keep_sound(&content, tainted, &mut faults);
+    follow::keep_valid(&content, tainted, &mut faults);
     faults.into_iter().map(|f| locate(f, source, places)).collect()
 }
 
@@ -121,7 +121,7 @@ fn locate(fault: Fault, source: &Source, places: &Places) -> Diagnostic {
 fn settings(content: &Content) -> Settings {
     use content::Scheme;
     let time = &content.time;
-    // Where steps are chosen, until there is a model to ask; where neither is given, that has been told.
+    // Where steps are chosen, until there is a model to ask; where neither is given, that has been reported.
     let mut settings = Settings::new(time.end, time.step.unwrap_or(time.end));
     settings.accuracy = time.accuracy.filter(|_| time.step.is_none());
     settings.scheme = match content.integrator.scheme {
@@ -145,7 +145,7 @@ fn settings(content: &Content) -> Settings {
     settings
 }
 
-/// Faults of the settings where the model itself has faults: a sound model stands in for it.
+/// Faults of the settings where the model itself has faults: a valid model stands in for it.
 fn settings_alone(content: &Content, settings: &Settings) -> Vec<Fault> {
     let mut builder = ModelBuilder::new();
     let material = builder.material(percuss::Material::new("m", 1.0, 1.0));
@@ -208,13 +208,13 @@ fn path(content: &Content) -> Result<PathSettings, Fault> {
         return fault("points", "0".into(), "at least 1 point");
     }
     let end = match until {
-        Some(Reach { component, .. }) if !(1..=2).contains(component) => {
+        Some(PathTarget { component, .. }) if !(1..=2).contains(component) => {
             return fault("until.component", component.to_string(), "1 or 2");
         }
-        Some(Reach { value: 0.0, .. }) => {
+        Some(PathTarget { value: 0.0, .. }) => {
             return fault("until.value", "0 m".into(), "a displacement to reach, not zero");
         }
-        Some(Reach { point, component, value }) => {
+        Some(PathTarget { point, component, value }) => {
             let (point, component, value) = (point.label.clone(), *component, *value);
             PathEnd::Displacement { point, component, value }
         }
@@ -226,7 +226,7 @@ fn path(content: &Content) -> Result<PathSettings, Fault> {
     }
 }
 
-/// The model; functions given where none are looked at are left to a sound text.
+/// The model; functions given where none are looked at are left to a valid text.
 fn build(content: &Content, given: Option<&Given>) -> Result<Model, Vec<Fault>> {
     let (builder, mut faults) = build::definitions(content, given);
     match builder.build() {

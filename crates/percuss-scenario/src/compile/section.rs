@@ -20,8 +20,8 @@ pub(super) fn sections(
         if !matches!(named.table.shape, Shape::Tapered { .. }) {
             let before = faults.len();
             dimensions(named, faults);
-            let sound = faults.len() == before;
-            uniform.insert(named.name.as_str(), sound.then(|| shaped(named, materials)));
+            let valid = faults.len() == before;
+            uniform.insert(named.name.as_str(), valid.then(|| shaped(named, materials)));
         }
     }
     for (name, profile) in known::profiles(content) {
@@ -63,12 +63,12 @@ fn dimensions(named: &Named<content::Section>, faults: &mut Vec<Fault>) {
         }
         Shape::Profile { .. } | Shape::Tapered { .. } => &[],
     };
-    let mut sound = lists(named, &mut fault);
+    let mut valid = lists(named, &mut fault);
     for (key, value) in all.iter().filter(|(_, value)| *value <= 0.0) {
         fault(key, format!("{value} m"), format!("a {key} above zero"));
-        sound = false;
+        valid = false;
     }
-    if !sound {
+    if !valid {
         return;
     }
     let mut below = |key: &str, value: f64, limit: f64, of: &str| {
@@ -94,27 +94,27 @@ fn dimensions(named: &Named<content::Section>, faults: &mut Vec<Fault>) {
 /// Whether the lists of fibres go together.
 fn lists(named: &Named<content::Section>, fault: &mut impl FnMut(&str, String, String)) -> bool {
     let Shape::Fibres { heights, areas, materials, .. } = &named.table.shape else { return true };
-    let mut sound = true;
-    let mut told = |key: &str, found: String, expected: &str| {
+    let mut valid = true;
+    let mut report = |key: &str, found: String, expected: &str| {
         fault(key, found, expected.to_owned());
-        sound = false;
+        valid = false;
     };
     let fibres = count(heights.len(), "fibre");
     if areas.len() != heights.len() {
         let found = format!("{} for {fibres}", count(areas.len(), "area"));
-        told("areas", found, "an area for each height");
+        report("areas", found, "an area for each height");
     }
     if let Some(materials) = materials
         && materials.len() != heights.len()
     {
         let found = format!("{} for {fibres}", count(materials.len(), "material"));
-        told("materials", found, "a material for each height, or no `materials`");
+        report("materials", found, "a material for each height, or no `materials`");
     }
     if named.table.fibres != Section::FIBRES {
         let found = format!("{} of a section whose fibres are listed", named.table.fibres);
-        told("fibres", found, "no number: as many as there are heights");
+        report("fibres", found, "no number: as many as there are heights");
     }
-    sound
+    valid
 }
 
 fn shaped(named: &Named<content::Section>, known: &BTreeMap<&str, MaterialId>) -> Section {

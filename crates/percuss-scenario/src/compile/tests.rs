@@ -149,7 +149,7 @@ fn a_projectile_flies_at_a_point_from_the_standoff_of_its_surface() {
     let changed = "\"s\"\nchanges = [{ at = 0.5, section = \"u\" }]";
     near(at(changed, &format!("{down} \"b@0.4\"")), [1.6, 0.45]);
     near(at(changed, &format!("{down} \"b.mid\"")), [2.0, 0.55]);
-    // At 45 degrees the surfaces are `standoff` away from each other along the line of flight.
+    // At 45 degrees the surfaces are `standoff` away from each other along the line of motion.
     let oblique = "velocity = [1, -1]\nradius = 0.1\nstandoff = 1\nstrikes = \"b.mid\"";
     let way = (1.0 + 0.2 * 2f64.sqrt()) / 2f64.sqrt();
     near(at("\"s\"", oblique), [2.0 - way, way]);

@@ -62,14 +62,14 @@ impl Given<'_> {
     }
 }
 
-/// Points of a table in the strain measure of its material, unless they are at fault, which is told elsewhere.
+/// Points of a table in the strain measure of its material, unless they are at fault, which is reported elsewhere.
 fn converted(material: &Material, points: &[[f64; 2]]) -> Result<Vec<[f64; 2]>, f64> {
     let hardening = material.hardening.as_ref();
     let young = material.young.unwrap_or(f64::NAN);
-    let sound = points.as_flattened().iter().all(|x| x.is_finite())
+    let valid = points.as_flattened().iter().all(|x| x.is_finite())
         && points.windows(2).all(|w| w[1][0] > w[0][0] && w[1][1] >= w[0][1])
         && points.iter().all(|p| p[1] > 0.0 && p[1] < young);
-    if !sound {
+    if !valid {
         return Ok(points.to_vec());
     }
     let table = StressTable {

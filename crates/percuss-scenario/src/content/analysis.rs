@@ -220,7 +220,7 @@ table! {
         /// Ends at this load factor; 1 if neither this nor `until` is given.
         factor: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,
         /// Ends at this displacement of a point.
-        until: Option<Reach> as Maybe<Braces<Reach>> = None,
+        until: Option<PathTarget> as Maybe<Braces<PathTarget>> = None,
     }
     then settle_path
 }
@@ -239,7 +239,7 @@ fn settle_path(path: &mut Path, body: &Body<'_>, reader: &mut Reader<'_>) {
 
 table! {
     /// A displacement reached.
-    pub struct Reach {
+    pub struct PathTarget {
         /// The point.
         point: Point as PointText,
         /// Component of its displacement: 1 or 2.

@@ -156,7 +156,7 @@ fn settle_change(_: &mut Change, body: &Body<'_>, reader: &mut Reader<'_>) {
 /// Puts the values of the preset in the place of `"preset"`.
 pub(super) fn settle_presets(material: &mut Material, body: &Body<'_>, reader: &mut Reader<'_>) {
     let preset = material.preset;
-    // One that could not be read is told of already.
+    // One that could not be read is reported already.
     let unknown = preset.is_none() && body.get("preset").is_some();
     let mut refuse = |key: &str, what: &str| {
         let Some(node) = body.get(key).filter(|_| !unknown) else { return };

@@ -1,6 +1,6 @@
 //! Study files: a base scenario, what varies in it, and the results wanted.
 //!
-//! A study is read by the machinery that reads scenarios, so its faults are told the same way. What its values mean, their
+//! A study is read by the machinery that reads scenarios, so its faults are reported the same way. What its values mean, their
 //! dimensions among it, is for the scenario to say; who runs the study asks it.
 
 mod content;

@@ -394,7 +394,7 @@ fn analyses_start_at_rest_and_follow_paths() {
 }
 
 #[test]
-fn faults_of_a_broken_beam_are_told_once() {
+fn faults_of_a_broken_beam_are_reported_once() {
     let text = BEAM.replace("[3, 0]", "[\"3 s\", 0]")
         + "[mass.bob]\nat = \"b@7\"\nmass = 1\n\
            [spring.a]\nbetween = [\"b@7\", [0, 0]]\nstiffness = 1\n\

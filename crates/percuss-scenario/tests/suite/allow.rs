@@ -12,10 +12,10 @@ fn with(line: &str) -> Result<percuss_scenario::Scenario, String> {
 
 #[track_caller]
 fn refused(line: &str, parts: &[&str]) {
-    let told = with(line).expect_err(line);
-    assert_eq!(told.lines().count(), 1, "{told}");
+    let reported = with(line).expect_err(line);
+    assert_eq!(reported.lines().count(), 1, "{reported}");
     for part in parts {
-        assert!(told.contains(part), "{told}\nlacks {part}");
+        assert!(reported.contains(part), "{reported}\nlacks {part}");
     }
 }
 
@@ -25,7 +25,7 @@ fn a_reason_is_kept_and_written_back() {
     let content = scenario.content();
     assert_eq!(content.reason_to_allow(Topic::Span.into()), Some("a short beam is \"meant\""));
     assert_eq!(content.reason_to_allow(Topic::Recording.into()), Some("seen"));
-    assert_eq!(content.reason_to_allow(Topic::Touch.into()), None);
+    assert_eq!(content.reason_to_allow(Topic::FirstContact.into()), None);
     let again = read(&scenario.to_toml(), "again.toml").unwrap();
     assert_eq!(again.content(), content);
 }

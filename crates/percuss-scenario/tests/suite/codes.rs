@@ -76,7 +76,7 @@ fn every_code_can_be_provoked_and_stands_behind_its_message() {
         }
         let lines = faults.all().iter().map(|fault| format!("{fault} [{}]", fault.code.code()));
         assert!(
-            lines.zip(faults.coded().lines()).all(|(one, told)| told.ends_with(&one)),
+            lines.zip(faults.coded().lines()).all(|(one, reported)| reported.ends_with(&one)),
             "{faults}"
         );
     }

@@ -47,7 +47,7 @@ fn a_free_projectile_begins_at_a_place_or_flies_at_a_point() {
 }
 
 #[test]
-fn a_line_of_flight_meets_the_beam() {
+fn a_line_of_motion_meets_the_beam() {
     let flight = |velocity: &str, more: &str| {
         free(&format!("strikes = \"b.mid\"\n{more}")).replace("[0, -1]", velocity)
     };

@@ -257,8 +257,8 @@ fn faults_of_the_model_are_found_where_their_values_stand() {
 #[test]
 fn a_step_or_an_accuracy_is_given_and_not_both() {
     let step = "step = \"1e-5 s\"";
-    let sound = read(&RIGID.replace(step, "accuracy = \"1 %\""), "f.toml").unwrap();
-    let settings = sound.compile().unwrap().settings;
+    let valid = read(&RIGID.replace(step, "accuracy = \"1 %\""), "f.toml").unwrap();
+    let settings = valid.compile().unwrap().settings;
     assert_eq!(settings.accuracy, Some(0.01));
     assert!(settings.step > 0.0 && settings.step < 0.1 * settings.end);
     let text = one(RIGID, step, "");
@@ -325,7 +325,7 @@ fn a_value_that_could_not_be_read_causes_no_second_fault() {
 }
 
 #[test]
-fn points_of_sound_beams_are_checked_beside_a_broken_one() {
+fn points_of_valid_beams_are_checked_beside_a_broken_one() {
     let text = RIGID.replace("strikes = \"girder.mid\"", "strikes = \"girder@7\"")
         + "[beam.other]\npoints = \"?\"\nelements = 1\nmaterial = \"stiff\"\nsection = \"plank\"\n\
            [support.other]\nat = \"other@7\"\nkind = \"pin\"\n";
@@ -382,8 +382,8 @@ fn words_of_other_programs_are_answered_by_ours() {
         assert!(text.contains(&format!("(did you mean `{ours}`?)")), "{to}: {text}");
         assert!(!text.contains(&format!("no `{ours}`")), "told once: {text}");
     }
-    let told = |text: &str| percuss_scenario::read(text, "f.toml").unwrap_err().coded();
-    let beams = told(&table("nodes.a]\nx = 0"));
+    let reported = |text: &str| percuss_scenario::read(text, "f.toml").unwrap_err().coded();
+    let beams = reported(&table("nodes.a]\nx = 0"));
     assert!(beams.contains("did you mean `beam`?"), "{beams}");
     let poisson = one(ELASTIC, "young =", "nu = 0.3\nyoung =");
     assert!(poisson.contains("`poisson`, used by shear-flexible beams"), "{poisson}");
@@ -393,6 +393,6 @@ fn words_of_other_programs_are_answered_by_ours() {
 #[test]
 fn the_example_of_gravity_points_down() {
     let text = format!("{ELASTIC}\n[load.weight]\nkind = \"gravity\"\n");
-    let told = percuss_scenario::read(&text, "f.toml").unwrap_err().coded();
-    assert!(told.contains("such as [0, \"-9.81 m/s^2\"]"), "{told}");
+    let reported = percuss_scenario::read(&text, "f.toml").unwrap_err().coded();
+    assert!(reported.contains("such as [0, \"-9.81 m/s^2\"]"), "{reported}");
 }

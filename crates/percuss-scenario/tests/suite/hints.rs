@@ -15,30 +15,30 @@ fn one(more: &str) -> String {
 #[test]
 fn a_missing_design_is_named_with_its_kinds() {
     let study = StudyFile::read("base = \"f.toml\"\n", "s.toml").expect("a study");
-    let told = study.settle(Vec::new()).expect_err("no design").to_string();
+    let reported = study.settle(Vec::new()).expect_err("no design").to_string();
     let expected = "found no [design], expected a table with `kind` = \"grid\", \"latin-hypercube\", \"sobol\", \
                     \"monte-carlo\"";
-    assert!(told.contains(expected), "{told}");
+    assert!(reported.contains(expected), "{reported}");
 }
 
 /// In every file `g` is the gram.
 #[test]
-fn an_acceleration_in_g_is_told_in_its_unit() {
+fn an_acceleration_in_g_is_reported_in_its_unit() {
     let base = "[load.quake]\nkind = \"base\"\nacceleration = [\"0.2 g\", 0]\n";
-    let told = one(base);
+    let reported = one(base);
     let expected = "found \"0.2 g\", which is a mass (kg), expected an acceleration (m/s^2), such as \"-9.81 m/s^2\"; \
                     0.2 times standard gravity is \"1.96133 m/s^2\"";
-    assert!(told.contains(expected), "{told}");
-    let told = one(&base.replace("0.2 g", "2 kg"));
-    assert!(!told.contains("standard gravity"), "{told}");
+    assert!(reported.contains(expected), "{reported}");
+    let reported = one(&base.replace("0.2 g", "2 kg"));
+    assert!(!reported.contains("standard gravity"), "{reported}");
 }
 
 /// A projectile has no places but its centre.
 #[test]
 fn a_place_on_a_projectile_is_its_name() {
     let ends = "between = [\"mass.centre\", [0, 9]]";
-    let told = one(&format!("[spring.rope]\n{ends}\nlaw = \"tension\"\nstiffness = 1\n"));
+    let reported = one(&format!("[spring.rope]\n{ends}\nlaw = \"tension\"\nstiffness = 1\n"));
     let expected = "found \"mass.centre\", a place on the projectile \"mass\", expected its name alone, \"mass\", for its \
                     centre";
-    assert!(told.contains(expected), "{told}");
+    assert!(reported.contains(expected), "{reported}");
 }

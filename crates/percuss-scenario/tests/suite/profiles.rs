@@ -227,7 +227,7 @@ fn tables_of_profiles_change_nothing() {
 }
 
 #[test]
-fn an_unknown_profile_is_told_with_those_near_it() {
+fn an_unknown_profile_is_reported_with_those_near_it() {
     let profile = |name: &str, expected: &str| {
         let text = format!("[section.s]\nprofile = {name:?}\n");
         let expected = format!(

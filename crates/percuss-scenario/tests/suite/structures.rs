@@ -206,7 +206,7 @@ fn sections_come_in_shapes() {
             "11:18: section.s.sections: found the unknown section \"tt\", expected one of `s`, \
              `t` (did you mean `t`?)",
         ),
-        // What follows from the section named is not told again.
+        // What follows from the section named is not reported again.
         (
             "shape = \"tapered\"\nstations = [0, 1]\nsections = [\"t\", \
              \"t\"]\n[section.t]\narea = 1\ninertia = 0\n",

@@ -79,18 +79,18 @@ fn a_file_that_changed_is_refused() {
     fs::write(&echo, load(pulled(folder.path(), "pull.csv", "")).unwrap().to_toml()).unwrap();
     let (before, after) = (sum(&rows(1500)), sum(&rows(1501)));
     fs::write(&file, rows(1501)).unwrap();
-    let told = load(&echo).unwrap_err().coded();
-    assert!(told.ends_with("[E023]") && told.contains(&before), "{told}");
-    // An absolute path counts as outside, of which nothing more is told; allowed or within, the other sum is.
-    assert!(!told.contains(&after), "{told}");
-    let told = load_with(&echo, FileAccess::Anywhere).unwrap_err().coded();
-    assert!(told.contains(&format!("which has changed: its SHA-256 is {after}")), "{told}");
+    let reported = load(&echo).unwrap_err().coded();
+    assert!(reported.ends_with("[E023]") && reported.contains(&before), "{reported}");
+    // An absolute path counts as outside, of which nothing more is reported; allowed or within, the other sum is.
+    assert!(!reported.contains(&after), "{reported}");
+    let reported = load_with(&echo, FileAccess::Anywhere).unwrap_err().coded();
+    assert!(reported.contains(&format!("which has changed: its SHA-256 is {after}")), "{reported}");
     let more = format!(", sha256 = \"{before}\"");
-    let told = load(pulled(folder.path(), "pull.csv", &more)).unwrap_err().coded();
-    assert!(told.contains("which has changed") && told.contains("[E023]"), "{told}");
+    let reported = load(pulled(folder.path(), "pull.csv", &more)).unwrap_err().coded();
+    assert!(reported.contains("which has changed") && reported.contains("[E023]"), "{reported}");
     fs::remove_file(&file).unwrap();
-    let told = load(&echo).unwrap_err().coded();
-    assert!(told.contains("is not there with the content that `sha256` says"), "{told}");
+    let reported = load(&echo).unwrap_err().coded();
+    assert!(reported.contains("is not there with the content that `sha256` says"), "{reported}");
 }
 
 #[test]
@@ -100,14 +100,17 @@ fn a_checksum_stands_beside_a_file_and_is_one() {
     let (right, short) = (sum(&rows(5)).to_uppercase(), "abc");
     load(pulled(folder.path(), "pull.csv", &format!(", sha256 = \"{right}\""))).unwrap();
     let wrong = load(pulled(folder.path(), "pull.csv", &format!(", sha256 = \"{short}\"")));
-    let told = wrong.unwrap_err().coded();
-    assert!(told.contains("found the text \"abc\", expected the SHA-256 of the file"), "{told}");
+    let reported = wrong.unwrap_err().coded();
+    assert!(
+        reported.contains("found the text \"abc\", expected the SHA-256 of the file"),
+        "{reported}"
+    );
     let text = format!(
         "{ELASTIC}\n[load.pull]\nkind = \"point\"\nat = \"girder.end\"\nforce = [0, 1]\n\
          function = {{ kind = \"table\", times = [0, 1], values = [0, 1], sha256 = \"{right}\" }}\n"
     );
-    let told = percuss_scenario::read(&text, "f.toml").unwrap_err().coded();
-    assert!(told.contains("found `sha256` without `file`"), "{told}");
+    let reported = percuss_scenario::read(&text, "f.toml").unwrap_err().coded();
+    assert!(reported.contains("found `sha256` without `file`"), "{reported}");
 }
 
 /// A header that names units is heeded; one that does not, or names others, is refused.
@@ -128,14 +131,17 @@ fn headers_of_tables_say_in_which_units_they_are() {
     assert_eq!(times("time [us]; value [-]\n0; 0\n20; 1\n"), [0.0, 20e-6]);
     assert_eq!(times("time (s), factor\n0, 0\n20, 1\n"), [0.0, 20.0]);
     assert_eq!(times("0, 0\n20, 1\n"), [0.0, 20.0]);
-    let told = read("ms,g\n0, 0\n20, 1\n").unwrap_err().coded();
+    let reported = read("ms,g\n0, 0\n20, 1\n").unwrap_err().coded();
     assert!(
-        told.contains("a header in \"g\", which is a mass (kg), in line 1 of \"pull.csv\""),
-        "{told}"
+        reported.contains("a header in \"g\", which is a mass (kg), in line 1 of \"pull.csv\""),
+        "{reported}"
     );
-    let told = read("frame,acc\n0, 0\n20, 1\n").unwrap_err().coded();
-    assert!(told.contains("a header without a unit that is known in line 1"), "{told}");
-    assert!(told.contains("or is one of `t`, `time`, `times` and one of `value`, "), "{told}");
+    let reported = read("frame,acc\n0, 0\n20, 1\n").unwrap_err().coded();
+    assert!(reported.contains("a header without a unit that is known in line 1"), "{reported}");
+    assert!(
+        reported.contains("or is one of `t`, `time`, `times` and one of `value`, "),
+        "{reported}"
+    );
 }
 
 /// The file of a base load may hold accelerations: those of its header's unit, times a direction. Other functions of time are factors.
@@ -160,15 +166,15 @@ fn files_of_base_loads_hold_factors_or_accelerations() {
     assert_eq!(peak("time (s),acceleration (g)", "[1, 0]"), 0.5 * 9.80665);
     assert_eq!(peak("time,acceleration", "[0, 1]"), 0.5);
     assert_eq!(peak("time (s),factor", "[\"9.81 m/s^2\", 0]"), 0.5);
-    let told = |header: &str, keys: &str| load_of(header, keys).unwrap_err().coded();
-    let twice = told("t,acceleration (g)", "kind = \"base\"\nacceleration = [9.81, 0]");
+    let reported = |header: &str, keys: &str| load_of(header, keys).unwrap_err().coded();
+    let twice = reported("t,acceleration (g)", "kind = \"base\"\nacceleration = [9.81, 0]");
     let expected = "load.quake.acceleration: found 9.81 m/s^2 times a file that holds accelerations by its header, expected a direction of \
                     magnitude 1 m/s^2";
     assert!(twice.contains(expected), "{twice}");
-    let length = told("t,x (mm)", "kind = \"base\"\nacceleration = [1, 0]");
+    let length = reported("t,x (mm)", "kind = \"base\"\nacceleration = [1, 0]");
     let expected = "a header in \"mm\", which is a length (m), in line 1 of \"record.csv\", expected a CSV file with two columns, time (s) and \
                     value or acceleration (m/s^2)";
     assert!(length.contains(expected), "{length}");
-    let gravity = told("t,acc (m/s^2)", "kind = \"gravity\"\nacceleration = [1, 0]");
+    let gravity = reported("t,acc (m/s^2)", "kind = \"gravity\"\nacceleration = [1, 0]");
     assert!(gravity.contains("a header in \"m/s^2\", which is an acceleration"), "{gravity}");
 }

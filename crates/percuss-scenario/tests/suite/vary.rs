@@ -25,7 +25,7 @@ fn numbers(scenario: &mut Scenario) -> Vec<(String, f64)> {
 }
 
 #[test]
-fn numbers_set_in_place_are_those_read_anew() {
+fn numbers_set_in_place_are_those_read_again() {
     let everything = load(concat!(env!("CARGO_MANIFEST_DIR"), "/tests/files/everything.toml"));
     let everything = everything.unwrap_or_else(|e| panic!("{e}")).to_toml();
     let mut texts: Vec<String> = templates().iter().map(|t| t.text.to_string()).collect();
@@ -55,7 +55,7 @@ fn numbers_set_in_place_are_those_read_anew() {
 
 #[test]
 fn entries_of_lists_and_places_along_beams_have_paths() {
-    let mut scenario = read(templates()[0].text, "elastic").expect("sound");
+    let mut scenario = read(templates()[0].text, "elastic").expect("valid");
     let field = scenario.field("projectile.mass.velocity[1]").expect("a field");
     assert_eq!(scenario.number(&field).expect("a number").1, "m/s");
     scenario.set_toml(&field, "\"72 km/h\"").expect("a velocity");
@@ -77,12 +77,12 @@ fn entries_of_lists_and_places_along_beams_have_paths() {
 
     let count = scenario.field("beam.girder.elements").expect("a field");
     assert!(scenario.set_number(&count, 2.5).is_err());
-    assert!(scenario.field("projectile.mass.kind").expect("a field").is_read_anew());
+    assert!(scenario.field("projectile.mass.kind").expect("a field").needs_reread());
 }
 
 #[test]
 fn paths_that_lead_nowhere_name_what_is_near() {
-    let scenario = read(templates()[0].text, "elastic").expect("sound");
+    let scenario = read(templates()[0].text, "elastic").expect("valid");
     for (path, wanted) in [
         ("projectle.mass.mass", "did you mean `projectile`?"),
         ("projectile.mas.mass", "`mass`"),
@@ -103,7 +103,7 @@ fn paths_that_lead_nowhere_name_what_is_near() {
 #[test]
 fn all_that_takes_a_path_refuses_it_in_the_same_words() {
     let text = templates()[0].text;
-    let scenario = read(text, "elastic").expect("sound");
+    let scenario = read(text, "elastic").expect("valid");
     for path in [
         "",
         "time..end",
@@ -122,8 +122,8 @@ fn all_that_takes_a_path_refuses_it_in_the_same_words() {
         let found = fault.found.split(" in the path ").next().unwrap_or_default();
         let set = apply_overrides(text, "f.toml", &[format!("{path}=1")]).expect_err(path);
         let read = known_steps(path, "f.toml", Some(text)).expect_err(path);
-        for told in [set, read] {
-            let one = &told.all()[0];
+        for reported in [set, read] {
+            let one = &reported.all()[0];
             assert_eq!((one.message.as_str(), &one.help), (found, &fault.expected), "{path}");
         }
     }

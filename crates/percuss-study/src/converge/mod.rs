@@ -157,11 +157,11 @@ fn completed(
     if !goes_on() {
         return Err(ConvergeError::Interrupted);
     }
-    let told = |faults: Vec<Fault>| {
+    let refused = |faults: Vec<Fault>| {
         let texts: Vec<String> = faults.iter().map(ToString::to_string).collect();
         ConvergeError::Refused(texts.join("; "))
     };
-    let summary = Simulation::new(model, settings).map_err(told)?.run(&mut Ear(goes_on));
+    let summary = Simulation::new(model, settings).map_err(refused)?.run(&mut Ear(goes_on));
     match &summary.termination {
         Termination::Completed => Ok(summary),
         Termination::Interrupted { .. } => Err(ConvergeError::Interrupted),

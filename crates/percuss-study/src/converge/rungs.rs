@@ -165,9 +165,9 @@ impl Rung {
         let scenario = scenario.clone().with_tables_of_profiles();
         let mut fine = scenario.clone();
         let mut set = |path: String, value: f64| {
-            let told = |fault: Fault| ConvergeError::Refused(fault.to_string());
-            let field = fine.field(&path).map_err(told)?;
-            fine.set_number(&field, value).map_err(told)
+            let refused = |fault: Fault| ConvergeError::Refused(fault.to_string());
+            let field = fine.field(&path).map_err(refused)?;
+            fine.set_number(&field, value).map_err(refused)
         };
         let factor = f64::from(self.mesh);
         for beam in &scenario.content().beam {

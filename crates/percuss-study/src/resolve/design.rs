@@ -101,7 +101,7 @@ fn correlation(
     let names: Vec<&str> = parameters.iter().map(|p| p.name.as_str()).collect();
     let mut matrix = DMatrix::identity(names.len(), names.len());
     let before = faults.len();
-    let mut told = std::collections::BTreeSet::new();
+    let mut known = std::collections::BTreeSet::new();
     let mut add = |found: String, expected: String| {
         faults.push(Fault::new("correlation", found, expected));
     };
@@ -112,7 +112,7 @@ fn correlation(
             add(format!("the unknown parameter {name:?}"), expected);
         }
         let [Some(i), Some(j)] = at else { continue };
-        if i != j && !told.insert((i.min(j), i.max(j))) {
+        if i != j && !known.insert((i.min(j), i.max(j))) {
             let found = format!("a second coefficient for {:?} and {:?}", names[i], names[j]);
             add(found, "one for each two parameters".into());
         }

@@ -42,7 +42,7 @@ pub(super) fn parameter(
     let mut values = Values { scenario, field: field.clone(), unit: None };
     let variation = if let Some(list) = &given.values {
         list_of(&mut values, list)?
-    } else if field.is_read_anew() {
+    } else if field.needs_reread() {
         let found = format!("`{}`, which is no number in the base scenario", given.path);
         let expected = "a number there to start from, or a list of `values`";
         return Err(Fault::new("path", found, expected));
@@ -72,7 +72,7 @@ fn list_of(values: &mut Values<'_>, list: &[Given]) -> Result<Variation, Fault> 
         return Err(Fault::new("values", "an empty list", "at least one value"));
     }
     let words = || Variation::Words(list.iter().map(|given| given.toml.clone()).collect());
-    if values.field.is_read_anew() {
+    if values.field.needs_reread() {
         return Ok(words());
     }
     let mut numbers = Vec::new();

@@ -111,7 +111,7 @@ pub fn sensitivity(
     let one = differentiate(scenario, parameters, results)?;
     let derivatives = one.derivatives();
     let without = one.without(&derivatives);
-    // What nobody asked for is told with its reason; only results that were named are missed.
+    // What nobody asked for is reported with its reason; only results that were named are missed.
     let missed = !results.is_empty() && derivatives.iter().flatten().all(|x| x.is_nan());
     if let Some(first) = without.first().filter(|_| missed) {
         let why = format!("`{}` has no derivative: {}", first.result, first.why);

@@ -4,7 +4,7 @@ use percuss_batch::{Grazing, Onset};
 
 use super::differentiated::Differentiated;
 
-/// Changes below this share of a parameter are told where they make or end a contact, or yielding.
+/// Changes below this share of a parameter are reported where they make or end a contact, or yielding.
 const NEAR: f64 = 0.01;
 
 /// A contact, or the yielding of a beam, that is about to appear or to vanish: derivatives by a parameter hold on the side of the run alone.

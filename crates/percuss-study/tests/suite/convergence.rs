@@ -53,7 +53,7 @@ fn the_limit_of_a_contact_is_its_closed_form_within_its_uncertainty() {
     assert!((1.7..3.5).contains(&order), "{force:?}");
     assert!((force.limit - exact).abs() <= force.uncertainty, "{exact}: {force:?}");
     assert!(force.mesh.words.contains("no mesh"), "{}", force.mesh.words);
-    // The step told is good for the accuracy wanted, and not much better.
+    // The step reported is good for the accuracy wanted, and not much better.
     let cheapest = found.cheapest.unwrap();
     let text = DROP.replace("step = 1e-3", &format!("step = {}", cheapest.step));
     let again =
@@ -63,7 +63,7 @@ fn the_limit_of_a_contact_is_its_closed_form_within_its_uncertainty() {
 }
 
 #[test]
-fn a_rigid_blow_on_a_bare_node_is_said_to_depend_on_the_mesh() {
+fn a_rigid_impact_on_a_bare_node_is_said_to_depend_on_the_mesh() {
     let ladder = Ladder { levels: 3, ..ladder(&["contact.hammer.impacts[0].impulse"], Some(0.01)) };
     let found =
         of("paper/rigid-clamped-e1.toml", &["time.end=2e-3", "beam.girder.elements=12"], &ladder);
@@ -85,7 +85,7 @@ fn endless_convergence_is_refused_and_a_wish_to_stop_is_heard() {
     assert!(matches!(stopped, Err(ConvergeError::Interrupted)));
 }
 
-/// A cantilever that yields under a heavy blow, with four fibres only.
+/// A cantilever that yields under a heavy impact, with four fibres only.
 const YIELDS: &str = r#"
 [material.m]
 preset = "steel"

@@ -55,7 +55,7 @@ const SUPPORTS: [(&str, &str, f64); 7] = [
     ("clamp", "stop", 3.52),
 ];
 
-/// A beam under a blow or a load: supports, stops, materials that yield or damp, contact laws, discs, gravity.
+/// A beam under an impact or a load: supports, stops, materials that yield or damp, contact laws, discs, gravity.
 fn scene(seed: u64) -> Scene {
     let mut chance = Chance(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
     for _ in 0..8 {
@@ -171,9 +171,9 @@ fn finer(scene: &Scene, paths: &[&str], [times, fibres]: [usize; 2]) -> Vec<f64>
     let layers = |n: usize| format!("fibres = {n}\n");
     let text = scene.text.replace(&mesh(scene.elements), &mesh(scene.elements * times));
     let text = text.replace(&layers(scene.fibres), &layers(scene.fibres * fibres));
-    let fine = read(&text, "fine.toml").and_then(|scenario| scenario.compile()).expect("sound");
+    let fine = read(&text, "fine.toml").and_then(|scenario| scenario.compile()).expect("valid");
     let settings = Settings { step: scene.step / times as f64, ..fine.settings };
-    let run = Simulation::new(&fine.model, &settings).expect("sound").run(&mut percuss::NoRecorder);
+    let run = Simulation::new(&fine.model, &settings).expect("valid").run(&mut percuss::NoRecorder);
     assert!(matches!(run.termination, Termination::Completed), "{text}");
     let paths: Vec<SummaryPath> =
         paths.iter().map(|path| SummaryPath::find(path, &run).expect("a path")).collect();
@@ -185,7 +185,7 @@ fn finer(scene: &Scene, paths: &[&str], [times, fibres]: [usize; 2]) -> Vec<f64>
 #[test]
 fn limits_lie_within_their_uncertainty() {
     let scenes = if std::env::var_os("PERCUSS_WHOLE").is_some() { 100 } else { 8 };
-    let (mut told, mut outside) = (0, Vec::new());
+    let (mut reported, mut outside) = (0, Vec::new());
     for seed in 0..scenes {
         let scene = scene(seed);
         let scenario = read(&scene.text, "scene.toml").unwrap_or_else(|faults| panic!("{faults}"));
@@ -196,7 +196,7 @@ fn limits_lie_within_their_uncertainty() {
         let paths: Vec<&str> = results.iter().map(|one| one.path.as_str()).collect();
         let truth = finer(&scene, &paths, if scene.yields { [16, 8] } else { [32, 1] });
         for (one, truth) in results.iter().zip(truth) {
-            told += 1;
+            reported += 1;
             let off = (one.limit - truth).abs();
             if off > one.uncertainty + 1e-9 * truth.abs() {
                 let (path, limit, uncertainty) = (&one.path, one.limit, one.uncertainty);
@@ -204,7 +204,7 @@ fn limits_lie_within_their_uncertainty() {
             }
         }
     }
-    let share = 1.0 - outside.len() as f64 / f64::from(told);
-    println!("{:.1} % of {told} limits within their uncertainty", 100.0 * share);
-    assert!(share >= 0.9, "{share} of {told}\n{}", outside.join("\n"));
+    let share = 1.0 - outside.len() as f64 / f64::from(reported);
+    println!("{:.1} % of {reported} limits within their uncertainty", 100.0 * share);
+    assert!(share >= 0.9, "{share} of {reported}\n{}", outside.join("\n"));
 }

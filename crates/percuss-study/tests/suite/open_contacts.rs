@@ -73,14 +73,14 @@ fn contacts_closed_at_the_end_are_counted_and_bounded() {
         |study: &Study, table: &Table, name| Population::of(study, table, name).expect("numbers");
     let (short, long) = (of(&study, &table, "dur"), of(&longer, &settled, "dur"));
     assert!(long.open.is_empty() && short.open.len() > 10, "{} open", short.open.len());
-    let mut told = 0;
+    let mut reported = 0;
     for x in (1..60).map(|k| f64::from(k) * 2.5e-4) {
         let ([least, most], [truth, same]) = (short.above(x), long.above(x));
         assert_eq!(truth, same);
         assert!((least..=most).contains(&truth), "{x}: {truth} not in {least} to {most}");
-        told += usize::from(truth > 0 && least == most);
+        reported += usize::from(truth > 0 && least == most);
     }
-    assert!(told > 10, "what all runs have reached is known: {told}");
+    assert!(reported > 10, "what all runs have reached is known: {reported}");
     // Values of runs that are settled stand where they stood.
     let [a, b] = [&table, &settled].map(|table| table.numbers("dur").expect("numbers"));
     let open = table.numbers("open.dur").expect("a column");

@@ -48,13 +48,14 @@ fn a_grazing_contact_makes_derivatives_one_sided() {
     for (mass, appears) in [(160.27695, true), (160.2772, false)] {
         let set = format!("projectile.mass.mass={mass}");
         let found = one(&scenario("paper/elastic-clamped.toml", &[stiff, &set]), path, result);
-        let told: Vec<_> = found.one_sided.iter().filter(|one| one.appears == appears).collect();
-        assert_eq!(told.len(), 1, "{mass}: {:?}", found.one_sided);
+        let reported: Vec<_> =
+            found.one_sided.iter().filter(|one| one.appears == appears).collect();
+        assert_eq!(reported.len(), 1, "{mass}: {:?}", found.one_sided);
         // The contact begins at 160.27695 to 160.2770 kg; beyond, the root of the distance makes first order a poor guide.
-        let at = mass + told[0].change;
+        let at = mass + reported[0].change;
         assert!((at - 160.277).abs() < 5e-3, "{mass}: {at}");
         let onset = percuss_batch::Onset::Contact("mass".into());
-        assert_eq!((&told[0].onset, told[0].parameter.as_str()), (&onset, path));
+        assert_eq!((&reported[0].onset, reported[0].parameter.as_str()), (&onset, path));
     }
     let far = one(&scenario("paper/elastic-clamped.toml", &[stiff]), path, result);
     assert!(far.one_sided.is_empty(), "{:?}", far.one_sided);

@@ -70,8 +70,8 @@ fn the_base_of_the_shipped_studies_is_the_scenario_of_the_paper() {
 #[test]
 fn files_of_runs_that_cannot_be_used_have_their_code() {
     let study = study(SAMPLED);
-    let desk = tempfile::tempdir().unwrap();
-    let folder = Folder::open(desk.path().join("out"), &study).unwrap();
+    let sandbox = tempfile::tempdir().unwrap();
+    let folder = Folder::open(sandbox.path().join("out"), &study).unwrap();
     let missing = folder.read(&study, 1).expect_err("nothing is there");
     assert_eq!((missing.code().code, missing.is_unfit()), ("E303", true), "{missing}");
     assert_eq!(folder.finish(&study).expect_err("incomplete").code().code, "E303");
@@ -83,7 +83,7 @@ fn files_of_runs_that_cannot_be_used_have_their_code() {
 #[test]
 fn a_study_read_again_is_the_same_study() {
     let first = study(SAMPLED);
-    let again = Study::from_toml(&first.to_toml(), "again.toml").expect("sound");
+    let again = Study::from_toml(&first.to_toml(), "again.toml").expect("valid");
     assert_eq!(first.fingerprint(), again.fingerprint());
     assert_eq!(first.to_toml(), again.to_toml());
     assert_ne!(first.fingerprint(), study(&SAMPLED.replace("seed = 3", "seed = 4")).fingerprint());
@@ -102,8 +102,8 @@ fn a_run_of_a_study_is_the_run_of_the_changed_file() {
     };
     let changes =
         [format!("projectile.p.velocity=[0, {speed:?}]"), format!("projectile.p.mass={mass:?}")];
-    let text = percuss_scenario::apply_overrides(BASE, "base", &changes).expect("sound");
-    let compiled = percuss_scenario::read(&text, "base").and_then(|s| s.compile()).expect("sound");
+    let text = percuss_scenario::apply_overrides(BASE, "base", &changes).expect("valid");
+    let compiled = percuss_scenario::read(&text, "base").and_then(|s| s.compile()).expect("valid");
     let detail = percuss_batch::Detail::Motion;
     let alone = percuss_batch::simulate_batch(&[(&compiled.model, &compiled.settings)], detail);
     let alone = alone.into_iter().next().expect("a run").expect("a summary");
@@ -140,7 +140,7 @@ fn runs_side_by_side_tell_what_each_tells_alone() {
         let text = format!("scenario = \"\"\"{base}\"\"\"\n{speed}\n{more}");
         Study::from_toml(&text, "study").unwrap_or_else(|faults| panic!("{faults}"))
     };
-    // Section forces are told by single runs only.
+    // Section forces are reported by single runs only.
     let (lanes, single) = (read(""), read("moment = \"section_forces.b.moment_max.value\""));
     for shard in 0..lanes.shard_count() {
         let (lanes, single) = (lanes.run_shard(shard).table, single.run_shard(shard).table);
@@ -194,18 +194,18 @@ fn studies_count_what_single_runs_count() {
 #[test]
 fn threads_workers_and_order_leave_no_trace_in_the_results() {
     let study = study(SAMPLED);
-    let desk = tempfile::tempdir().expect("a directory");
+    let sandbox = tempfile::tempdir().expect("a directory");
     let results = |name: &str, jobs: usize| {
-        let folder = Folder::open(desk.path().join(name), &study).expect("a folder");
+        let folder = Folder::open(sandbox.path().join(name), &study).expect("a folder");
         let shards: Vec<u64> = (0..study.shard_count()).collect();
         sweep(&study, &folder, &shards, jobs, &|_| true).expect("done");
         folder.finish(&study).expect("written");
-        std::fs::read(desk.path().join(name).join(RESULTS)).expect("a table")
+        std::fs::read(sandbox.path().join(name).join(RESULTS)).expect("a table")
     };
     let one = results("one", 1);
     assert!(one == results("three", 3), "other bytes on three threads");
 
-    let remote = Study::from_toml(&study.to_toml(), "remote").expect("sound");
+    let remote = Study::from_toml(&study.to_toml(), "remote").expect("valid");
     let backwards: Vec<Vec<u8>> = (0..remote.shard_count())
         .rev()
         .map(|index| remote.run_shard(index).to_parquet(&remote).expect("bytes"))
@@ -219,15 +219,15 @@ fn threads_workers_and_order_leave_no_trace_in_the_results() {
 #[test]
 fn damaged_shards_and_those_of_other_studies_are_done_again() {
     let study = study(SAMPLED);
-    let desk = tempfile::tempdir().expect("a directory");
-    let folder = Folder::open(desk.path().join("out"), &study).expect("a folder");
+    let sandbox = tempfile::tempdir().expect("a directory");
+    let folder = Folder::open(sandbox.path().join("out"), &study).expect("a folder");
     let shards: Vec<u64> = (0..study.shard_count()).collect();
     sweep(&study, &folder, &shards, 2, &|_| true).expect("done");
     folder.finish(&study).expect("written");
-    let table = desk.path().join("out").join(RESULTS);
+    let table = sandbox.path().join("out").join(RESULTS);
     let before = std::fs::read(&table).expect("a table");
 
-    let shard = |k: u64| desk.path().join(format!("out/shards/shard-{k:06}.parquet"));
+    let shard = |k: u64| sandbox.path().join(format!("out/shards/shard-{k:06}.parquet"));
     let mut bytes = std::fs::read(shard(2)).expect("a shard");
     let middle = bytes.len() / 3;
     bytes[middle] ^= 1;
@@ -243,18 +243,19 @@ fn damaged_shards_and_those_of_other_studies_are_done_again() {
 
 #[test]
 fn a_directory_of_another_study_is_left_alone() {
-    let desk = tempfile::tempdir().expect("a directory");
-    Folder::open(desk.path().join("out"), &study(SAMPLED)).expect("a folder");
+    let sandbox = tempfile::tempdir().expect("a directory");
+    Folder::open(sandbox.path().join("out"), &study(SAMPLED)).expect("a folder");
     let other = study(&SAMPLED.replace("seed = 3", "seed = 4"));
-    let refused = Folder::open(desk.path().join("out"), &other).expect_err("refused").to_string();
+    let refused =
+        Folder::open(sandbox.path().join("out"), &other).expect_err("refused").to_string();
     assert!(refused.contains("another study") && refused.contains("--out"), "{refused}");
-    std::fs::create_dir(desk.path().join("mine")).expect("a directory");
-    std::fs::write(desk.path().join("mine/letter.txt"), "dear").expect("written");
-    assert!(Folder::open(desk.path().join("mine"), &other).expect_err("refused").is_unfit());
+    std::fs::create_dir(sandbox.path().join("mine")).expect("a directory");
+    std::fs::write(sandbox.path().join("mine/letter.txt"), "dear").expect("written");
+    assert!(Folder::open(sandbox.path().join("mine"), &other).expect_err("refused").is_unfit());
 }
 
 #[test]
-fn a_run_that_is_no_sound_scenario_is_a_row_with_a_reason() {
+fn a_run_that_is_no_valid_scenario_is_a_row_with_a_reason() {
     let study = study(
         r#"
         [parameter.mass]
@@ -329,7 +330,7 @@ fn refused(rest: &str, wanted: &[&str]) {
 }
 
 #[test]
-fn every_fault_is_told_with_what_would_be_right() {
+fn every_fault_is_reported_with_what_would_be_right() {
     refused(
         r#"
         [parameter.speed]
@@ -405,7 +406,7 @@ fn correlations_are_checked() {
 }
 
 #[test]
-fn every_study_at_hand_is_sound_and_so_are_its_runs() {
+fn every_study_at_hand_is_valid_and_so_are_its_runs() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/studies");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).expect("studies") {
@@ -440,7 +441,7 @@ fn keys_set_by_two_parameters_are_refused() {
 }
 
 #[test]
-fn a_correlation_told_twice_is_refused() {
+fn a_correlation_reported_twice_is_refused() {
     let one = "[[correlation]]\nbetween = [\"speed\", \"mass\"]\ncoefficient = 0.5\n";
     let other = one.replace("0.5", "0.2").replace("\"speed\", \"mass\"", "\"mass\", \"speed\"");
     assert!(read(&format!("{SAMPLED}{one}")).is_ok());
@@ -474,7 +475,7 @@ fn points_with_a_dot_in_their_name_have_results() {
 }
 
 #[test]
-fn shares_are_of_the_completed_runs_and_the_three_counts_are_told() {
+fn shares_are_of_the_completed_runs_and_the_three_counts_are_reported() {
     // In 5 ms at 1 to 3 m/s some do not reach the beam.
     let far = SAMPLED.replace("path = \"projectile.p.mass\"", "path = \"projectile.p.standoff\"").replace(
         "{ kind = \"normal\", mean = \"10 kg\", deviation = \"2 kg\", truncated = [\"5 kg\", \"15 kg\"] }",

@@ -59,10 +59,10 @@ fn yielding_in_a_study_agrees_with_the_single_run() {
     let table = study().run_shard(0).table;
     for (run, speed) in ["0.1", "3", "8"].iter().enumerate() {
         let changes = [format!("projectile.p.velocity=[0, {speed}]")];
-        let text = percuss_scenario::apply_overrides(BASE, "base", &changes).expect("sound");
+        let text = percuss_scenario::apply_overrides(BASE, "base", &changes).expect("valid");
         let compiled = percuss_scenario::read(&text, "base").and_then(|s| s.compile());
-        let compiled = compiled.expect("sound");
-        let alone = Simulation::new(&compiled.model, &compiled.settings).expect("sound");
+        let compiled = compiled.expect("valid");
+        let alone = Simulation::new(&compiled.model, &compiled.settings).expect("valid");
         let alone = alone.run(&mut NoRecorder);
         let number = |name: &str| table.numbers(name).expect(name)[run];
         assert!(number("none").is_nan());
@@ -87,7 +87,7 @@ fn yielding_in_a_study_agrees_with_the_single_run() {
 }
 
 #[test]
-fn units_of_what_yields_are_told() {
+fn units_of_what_yields_are_reported() {
     let study = study();
     let table = study.run_shard(0).table;
     assert!(table.numbers("set").is_some());
@@ -98,7 +98,7 @@ fn units_of_what_yields_are_told() {
 #[test]
 fn convergence_looks_at_what_stays_and_not_at_numbered_hinges() {
     let text = BASE.replace("velocity = [0, 1]", "velocity = [0, 8]");
-    let scenario = percuss_scenario::read(&text, "base").expect("sound");
+    let scenario = percuss_scenario::read(&text, "base").expect("valid");
     let ladder = Ladder { results: Vec::new(), levels: 3, accuracy: None };
     let found = converge(&scenario, &ladder, &|| true, &|_, _| {}).expect("levels");
     let paths: Vec<&str> = found.results.iter().map(|one| one.path.as_str()).collect();
@@ -107,7 +107,7 @@ fn convergence_looks_at_what_stays_and_not_at_numbered_hinges() {
     }
     assert!(!paths.iter().any(|path| path.contains("hinges")), "{paths:?}");
     let set = found.results.iter().find(|one| one.path.ends_with("permanent_set")).expect("a set");
-    // Four elements and steps of 5e-5 s are within a few per cent of the limit, and the limit is told.
+    // Four elements and steps of 5e-5 s are within a few per cent of the limit, and the limit is reported.
     assert!((set.value / set.limit - 1.0).abs() < 0.1, "{set:?}");
     assert_eq!(set.unit, "m");
 }

@@ -111,7 +111,7 @@ impl Pinned {
         }
         let Compiled { model, settings, .. } = self.compiled(&[]);
         let mut bits = Bits::default();
-        let summary = simulate(&model, &settings, &mut bits).expect("sound settings");
+        let summary = simulate(&model, &settings, &mut bits).expect("valid settings");
         bits.summary(&summary);
         bits.finish()
     }
@@ -129,7 +129,7 @@ fn side_by_side(runs: &[Compiled], at_a_time: usize) -> String {
     for runs in runs.chunks(at_a_time.min(runs.len())) {
         let given: Vec<_> = runs.iter().map(|c| (&c.model, &c.settings)).collect();
         for summary in simulate_batch(&given, Detail::Motion) {
-            bits.summary(&summary.expect("sound settings"));
+            bits.summary(&summary.expect("valid settings"));
         }
     }
     bits.finish()

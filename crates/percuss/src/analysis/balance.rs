@@ -110,10 +110,10 @@ impl StaticSearch<'_> {
         let mut out = Vec::new();
         for (i, c) in self.model.connectors.iter().enumerate().filter(|(_, c)| c.support.is_none())
         {
-            let stands = |node| self.contacts.stands(node);
+            let is_fixed = |node| self.contacts.is_fixed(node);
             let mut ends = c
                 .attachments()
-                .filter(|(_, (p, slope))| !slope && !p.body_node().is_some_and(stands));
+                .filter(|(_, (p, slope))| !slope && !p.body_node().is_some_and(is_fixed));
             if let (Some((end, _)), None) = (ends.next(), ends.next()) {
                 let step = self.connector_step(i, c);
                 out.push(step.forms[end].map(|form| -step.force * form));

@@ -1,6 +1,6 @@
 //! The equivalent static force of an impact: the force with the same peak effect on the structure, as used in design.
 //!
-//! It acts at the struck point along the line of flight, in addition to weight, on the structure in its reference configuration, by linear
+//! It acts at the struck point along the line of motion, in addition to weight, on the structure in its reference configuration, by linear
 //! elasticity: its largest bending moment in the struck beam, or its deflection of the struck point, is that of the run. For a structure that
 //! yielded it is the force on the same structure, assumed elastic.
 
@@ -135,7 +135,7 @@ struct Solution {
 struct SmallForces {
     structure: Model,
     projectile: ProjectileData,
-    /// Under a unit force along the line of flight.
+    /// Under a unit force along the line of motion.
     unit: Solution,
     /// Under the weight.
     weight: Solution,
@@ -159,7 +159,7 @@ impl SmallForces {
         })
     }
 
-    /// Deflection of the struck point under the weight, along the line of flight \[m\].
+    /// Deflection of the struck point under the weight, along the line of motion \[m\].
     fn sag(&self) -> f64 {
         let Self { projectile, weight, .. } = self;
         dot(projectile.direction, projectile.point.value(&weight.displacement))

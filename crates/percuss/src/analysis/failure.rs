@@ -57,7 +57,7 @@ pub(super) fn in_words<'a>(
     failures: impl Iterator<Item = &'a StaticFailure>,
     factors: bool,
 ) -> String {
-    const TOLD: usize = 4;
+    const LISTED: usize = 4;
     let one = |f: &StaticFailure| match factors {
         true => format!("{f} at the load factor {:.6}", f.factor),
         false => f.to_string(),
@@ -70,11 +70,11 @@ pub(super) fn in_words<'a>(
             && all.iter().filter(same).any(|g| g.kind == FailureKind::Parted)
     };
     let all: Vec<String> = all.iter().filter(|f| !parts(f)).map(|f| one(f)).collect();
-    let mut told = all[..all.len().min(TOLD)].join(", ");
-    if all.len() > TOLD {
-        told.push_str(&format!(" and {} more", all.len() - TOLD));
+    let mut text = all[..all.len().min(LISTED)].join(", ");
+    if all.len() > LISTED {
+        text.push_str(&format!(" and {} more", all.len() - LISTED));
     }
-    told
+    text
 }
 
 /// Part that can fail.
@@ -221,7 +221,7 @@ impl StaticSearch<'_> {
             for (gauss, points) in fibres.of(k).iter().enumerate() {
                 let [membrane, bending] = strains[gauss];
                 for (fibre, number) in points.iter().zip(&mut numbers) {
-                    if !fibre.bears || self.base.fibres[number].failed {
+                    if !fibre.carries_force || self.base.fibres[number].failed {
                         continue;
                     }
                     let strain = membrane + fibre.height * bending;

@@ -40,7 +40,7 @@ fn is_slack(span: &Span, k: usize, state: &State) -> bool {
     let strains = gauss_strains(span.table(k), span.measure, &u);
     let of = state.fibres_of(fibres, k);
     strains.iter().enumerate().all(|(j, [membrane, bending])| {
-        let own = of.at(j).filter(|(fibre, _)| fibre.bears);
+        let own = of.at(j).filter(|(fibre, _)| fibre.carries_force);
         own.into_iter().all(|(fibre, memory)| {
             fibres.laws[fibre.law].is_slack(memory, membrane + fibre.height * bending)
         })

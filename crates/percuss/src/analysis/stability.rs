@@ -63,11 +63,11 @@ pub fn stability_loaded(
 
 /// Whether the current equilibrium is stable, by the tangent of further loading with active contacts kept closed; `structure` is the beams alone.
 pub(super) fn stability(structure: &Model, search: &mut StaticSearch) -> Stability {
-    let told = |stable: bool| Stability { stable, negative: None };
+    let plain = |stable: bool| Stability { stable, negative: None };
     search.foresee(true);
     let press = search.contacts.press();
     if press && search.contacts.has_discs() {
-        return told(search.is_stable_touching());
+        return plain(search.is_stable_touching());
     }
     search.assemble::<true>();
     let state = search.state();
@@ -77,8 +77,8 @@ pub(super) fn stability(structure: &Model, search: &mut StaticSearch) -> Stabili
         return stability_about(structure, &alone, held);
     }
     if press {
-        return told(search.is_stable_touching());
+        return plain(search.is_stable_touching());
     }
     stability_loaded(structure, &alone, &search.work.tangent)
-        .unwrap_or_else(|| told(search.is_stable_touching()))
+        .unwrap_or_else(|| plain(search.is_stable_touching()))
 }

@@ -19,7 +19,7 @@ enum Stage {
     /// The loads grow: their share.
     Loads,
     /// At this share of the loads, the forces of failed parts are released.
-    LettingGo(f64),
+    Release(f64),
 }
 
 /// End of a step.
@@ -29,7 +29,7 @@ enum StepOutcome {
     /// A part fails.
     Failing(f64),
     /// No equilibrium was found.
-    Nowhere,
+    NoEquilibrium,
 }
 
 /// A structure during loading.
@@ -89,7 +89,7 @@ impl<'a, 'm> Loading<'a, 'm> {
                     self.settle(share)?;
                     self.course.take(self.search, share);
                 }
-                StepOutcome::Nowhere => {
+                StepOutcome::NoEquilibrium => {
                     if let Some(name) = self.search.contacts.lost(self.search.model) {
                         return Err(Error::nothing_holds(name.to_owned()));
                     }
@@ -117,7 +117,7 @@ impl<'a, 'm> Loading<'a, 'm> {
         let (mut gone, mut step) = (0.0, 1.0_f64);
         while gone < 1.0 {
             let target: f64 = f64::min(gone + step, 1.0);
-            match self.go(Stage::LettingGo(share), gone, target) {
+            match self.go(Stage::Release(share), gone, target) {
                 StepOutcome::There => {
                     gone = target;
                     step *= 1.5;
@@ -128,7 +128,7 @@ impl<'a, 'm> Loading<'a, 'm> {
                     self.fail(share);
                     (gone, step) = (0.0, 1.0);
                 }
-                StepOutcome::Nowhere => {
+                StepOutcome::NoEquilibrium => {
                     step *= 0.5;
                     self.search.go_back(&self.accepted);
                     if step < SMALLEST_STEP {
@@ -159,14 +159,14 @@ impl<'a, 'm> Loading<'a, 'm> {
     fn go(&mut self, stage: Stage, from: f64, to: f64) -> StepOutcome {
         let start = self.search.largest_use() - 1.0;
         if !self.solve(stage, to) {
-            return StepOutcome::Nowhere;
+            return StepOutcome::NoEquilibrium;
         }
         let end = self.search.largest_use() - 1.0;
         if end < 0.0 {
             return StepOutcome::There;
         }
         self.locate(stage, [from, to], [start, end])
-            .map_or(StepOutcome::Nowhere, StepOutcome::Failing)
+            .map_or(StepOutcome::NoEquilibrium, StepOutcome::Failing)
     }
 
     /// Goes to the first failure, between two points of a step with uses of strengths above one at the second.
@@ -182,7 +182,7 @@ impl<'a, 'm> Loading<'a, 'm> {
     fn solve(&mut self, stage: Stage, at: f64) -> bool {
         match stage {
             Stage::Loads => self.search.solve(at) || self.search.relax_from(&self.accepted, at),
-            Stage::LettingGo(share) => {
+            Stage::Release(share) => {
                 self.search.let_go = at;
                 self.search.solve(share)
             }

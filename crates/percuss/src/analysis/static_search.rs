@@ -304,7 +304,7 @@ impl<'m> StaticSearch<'m> {
         external::apply::<TANGENT>(model, base, forcing, 1.0, increment, residual, tangent);
         contacts.bodies::<TANGENT>(model, forcing, residual, tangent);
         connectors::apply::<TANGENT>(model, base, &RULE, forcing, increment, residual, tangent);
-        contacts.stand::<TANGENT>(residual, tangent);
+        contacts.fix_nodes::<TANGENT>(residual, tangent);
         contacts.assemble::<TANGENT>(model, base, increment, residual, tangent);
         let step = constraint_step(base, increment, forcing);
         for (i, (c, multiplier)) in model.constraints.iter().zip(multiplier.iter()).enumerate() {

@@ -8,7 +8,7 @@ use super::search::farthest_of;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Centre, Memory, Pair, Target};
 use crate::geometry::row::{self, Row};
-use crate::geometry::touch::{Reach, Touch};
+use crate::geometry::touch::{SearchRegion, Touch};
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 use crate::model::Model;
 
@@ -39,10 +39,10 @@ impl Pair {
         memory: &Memory,
         gap_0: f64,
         projected: bool,
-        reach: Reach,
+        reach: SearchRegion,
     ) -> Option<StepGap> {
         let mid = at.at(0.5);
-        let middle = self.touch(model, &mid, memory, Reach::Near)?;
+        let middle = self.touch(model, &mid, memory, SearchRegion::Near)?;
         if let Target::Guided { .. } | Target::Line { .. } = self.target {
             let row = match &self.target {
                 // The normal is fixed: only sections that turn make the gap nonlinear.
@@ -50,7 +50,7 @@ impl Pair {
                 // The gap is linear: its gradient is the same everywhere.
                 _ => self.normal_row(&middle, &mid),
             };
-            let end = self.touch(model, &at.at(1.0), memory, Reach::Near)?;
+            let end = self.touch(model, &at.at(1.0), memory, SearchRegion::Near)?;
             return Some(StepGap { gaps: [gap_0, end.gap], row, middle, end });
         }
         let mut row = self.normal_row(&middle, &mid);
@@ -120,10 +120,10 @@ impl Pair {
         gap_0: f64,
     ) -> Option<Touch> {
         if !self.target.is_outline() {
-            return self.touch_from(model, &at.at(1.0), memory, gap_0, Reach::All);
+            return self.touch_from(model, &at.at(1.0), memory, gap_0, SearchRegion::All);
         }
-        let middle = self.touch(model, &at.at(0.5), memory, Reach::Near)?;
-        self.at_end_from(model, at, memory, &middle, gap_0, Reach::All)
+        let middle = self.touch(model, &at.at(0.5), memory, SearchRegion::Near)?;
+        self.at_end_from(model, at, memory, &middle, gap_0, SearchRegion::All)
     }
 
     /// The closest point is followed over the middle of the step; another point may be nearer at its end.
@@ -134,7 +134,7 @@ impl Pair {
         memory: &Memory,
         middle: &Touch,
         gap_0: f64,
-        reach: Reach,
+        reach: SearchRegion,
     ) -> Option<Touch> {
         let near = Memory { near: middle.memory.near, ..*memory };
         self.touch_from(model, &at.at(1.0), &near, gap_0, reach)
@@ -147,12 +147,12 @@ impl Pair {
         end: &Configuration,
         memory: &Memory,
         gap_0: f64,
-        reach: Reach,
+        reach: SearchRegion,
     ) -> Option<Touch> {
         let touch = self.touch(model, end, memory, reach)?;
         if touch.gap < -touch.apart.abs() && gap_0 > self.way(model, end) {
-            let anew = Memory { side: 0.0, near: touch.memory.near };
-            return self.touch(model, end, &anew, reach);
+            let restarted = Memory { side: 0.0, near: touch.memory.near };
+            return self.touch(model, end, &restarted, reach);
         }
         Some(touch)
     }
@@ -264,7 +264,7 @@ mod tests {
             [3.0, 20.0],
             at,
         ));
-        b.build().expect("a sound scene")
+        b.build().expect("a valid scene")
     }
 
     #[test]
@@ -283,7 +283,7 @@ mod tests {
         for share in [0.0, 0.5, 1.0] {
             let step = Configuration { increment: &increment, ..Configuration::of(&start) };
             let at = step.at(share);
-            let touch = pair.touch(&model, &at, &Memory::default(), Reach::Near).unwrap();
+            let touch = pair.touch(&model, &at, &Memory::default(), SearchRegion::Near).unwrap();
             assert_eq!(pair.guided_gap(&at), Some(touch.gap));
             assert_eq!(pair.guided_row(&at), pair.normal_row(&touch, &at));
         }

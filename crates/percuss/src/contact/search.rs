@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::geometry::axis::{AxisElements, longest_arc};
 use crate::geometry::pair::Pair;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::math::vec2::norm;
 use crate::model::Model;
 use crate::model::frozen::BeamData;
@@ -176,7 +176,7 @@ impl Search {
     }
 
     /// Evaluates the pairs that have come close, with their closest points within `reach` of the stored ones; the others continue to sleep.
-    pub fn see(&mut self, model: &Model, state: &mut State, reach: Reach) {
+    pub fn see(&mut self, model: &Model, state: &mut State, reach: SearchRegion) {
         self.awake.clear();
         let mut restless = std::mem::take(&mut self.restless);
         if self.guided {
@@ -225,7 +225,7 @@ impl Search {
         }
     }
 
-    fn see_one(&mut self, model: &Model, state: &mut State, i: usize, reach: Reach) {
+    fn see_one(&mut self, model: &Model, state: &mut State, i: usize, reach: SearchRegion) {
         self.awake.push(i);
         let apart = state.see(model, i, reach);
         self.wake[i] = self.way_of(&model.pairs[i]) + (0.999 * apart - CLOSE).max(0.0);

@@ -34,7 +34,7 @@ pub struct Fibre<S = f64> {
     /// Area \[m^2\].
     pub area: S,
     /// Whether it carries force; a fibre without area only gives strain and stress at the surface.
-    pub bears: bool,
+    pub carries_force: bool,
     /// Number of its law among those of the span.
     pub law: usize,
 }
@@ -42,12 +42,12 @@ pub struct Fibre<S = f64> {
 impl Fibre {
     /// A fibre that carries force.
     pub fn bearing(height: f64, area: f64, law: usize) -> Self {
-        Self { height, area, bears: true, law }
+        Self { height, area, carries_force: true, law }
     }
 
     /// A fibre without area for strain and stress at a surface, of the first law.
     pub fn at_surface(height: f64) -> Self {
-        Self { height, area: 0.0, bears: false, law: 0 }
+        Self { height, area: 0.0, carries_force: false, law: 0 }
     }
 }
 

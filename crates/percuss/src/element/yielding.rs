@@ -144,7 +144,7 @@ impl<S: Number> ElementFibres<'_, S> {
         let viscous = none.less(step.lag).any();
         let mut out = SectionResponse::zero(none);
         for (fibre, state) in self.at(j) {
-            if !fibre.bears {
+            if !fibre.carries_force {
                 continue;
             }
             let law = &self.laws[fibre.law];
@@ -166,7 +166,7 @@ impl ElementFibres<'_> {
     /// Forces of the section at the end of a rate-independent step.
     fn end(&self, j: usize, [membrane, bending]: [f64; 2]) -> SectionResponse<f64> {
         let mut out = SectionResponse::zero(0.0);
-        for (fibre, state) in self.at(j).filter(|(fibre, _)| fibre.bears) {
+        for (fibre, state) in self.at(j).filter(|(fibre, _)| fibre.carries_force) {
             let strain = membrane + fibre.height * bending;
             let law = &self.laws[fibre.law];
             let found = law.at_rest(state, strain);

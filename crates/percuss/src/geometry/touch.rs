@@ -61,7 +61,7 @@ pub enum Bend {
 
 /// Region of the search for the closest point of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Reach {
+pub enum SearchRegion {
     /// Everywhere.
     All,
     /// In the neighbourhood of where it was.
@@ -94,7 +94,7 @@ impl Pair {
         axes: &impl Axes,
         at: &Configuration,
         memory: &Memory,
-        reach: Reach,
+        reach: SearchRegion,
     ) -> Option<Touch> {
         if self.source.is_parted(at) {
             return None;
@@ -119,7 +119,9 @@ impl Pair {
                 let axis = axis_of(axes, at, *beam, *skip, ends);
                 let lost = at.is_parted(axis.elements[memory.near.element].node);
                 let (closest, leapt_from) = match reach {
-                    Reach::Near if !lost => (axis.near(y, at, memory.near, memory.side), None),
+                    SearchRegion::Near if !lost => {
+                        (axis.near(y, at, memory.near, memory.side), None)
+                    }
                     _ => {
                         let found = axis.nearest(y, at, memory.near, memory.side)?;
                         (found.closest, found.leapt_from)
@@ -314,7 +316,7 @@ impl Pair {
         self.source.add_force(&mut row, n, at);
         touch.closest.add_force(&mut row, [-n[0], -n[1]], at);
         match &self.target {
-            // The guide carries the couple of a force off the line of flight.
+            // The guide carries the couple of a force off the line of motion.
             Target::Guided { .. } => {
                 let arm = sub(touch.closest_place, self.source.place(at));
                 self.source.add_couple(&mut row, cross(arm, n), at);

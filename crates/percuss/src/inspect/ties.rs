@@ -158,7 +158,7 @@ pub struct GuidedView<'m> {
     pub body: &'m Body,
     /// Its rear mass, if any.
     pub rear: Option<&'m Body>,
-    /// Unit vector of the line of flight, from projectile to beam, shape (2) \[-\].
+    /// Unit vector of the line of motion, from projectile to beam, shape (2) \[-\].
     pub direction: [f64; 2],
     /// The point struck.
     pub point: PointView<'m>,

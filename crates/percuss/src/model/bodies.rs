@@ -48,7 +48,7 @@ fn push(model: &mut Model, position: [f64; 2], body: Body) -> usize {
 
 fn guided(projectile: &Projectile, model: &mut Model) {
     let point = locate(model, &projectile.strikes);
-    let line = check::line_of_flight(projectile).unwrap_or([f64::NAN; 2]);
+    let line = check::line_of_motion(projectile).unwrap_or([f64::NAN; 2]);
     let direction = scale(1.0 / norm(line), line);
     let position = sub(point.position, scale(projectile.standoff, direction));
     let front = Body {

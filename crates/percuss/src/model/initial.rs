@@ -63,9 +63,9 @@ impl ModelBuilder {
                     }
                 }
             });
-            let own = Told::new(motion, point.position);
+            let own = PointVelocity::new(motion, point.position);
             for (_, (other, given)) in others {
-                let given = Told::new(given, point.position);
+                let given = PointVelocity::new(given, point.position);
                 if !own.agrees(&given) {
                     let found = format!("{own} where it is, but {given} by [initial.{other}]");
                     let expected = format!(
@@ -80,14 +80,14 @@ impl ModelBuilder {
 }
 
 /// Velocity of a place in a motion.
-struct Told {
+struct PointVelocity {
     /// Velocity, shape (2) \[m/s\].
     velocity: [f64; 2],
     /// Angular velocity \[rad/s\].
     spin: f64,
 }
 
-impl Told {
+impl PointVelocity {
     fn new(motion: &InitialMotion, place: [f64; 2]) -> Self {
         let turned = scale(motion.spin, rot90(sub(place, motion.about)));
         Self { velocity: add(motion.velocity, turned), spin: motion.spin }
@@ -101,7 +101,7 @@ impl Told {
     }
 }
 
-impl fmt::Display for Told {
+impl fmt::Display for PointVelocity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [v1, v2] = self.velocity;
         write!(f, "({v1}, {v2}) m/s at {} rad/s", self.spin)

@@ -7,7 +7,7 @@ use crate::geometry::axis::AxisElement;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Carrier, Memory, Pair, Target};
 use crate::geometry::placed::Placed;
-use crate::geometry::touch::{Reach, Touch};
+use crate::geometry::touch::{SearchRegion, Touch};
 use crate::math::vec2::{add, cross, norm, rot90, scale, sub};
 
 /// Penetrations at the start below this share of the bodies' size are round-off.
@@ -32,7 +32,7 @@ impl Model {
         let mut faults = Vec::new();
         for contact in self.contacts.iter().filter(|c| of(c)) {
             let depth = |pair: &Pair| {
-                let touch = pair.touch(self, &at, &Memory::default(), Reach::All)?;
+                let touch = pair.touch(self, &at, &Memory::default(), SearchRegion::All)?;
                 self.is_inside(pair, &touch, &at).then_some((touch, pair.source_partner))
             };
             let worst = self.pairs[contact.pairs.clone()].iter().filter_map(depth);
@@ -73,7 +73,8 @@ impl Model {
                 Carrier::Body { .. } => true,
                 Carrier::Beam { .. } => pair.at_end,
             };
-            let touch = pair.touch(self, at, &Memory::default(), Reach::All).filter(|_| end)?;
+            let touch =
+                pair.touch(self, at, &Memory::default(), SearchRegion::All).filter(|_| end)?;
             let depth = touch.gap + 2.0 * pair.thickness(self, &touch.memory);
             let back = Touch { gap: -depth, normal: scale(-1.0, touch.normal), ..touch };
             depth.is_finite().then_some((back, pair.source_partner))

@@ -92,9 +92,9 @@ pub enum BodyShape {
         /// Radius \[m\].
         radius: f64,
     },
-    /// A guided projectile: a point on its line of flight.
+    /// A guided projectile: a point on its line of motion.
     Guided {
-        /// Unit vector of the line of flight, shape (2) \[-\].
+        /// Unit vector of the line of motion, shape (2) \[-\].
         direction: [f64; 2],
         /// Whether it strikes with a spring.
         elastic: bool,

@@ -25,11 +25,11 @@ pub struct Body {
 /// Kind of a rigid body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BodyKind {
-    /// The mass of a projectile that strikes, on its line of flight.
+    /// The mass of a projectile that strikes, on its line of motion.
     Guided,
     /// A mass behind it; the body before it in the row is the front.
     Rear {
-        /// Unit vector of the line of flight, shape (2) \[-\].
+        /// Unit vector of the line of motion, shape (2) \[-\].
         direction: [f64; 2],
         /// Stiffness of the spring between both \[N/m\].
         stiffness: f64,
@@ -46,7 +46,7 @@ pub enum BodyKind {
 }
 
 impl BodyKind {
-    /// Whether it is a mass on its line of flight, in front.
+    /// Whether it is a mass on its line of motion, in front.
     pub fn is_guided(&self) -> bool {
         matches!(self, Self::Guided)
     }
@@ -88,7 +88,7 @@ impl BodyKind {
 /// Spring and damper between a rear mass and the one in front of it.
 #[derive(Clone, Copy, Debug)]
 pub struct Behind {
-    /// Unit vector of the line of flight, shape (2) \[-\].
+    /// Unit vector of the line of motion, shape (2) \[-\].
     pub direction: [f64; 2],
     /// Stiffness of the spring between both \[N/m\].
     pub stiffness: f64,
@@ -106,13 +106,13 @@ pub struct ObstacleData {
     pub position: [f64; 2],
 }
 
-/// A projectile on its line of flight.
+/// A projectile on its line of motion.
 #[derive(Clone, Debug)]
 pub struct ProjectileData {
     /// Its body that strikes; a rear mass is the next one.
     pub body: usize,
     pub has_rear: bool,
-    /// Unit vector of the line of flight, from projectile to beam, shape (2) \[-\].
+    /// Unit vector of the line of motion, from projectile to beam, shape (2) \[-\].
     pub direction: [f64; 2],
     /// The point struck.
     pub point: MaterialPoint,

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Pair};
-use crate::geometry::touch::{Reach, Touch};
+use crate::geometry::touch::{SearchRegion, Touch};
 use crate::model::Model;
 use crate::step::effective_mass::{EffectiveMass, mass_matrix};
 use crate::step::tangent::{Singular, Tangent};
@@ -78,7 +78,7 @@ impl<'m> FirstTouches<'m> {
         let model = self.model;
         let gap = |pair: &Pair| {
             let at = Configuration::of(&self.rest);
-            let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
+            let touch = pair.touch(model, &at, &Memory::default(), SearchRegion::All);
             touch.map_or(f64::INFINITY, |touch| touch.gap)
         };
         let gaps: Vec<f64> =
@@ -100,7 +100,7 @@ fn first_touch<'a>(
     for _ in 0..ESTIMATES {
         let at = Configuration::of(&u);
         let seen = pairs.iter().filter_map(|pair| {
-            let touch = pair.touch(model, &at, &Memory::default(), Reach::All)?;
+            let touch = pair.touch(model, &at, &Memory::default(), SearchRegion::All)?;
             let rate = pair.normal_row(&touch, &at).on(velocity);
             let time = if rate < 0.0 { touch.gap.max(0.0) / -rate } else { f64::INFINITY };
             touch.gap.is_finite().then_some((pair, touch, time))

@@ -9,7 +9,7 @@ use super::recording::frame::Frames;
 use super::recording::record::{Flow, Recorder};
 use super::recording::rows::Rows;
 use super::solving::jumps;
-use super::solving::solver::{Solver, Standing};
+use super::solving::solver::{Solver, StateView};
 use super::start::{
     Initial, initial_acceleration, initial_state, massless, reverse, set_velocities, start_moving,
 };
@@ -18,7 +18,7 @@ use crate::analysis::damped_modes::{modal_damping, undampable};
 use crate::analysis::static_contacts::takes_part;
 use crate::contact::search::Search;
 use crate::error::Error;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::ledger::{Ledger, Measures, RoundOff};
 use crate::model::frozen::ContactData;
 use crate::model::{Fault, Model};
@@ -117,7 +117,7 @@ impl<'m> Simulation<'m> {
         let (model, settings, state) = (self.model, &self.settings, &mut self.state);
         commit::steer_obstacles(model, state, settings.step);
         self.solver.search = Search::new(model);
-        self.solver.search.see(model, state, Reach::All);
+        self.solver.search.see(model, state, SearchRegion::All);
         if settings.scheme.advances_accelerations() {
             initial_acceleration(model, settings.step, state, &self.pressed);
         }
@@ -131,15 +131,15 @@ impl<'m> Simulation<'m> {
         self.step_size = StepSizeControl::new(model, settings, state);
         state.pairs.iter_mut().for_each(|pair| pair.closed = false);
         if settings.impacts == ImpactResolution::Event {
-            let at_rest = self.solver.at_rest(Standing { model, settings, state });
+            let at_rest = self.solver.at_rest(StateView { model, settings, state });
             at_rest.into_iter().for_each(|pair| state.pairs[pair].closed = true);
         }
     }
 
     /// The solver, and its view of the run.
-    pub(super) fn solver(&mut self) -> (&mut Solver, Standing<'_>) {
+    pub(super) fn solver(&mut self) -> (&mut Solver, StateView<'_>) {
         let Self { model, settings, state, solver, .. } = self;
-        (solver, Standing { model, settings, state })
+        (solver, StateView { model, settings, state })
     }
 
     /// Sets initial velocities of the beams \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those of a rigid motion
@@ -205,11 +205,11 @@ impl<'m> Simulation<'m> {
         // The summary solves for small forces: for very many elements both would need too much memory.
         drop(solver);
         let run = Ended {
-            at: Standing { model, settings: &settings, state: &state },
+            at: StateView { model, settings: &settings, state: &state },
             measures: &measures,
             counts,
             rows: rows.count,
-            step_control: step_size.as_ref().map(StepSizeControl::told),
+            step_control: step_size.as_ref().map(StepSizeControl::control),
             monitor,
         };
         summarize(run, termination)
@@ -280,7 +280,7 @@ impl<'m> Simulation<'m> {
 
     /// Progress of the run.
     pub fn status(&self) -> RunStatus<'_> {
-        let at = Standing { model: self.model, settings: &self.settings, state: &self.state };
+        let at = StateView { model: self.model, settings: &self.settings, state: &self.state };
         RunStatus::of(at, &self.monitor.contacts, self.solver.counts.effort.iterations)
     }
 

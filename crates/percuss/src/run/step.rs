@@ -91,7 +91,7 @@ impl Simulation<'_> {
 
     /// After a jump of velocities a step with a requested accuracy ends soon.
     fn slow_down(&self, decider: &mut Decider) {
-        if let Some(size) = self.step_size.as_ref().and_then(StepSizeControl::afresh) {
+        if let Some(size) = self.step_size.as_ref().and_then(StepSizeControl::restart_size) {
             decider.end_at(self.state.offset + size);
         }
     }

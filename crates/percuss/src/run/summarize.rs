@@ -7,7 +7,7 @@ use super::observing::given::Given;
 use super::observing::joint_log;
 use super::observing::monitor::Monitor;
 use super::observing::yielding;
-use super::solving::solver::{Counts, Standing};
+use super::solving::solver::{Counts, StateView};
 use crate::analysis::equivalent::equivalent_force;
 use crate::ledger::Measures;
 use crate::math::vec2::{dot, norm, scale};
@@ -20,7 +20,7 @@ use crate::summary::*;
 /// A run that has ended.
 pub struct Ended<'a> {
     /// Its status.
-    pub at: Standing<'a>,
+    pub at: StateView<'a>,
     /// Energies and momenta there.
     pub measures: &'a Measures,
     /// Its counts.
@@ -36,7 +36,7 @@ pub struct Ended<'a> {
 /// The summary of a run that has ended.
 pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
     let Ended { at, measures, counts, rows, step_control, monitor } = run;
-    let Standing { model, settings, state } = at;
+    let StateView { model, settings, state } = at;
     let ledger = &state.ledger;
     let relative = |value: f64, scale: f64| if value == 0.0 { 0.0 } else { value / scale };
     let [energy_scale, linear_scale, angular_scale] = ledger.audit_scales();
@@ -81,7 +81,7 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
         projectiles: projectiles(model, state, &monitor.given),
         contacts: contacts(at, monitor.contacts, &monitor.struck_masses),
         contact_residual_max,
-        shared_blows: monitor.shared_blows,
+        multiple_impacts: monitor.multiple_impacts,
         points: points(at, monitor.points),
         supports: monitor.supports,
         plastic: yielding::summaries(model, state, &monitor.yielded, &sets),
@@ -100,11 +100,11 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
 }
 
 fn contacts(
-    at: Standing<'_>,
+    at: StateView<'_>,
     log: ContactLog,
     struck_masses: &[Option<EffectiveMass>],
 ) -> Vec<ContactSummary> {
-    let Standing { model, settings, state } = at;
+    let StateView { model, settings, state } = at;
     let effective = model.effective_masses();
     let last_instant = state.time - SAME_INSTANT * settings.step;
     let sliding: Vec<_> = (0..model.contacts.len()).map(|i| log.sliding(i)).collect();
@@ -140,7 +140,7 @@ fn remove_closing_since(record: &mut ContactRecord, time: f64) {
     }
 }
 
-fn points(at: Standing<'_>, crests: Vec<[Crest<f64>; 2]>) -> Vec<PointSummary> {
+fn points(at: StateView<'_>, crests: Vec<[Crest<f64>; 2]>) -> Vec<PointSummary> {
     (at.model.points.iter().zip(crests))
         .map(|(p, mut crests)| {
             crests.iter_mut().for_each(|crest| crest.close(0, at.state.time));

@@ -106,7 +106,7 @@ impl<S: Number> ConvergenceMonitor<S> {
 
     /// Enters the energy scale, after the first correction.
     #[inline(always)]
-    pub fn play(&mut self, energy: S) {
+    pub fn set_energy_scale(&mut self, energy: S) {
         self.energy = energy;
     }
 

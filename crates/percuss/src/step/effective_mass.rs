@@ -19,7 +19,7 @@ use crate::model::frozen::{BodyKind, Constraint, ConstraintKind, MaterialPoint, 
 /// A point that moves by less than this share of the whole under an impulse is fixed.
 const HELD: f64 = 1e-12;
 
-/// Effective mass of a struck point, along the line of flight of its projectile.
+/// Effective mass of a struck point, along the line of motion of its projectile.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EffectiveMass {
     /// On the current mesh, `1 / (n M^-1 n^T)` \[kg\]; infinite for a fixed point.

@@ -134,8 +134,9 @@ fn gap(fibres: &[Vec<Fibre>; GAUSS], mut states: &[FibreState]) -> Option<usize>
     fibres.iter().position(|points| {
         let (here, rest) = states.split_at(points.len());
         states = rest;
-        let bears = |(fibre, state): (&Fibre, &FibreState)| fibre.bears && !state.failed;
-        !points.iter().zip(here).any(bears)
+        let carries_force =
+            |(fibre, state): (&Fibre, &FibreState)| fibre.carries_force && !state.failed;
+        !points.iter().zip(here).any(carries_force)
     })
 }
 
@@ -173,7 +174,7 @@ pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], all: &mut [FibreS
             for (fibre, state) in points.iter().zip(&mut states) {
                 let (law, strain) = (&fibres.laws[fibre.law], membrane + fibre.height * bending);
                 *state = law.at_rest(state, strain).state;
-                state.failed |= !fibre.bears && law.fails(strain);
+                state.failed |= !fibre.carries_force && law.fails(strain);
             }
         }
     }

@@ -18,7 +18,7 @@ use super::tangent::{DampedVectors, Singular};
 use super::workspace::Workspace;
 use super::{assemble, bodies, connectors, external, masses};
 use crate::contact::impact::Stalled;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::model::Model;
 use crate::state::{PairState, State};
 
@@ -53,7 +53,7 @@ pub struct StepProblem<'a> {
     pub arcs: &'a [f64],
     /// Region of the search for closest points of smooth contacts at the end of the step. The neighbourhood of the last ones is enough unless
     /// another point has come closer, which only an evaluation of the solved step shows.
-    pub reach: Reach,
+    pub reach: SearchRegion,
 }
 
 /// Last evaluation of a pair: among the `sights`, or in the state.
@@ -172,7 +172,7 @@ impl StepProblem<'_> {
             // Work supplied by a step itself, or by moving supports, has the accuracy of its increment.
             let moves = !self.model.motions.is_empty();
             if iteration == 0 || moves || convergence.energy > self.state.ledger.energy_scale {
-                convergence.play(self.energy_in_play(work, correction.work));
+                convergence.set_energy_scale(self.energy_scale(work, correction.work));
             }
             let step = largest(&work.increment, self.size);
             let touching =

@@ -328,13 +328,13 @@ impl PressedIn {
     }
 }
 
-/// Static force at the struck point along the line of flight, in addition to weight, with the same peak effect on the linear elastic structure as
+/// Static force at the struck point along the line of motion, in addition to weight, with the same peak effect on the linear elastic structure as
 /// the run.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct EquivalentForce {
     /// Force with the same largest moment in the struck beam \[N\].
     pub moment: f64,
-    /// Force with the same deflection of the struck point along the line of flight \[N\]; `None` if that is not recorded.
+    /// Force with the same deflection of the struck point along the line of motion \[N\]; `None` if that is not recorded.
     pub deflection: Option<f64>,
     /// Whether the structure yielded in the run: then it is the force on the same structure, assumed elastic.
     pub as_if_elastic: bool,
@@ -342,7 +342,7 @@ pub struct EquivalentForce {
 
 /// Impacts on several touching bodies at once, for which the impact law determined all impulses together.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct SharedBlows {
+pub struct MultipleImpactSummary {
     /// Their number.
     pub count: usize,
     /// Time of the first \[s\]; NaN if there was none.
@@ -351,7 +351,7 @@ pub struct SharedBlows {
     pub contacts: [usize; 2],
 }
 
-impl SharedBlows {
+impl MultipleImpactSummary {
     /// Counts another one.
     pub(crate) fn take(&mut self, time: f64, contacts: [usize; 2]) {
         if self.count == 0 {
@@ -361,7 +361,7 @@ impl SharedBlows {
     }
 }
 
-impl Default for SharedBlows {
+impl Default for MultipleImpactSummary {
     fn default() -> Self {
         Self { count: 0, first: f64::NAN, contacts: [0; 2] }
     }

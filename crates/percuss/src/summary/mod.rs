@@ -95,7 +95,7 @@ impl AuditSummary {
 pub struct ProjectileSummary {
     /// The user's name for it.
     pub name: String,
-    /// Unit vector of its line of flight, from it to the beam, shape (2) \[-\]; none of a free one.
+    /// Unit vector of its line of motion, from it to the beam, shape (2) \[-\]; none of a free one.
     pub direction: Option<[f64; 2]>,
     /// Name of the point that it strikes; none of a free one.
     pub strikes: Option<String>,
@@ -103,7 +103,7 @@ pub struct ProjectileSummary {
     pub velocity_final: [f64; 2],
     /// Angular velocity at the end \[rad/s\]; zero for a guided one.
     pub spin_final: f64,
-    /// Momentum transferred to others through its contacts, along its line of flight or its initial velocity, without the effect of loads. For a
+    /// Momentum transferred to others through its contacts, along its line of motion or its initial velocity, without the effect of loads. For a
     /// free body at rest at the start the magnitude, negative: it can only receive momentum \[N s\].
     pub momentum_transferred: f64,
     /// Energy transferred by its contacts, negative if it received energy; without loads and internal losses \[J\].
@@ -149,7 +149,7 @@ pub struct RunSummary {
     /// Largest violation of the contacts' complementarity conditions, as a velocity relative to the largest one \[-\].
     pub contact_residual_max: f64,
     /// Impacts on several touching bodies at once.
-    pub shared_blows: SharedBlows,
+    pub multiple_impacts: MultipleImpactSummary,
     /// One entry a recorded point, shape (recorded points).
     pub points: Vec<PointSummary>,
     /// One entry a support, in the model's order, shape (supports).

@@ -166,7 +166,7 @@ fn settings_that_exclude_an_accuracy_are_faults() {
         (Settings { scheme: Scheme::Newmark, ..good }, "time.accuracy", "advances accelerations"),
     ] {
         let faults = Simulation::new(&model, &settings).err().unwrap();
-        let told = faults.iter().any(|f| f.path == path && f.found.contains(found));
-        assert!(told, "{faults:?}");
+        let reported = faults.iter().any(|f| f.path == path && f.found.contains(found));
+        assert!(reported, "{faults:?}");
     }
 }

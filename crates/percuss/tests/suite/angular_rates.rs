@@ -82,9 +82,9 @@ fn drift(settings: &Settings) -> f64 {
     }
     let summary = simulation.run(&mut NoRecorder);
     assert!(summary.energy.residual_max < 1e-12);
-    let told = summary.audit.angular_rate_drift_max;
-    assert!((told - largest / summary.energy.scale).abs() < 1e-11, "{told}");
-    told
+    let reported = summary.audit.angular_rate_drift_max;
+    assert!((reported - largest / summary.energy.scale).abs() < 1e-11, "{reported}");
+    reported
 }
 
 /// The energy of the sections' own rates is conserved to round-off; that of the slopes' velocities comes to it as the square of the step.

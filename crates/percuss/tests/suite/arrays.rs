@@ -286,8 +286,8 @@ fn arrays_without_shape_or_unit_are_found() {
     let two = "struct Peak {\n    /// When \\[s\\].\n    time: f64,\n    /// Where, shape (2).\n    place: [f64; 2],\n}";
     assert_eq!(faults(two), [(5, "Peak.place".to_owned(), "no unit behind its shape")]);
     let one = "struct Line {\n    /// Unit vector, shape (2) \\[1\\].\n    along: [f64; 2],\n}";
-    let told = "a unit of 1 where `-` says that there is none";
-    assert_eq!(faults(one), [(3, "Line.along".to_owned(), told)]);
+    let reported = "a unit of 1 where `-` says that there is none";
+    assert_eq!(faults(one), [(3, "Line.along".to_owned(), reported)]);
     let none = "enum Path {\n    /// Points, shape (n) \\[m\\].\n    Points {\n        all: Vec<f64>,\n    },\n}";
     assert_eq!(faults(none), [(4, "Path::Points.all".to_owned(), "no shape")]);
 

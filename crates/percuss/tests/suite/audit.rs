@@ -48,10 +48,10 @@ fn a_structure_at_rest_closes_its_balances() {
         }
         let settings = Settings { start: Start::Static, ..Settings::new(2e-3, 1e-5) };
         let found = run(&b.build().unwrap(), &settings);
-        let told = format!("{loaded}: {:?} {:?}", found.energy, found.momentum);
-        assert!(found.energy.residual_max < 1e-10, "{told}");
-        assert!(found.momentum.linear_residual_max < 1e-10, "{told}");
-        assert!(found.momentum.angular_residual_max < 1e-10, "{told}");
+        let reported = format!("{loaded}: {:?} {:?}", found.energy, found.momentum);
+        assert!(found.energy.residual_max < 1e-10, "{reported}");
+        assert!(found.momentum.linear_residual_max < 1e-10, "{reported}");
+        assert!(found.momentum.angular_residual_max < 1e-10, "{reported}");
     }
 }
 

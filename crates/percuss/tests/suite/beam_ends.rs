@@ -109,7 +109,7 @@ fn a_bar_before_a_wall_starts_where_its_end_is() {
         let wall = wall(&mut b, [0.0, 0.0], [1.0, 0.0]);
         b.contact(Contact::new("blow", [ContactPartner::Beam(bar), wall], rigid(e)));
         b.initial_motion(InitialMotion { velocity: [-10.0, 0.0], spin: 0.0, about: [0.0; 2] });
-        let summary = run(&b, 1.5e-3, 1e-5).expect("sound");
+        let summary = run(&b, 1.5e-3, 1e-5).expect("valid");
         let ContactRecord::Nonsmooth { impacts, .. } = &summary.contacts[0].record else {
             panic!()
         };
@@ -127,9 +127,9 @@ fn a_bar_that_falls_upright_presses_with_both_corners_alike() {
         b.contact(Contact::new("fall", [ContactPartner::Beam(bar), floor], law));
         b.initial_motion(InitialMotion { velocity: [0.0, -3.0], spin: 0.0, about: [0.0; 2] });
         b.record_point(at("top", bar, 1.0));
-        let model = b.build().expect("sound");
+        let model = b.build().expect("valid");
         let mut rows = MemoryRecorder::default();
-        simulate(&model, &Settings::new(0.01, 1e-5), &mut rows).expect("sound settings");
+        simulate(&model, &Settings::new(0.01, 1e-5), &mut rows).expect("valid settings");
         let aside = rows.column("point.top.displacement_1").expect("recorded");
         assert!(aside.iter().all(|u| u.abs() < 1e-12));
         let up = rows.column("point.top.displacement_2").expect("recorded");
@@ -140,7 +140,7 @@ fn a_bar_that_falls_upright_presses_with_both_corners_alike() {
 /// A rigid rod that falls without spin under an angle and meets a smooth floor elastically: with x the level distance of the corner
 /// that strikes from its middle, the impulse is 2 v / (1/m + x^2/J).
 #[test]
-fn a_stiff_bar_turns_after_a_blow_on_its_corner_as_a_rigid_one() {
+fn a_stiff_bar_turns_after_an_impact_on_its_corner_as_a_rigid_one() {
     let (angle, speed, length, depth) = (PI / 3.0, 0.05, 1.0, 0.1);
     let mut b = ModelBuilder::new();
     let material = b.material(Material::new("stiff", 5e13, 1e3));
@@ -153,7 +153,7 @@ fn a_stiff_bar_turns_after_a_blow_on_its_corner_as_a_rigid_one() {
     let floor = wall(&mut b, [0.0, 0.0], [0.0, 1.0]);
     b.contact(Contact::new("fall", [ContactPartner::Beam(bar), floor], smooth(1e6)));
     b.initial_motion(InitialMotion { velocity: [0.0, -speed], spin: 0.0, about: [0.0; 2] });
-    let summary = run(&b, 0.012, 2e-6).expect("sound");
+    let summary = run(&b, 0.012, 2e-6).expect("valid");
     let ContactRecord::Smooth { intervals, .. } = &summary.contacts[0].record else { panic!() };
     let mass = 1e3 * depth * depth * length;
     let inertia = mass * (length * length + depth * depth) / 12.0;
@@ -185,7 +185,7 @@ fn a_disc_that_slides_over_an_end_turns_about_the_corner() {
             law.clone(),
         ));
         b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -gravity] }));
-        let summary = run(&b, 0.4, 1e-4).expect("sound");
+        let summary = run(&b, 0.4, 1e-4).expect("valid");
         assert!(residual(&summary) < 1e-10, "{}", residual(&summary));
         let c = (2.0 + speed * speed / (gravity * radius)) / 3.0;
         let expected = (gravity * radius).sqrt() * c.powf(1.5);
@@ -212,7 +212,7 @@ fn a_bar_that_stands_on_its_end_carries_a_moment_by_its_corners() {
             let (at, moment) = (at("top", bar, 1.0), lever * weight);
             let kind = LoadKind::Point { at, force: [0.0; 2], moment, follower: false };
             b.load(Load::new("m", kind));
-            let model = b.build().expect("sound");
+            let model = b.build().expect("valid");
             let found = equilibrium(&model).expect("an equilibrium");
             let contact = &found.contacts[0];
             assert!((contact.force / weight - 1.0).abs() < 1e-6, "{lever}: {contact:?}");
@@ -235,7 +235,7 @@ fn round_ends_stay_within_the_length() {
         let floor = wall(&mut b, [0.0, 0.0], [0.0, 1.0]);
         b.contact(Contact::new("fall", [ContactPartner::Beam(bar), floor], rigid(0.0)));
         b.initial_motion(InitialMotion { velocity: [0.0, -10.0], spin: 0.0, about: [0.0; 2] });
-        let summary = run(&b, 0.02, 1e-4).expect("sound");
+        let summary = run(&b, 0.02, 1e-4).expect("valid");
         let ContactRecord::Nonsmooth { impacts, .. } = &summary.contacts[0].record else {
             panic!()
         };
@@ -283,7 +283,7 @@ fn a_bar_hardly_longer_than_deep_touches_with_one_point() {
         let floor = wall(&mut b, [0.0, 0.0], [0.0, 1.0]);
         b.contact(Contact::new("fall", [ContactPartner::Beam(bar), floor], rigid(0.0)));
         b.initial_motion(InitialMotion { velocity: [0.0, -10.0], spin: 0.0, about: [0.0; 2] });
-        let summary = run(&b, 0.02, 1e-4).expect("sound");
+        let summary = run(&b, 0.02, 1e-4).expect("valid");
         let ContactRecord::Nonsmooth { impacts, .. } = &summary.contacts[0].record else {
             panic!()
         };
@@ -338,8 +338,8 @@ fn pointed_ends_on_either_side_are_refused_with_the_cure() {
             b.contact(Contact::new("blow", between, law()));
             b.build().map(|_| ())
         };
-        let told = built(0.0).expect_err(words);
-        let text: String = told.iter().map(|fault| fault.to_string()).collect();
+        let reported = built(0.0).expect_err(words);
+        let text: String = reported.iter().map(|fault| fault.to_string()).collect();
         assert!(text.contains(words) && text.contains("end-to-end"), "{text}");
         assert!(built(0.05).is_ok(), "{words}");
     }
@@ -441,9 +441,9 @@ fn equal_bars_that_meet_end_on_press_with_their_whole_ends() {
         let velocity = [-10.0, 0.0];
         b.initial_motion_of("two", InitialMotion { velocity, spin: 0.0, about: [0.0; 2] });
         b.record_point(at("mid", one, 0.5));
-        let model = b.build().expect("sound");
+        let model = b.build().expect("valid");
         let mut rows = MemoryRecorder::default();
-        let summary = simulate(&model, &Settings::new(4e-3, 1e-6), &mut rows).expect("sound");
+        let summary = simulate(&model, &Settings::new(4e-3, 1e-6), &mut rows).expect("valid");
         // There is no angular momentum to which its round-off could be compared.
         let (energy, linear) = (summary.energy.residual_max, summary.momentum.linear_residual_max);
         assert!(energy < 1e-10 && linear < 1e-10, "{energy} {linear}");
@@ -477,9 +477,9 @@ fn the_end_of_a_thin_wall_is_stopped_by_a_flat_end() {
         ));
         b.initial_motion(InitialMotion { velocity: [-5.0, 0.0], spin: 0.0, about: [0.0; 2] });
         b.record_point(at("tip", bar, 0.0));
-        let model = b.build().expect("sound");
+        let model = b.build().expect("valid");
         let mut rows = MemoryRecorder::default();
-        let summary = simulate(&model, &Settings::new(0.02, 1e-5), &mut rows).expect("sound");
+        let summary = simulate(&model, &Settings::new(0.02, 1e-5), &mut rows).expect("valid");
         assert!(residual(&summary) < 1e-10, "{}", residual(&summary));
         let deepest = rows.column("point.tip.displacement_1").expect("recorded");
         let deepest = deepest.iter().fold(0.0_f64, |least, u| least.min(*u));
@@ -540,7 +540,7 @@ fn a_round_end_meets_a_node_head_on_with_one_force() {
             "ball",
             InitialMotion { velocity: [4.0, 0.0], spin: 0.0, about: [0.0; 2] },
         );
-        let summary = run(&b, 0.02, 5e-5).expect("sound");
+        let summary = run(&b, 0.02, 5e-5).expect("valid");
         assert!(summary.energy.residual_max < 1e-10, "{:e}", summary.energy.residual_max);
         let ContactRecord::Smooth { peak_force, .. } = &summary.contacts[0].record else {
             panic!()
@@ -583,6 +583,6 @@ fn a_stiff_block_that_rocks_on_its_corner_takes_few_iterations() {
     }
     let turn = angle - start;
     let moved = head[0] * turn.cos() - head[1] * turn.sin() - head[0];
-    let told = summary.points[0].displacement_max[0].value;
-    assert!((told / moved - 1.0).abs() < 1e-3, "{told} {moved}");
+    let reported = summary.points[0].displacement_max[0].value;
+    assert!((reported / moved - 1.0).abs() < 1e-3, "{reported} {moved}");
 }

@@ -185,8 +185,8 @@ fn contacts_without_thickness_are_refused_with_the_cure() {
         b.contact(Contact::new("blow", [ContactPartner::Beam(a), ContactPartner::Beam(c)], law));
         b.build().map(|_| ())
     };
-    let told = built([None, None]).expect_err("no depth");
-    let text = told.iter().map(|f| f.to_string()).collect::<String>();
+    let reported = built([None, None]).expect_err("no depth");
+    let text = reported.iter().map(|f| f.to_string()).collect::<String>();
     assert!(
         text.contains("two beams whose ends have no depth") && text.contains("`depth`"),
         "{text}"

@@ -85,11 +85,11 @@ fn curved_beams_under_their_weight_never_cut_a_step() {
     let r = &mut Numbers(26);
     for number in 0..500 {
         let found = Scene::random(r).run(1.0, 0.0);
-        let told = format!("scene {number}: {} steps, {:?}", found.steps, found.termination);
-        assert_eq!((found.steps, found.step_cuts), (100, 0), "{told}");
-        assert!(found.newton_iterations <= 600, "{told}: {}", found.newton_iterations);
-        assert!(found.energy.residual_max < 1e-10, "{told}: {:?}", found.energy);
-        assert!(found.momentum.linear_residual_max < 1e-10, "{told}: {:?}", found.momentum);
+        let reported = format!("scene {number}: {} steps, {:?}", found.steps, found.termination);
+        assert_eq!((found.steps, found.step_cuts), (100, 0), "{reported}");
+        assert!(found.newton_iterations <= 600, "{reported}: {}", found.newton_iterations);
+        assert!(found.energy.residual_max < 1e-10, "{reported}: {:?}", found.energy);
+        assert!(found.momentum.linear_residual_max < 1e-10, "{reported}: {:?}", found.momentum);
     }
 }
 

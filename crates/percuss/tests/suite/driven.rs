@@ -157,14 +157,14 @@ fn reactions_of_driven_supports_converge_at_second_order() {
             let model = driven_cantilever(&function, *until);
             let [coarse, fine] =
                 [500, 1000].map(|n| error_of_reactions(&model, &course, *scheme, n));
-            let told = format!("{function:?} {scheme:?} {until}: {coarse:?} {fine:?}");
+            let reported = format!("{function:?} {scheme:?} {until}: {coarse:?} {fine:?}");
             // A ratio of four, less the terms of third order at these steps.
-            assert!(coarse[1] / fine[1] > 3.5 && fine[1] < 1e-3, "{told}");
+            assert!(coarse[1] / fine[1] > 3.5 && fine[1] < 1e-3, "{reported}");
             // Generalized-alpha carries accelerations of a little before the jump: the one step that begins there has a reaction of first
             // order.
             let lags = matches!(scheme, Scheme::GeneralizedAlpha { .. });
             let most = if lags { 2e-4 } else { fine[1] };
-            assert!(fine[0] <= most, "{told}");
+            assert!(fine[0] <= most, "{reported}");
         }
     }
 }
@@ -214,7 +214,7 @@ fn a_driven_point_throws_at_twice_its_velocity() {
         let (_, summary) = Rows::of(&b.build().unwrap(), &Settings::new(0.05, 1e-4));
         let found = summary.projectiles[0].velocity_final[1];
         assert!((found - 2.0).abs() < 1e-6, "{standoff}: {found}");
-        // At rest at the start, it has received 200 N s along its line of flight backwards.
+        // At rest at the start, it has received 200 N s along its line of motion backwards.
         let given = summary.projectiles[0].momentum_transferred;
         assert!((given - 200.0).abs() < 1e-3, "{given}");
     }
@@ -379,7 +379,7 @@ fn clamped_plank_far(b: &mut ModelBuilder) {
 
 /// A displacement's largest value is one of the run: a support moved by 1 mm in a step has moved by 1 mm.
 #[test]
-fn crests_are_told_where_steps_resolve_them() {
+fn crests_are_reported_where_steps_resolve_them() {
     let function =
         TimeFunction::Table { times: vec![0.0, 1e-3], values: vec![0.0, 1.0], smooth: false };
     for function in [function, TimeFunction::Step { at: 0.0105 }] {

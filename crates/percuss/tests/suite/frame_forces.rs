@@ -55,7 +55,7 @@ impl Frames {
 }
 
 /// Impacts, total impulse and that of persistent contact.
-fn told(run: &RunSummary, contact: usize) -> (&[Impact], f64, f64) {
+fn reported(run: &RunSummary, contact: usize) -> (&[Impact], f64, f64) {
     match &run.contacts[contact].record {
         ContactRecord::Nonsmooth { impacts, impulse_total, impulse_resting, .. } => {
             (impacts, *impulse_total, *impulse_resting)
@@ -87,7 +87,7 @@ fn an_impact_of_time_stepping_is_an_impulse_at_any_step() {
     for e in [1.0, 0.5] {
         let first = [1e-5, 2.5e-6].map(|step| {
             let (frames, run) = Frames::of(&struck(e), &time_stepping(1e-3, step));
-            let (impacts, ..) = told(&run, 0);
+            let (impacts, ..) = reported(&run, 0);
             let k = frames.iter().position(|f| !f.contact_forces.is_empty()).unwrap();
             let size = frames[k].of(0, true);
             assert!((size - impacts[0].impulse).abs() < 1e-9 * size, "{size} {:?}", impacts[0]);
@@ -107,7 +107,7 @@ fn forces_and_impulses_of_time_stepping_are_those_of_the_summary() {
     for (e, rests) in [(0.0, true), (0.5, false), (1.0, false)] {
         let h = 1e-5;
         let (frames, run) = Frames::of(&struck(e), &time_stepping(0.02, h));
-        let (_, total, resting) = told(&run, 0);
+        let (_, total, resting) = reported(&run, 0);
         let impulses: f64 = frames.iter().map(|f| f.of(0, true)).sum();
         let forces: f64 = frames.iter().map(|f| h * f.of(0, false)).sum();
         assert_eq!(forces > 0.0, rests, "{e}");
@@ -122,7 +122,7 @@ fn frames_before_at_and_after_an_impact() {
     for e in [0.0, 0.5, 1.0] {
         let first = [1e-5, 2.5e-6].map(|step| {
             let (frames, run) = Frames::of(&struck(e), &Settings::new(1e-3, step));
-            let (impacts, ..) = told(&run, 0);
+            let (impacts, ..) = reported(&run, 0);
             let k = frames.iter().position(|f| f.of(0, true) > 0.0).unwrap();
             let (before, at, after) = (&frames[k - 1], &frames[k], &frames[k + 1]);
             assert!(before.time < impacts[0].time && impacts[0].time < at.time);
@@ -177,7 +177,7 @@ fn a_contact_at_rest_keeps_its_force_in_the_impacts_of_others() {
     let struck: Vec<&Shown> =
         frames.iter().filter(|f| f.contact_forces.iter().any(|c| c.impulsive)).collect();
     let [beside, above] = struck[..] else { panic!("{} impacts", struck.len()) };
-    let impulse = |contact: usize| told(&run, contact).0[0].impulse;
+    let impulse = |contact: usize| reported(&run, contact).0[0].impulse;
     assert!((beside.of(1, true) - impulse(1)).abs() < 1e-9);
     assert_eq!((beside.of(0, true), beside.of(2, true)), (0.0, 0.0));
     assert!((above.of(2, true) - impulse(2)).abs() < 1e-9);
@@ -254,7 +254,7 @@ fn a_compliant_and_a_rigid_contact_in_one_run() {
     b.projectile(elastic("mass", at("girder.mid", girder, 0.5), [0.0, -40.0]));
     b.projectile(rigid("hammer", at("girder.side", girder, 1.0 / 3.0), [0.0, -10.0], 0.5));
     let (frames, run) = Frames::of(&b.build().unwrap(), &Settings::new(3e-3, 1e-5));
-    let (impacts, ..) = told(&run, 1);
+    let (impacts, ..) = reported(&run, 1);
     let at = frames.iter().find(|f| f.of(1, true) > 0.0).unwrap();
     assert!(at.time > 1e-3 && at.of(0, false) > 1e3, "{} {}", at.time, at.of(0, false));
     assert!((at.of(1, true) - impacts[0].impulse).abs() < 1e-9 * impacts[0].impulse);

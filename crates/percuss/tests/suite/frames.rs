@@ -126,10 +126,10 @@ fn the_forces_of_frames_add_up_to_the_impulse_of_the_contact() {
     let mut frames = Frames { column: "contact.mass.impulse", ..Frames::default() };
     let (h, end) = (1e-4, 0.15);
     simulate(&model, &Settings::new(end, h), &mut frames).unwrap();
-    let told: f64 = frames.rows.iter().sum();
+    let reported: f64 = frames.rows.iter().sum();
     let forces = frames.frames.iter().flat_map(|f| &f.contact_forces);
     let shown: f64 = forces.map(|c| h * c.force[1].abs()).sum();
-    assert!(told > 1e4 && (shown - told).abs() < 1e-9 * told, "{shown}, {told}");
+    assert!(reported > 1e4 && (shown - reported).abs() < 1e-9 * reported, "{shown}, {reported}");
 }
 
 #[test]

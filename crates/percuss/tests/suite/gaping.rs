@@ -89,7 +89,7 @@ fn struck(number: u64) -> (String, RunSummary) {
 }
 
 #[test]
-fn walls_that_gape_and_crush_keep_their_balance_under_any_blow() {
+fn walls_that_gape_and_crush_keep_their_balance_under_any_impact() {
     let (mut crushed, mut worst) = (0, 0.0_f64);
     for (name, summary) in (0..60).map(struck) {
         assert!(matches!(summary.termination, Termination::Completed), "{name}");

@@ -317,7 +317,7 @@ fn a_source_at_the_other_face_is_not_inside() {
 }
 
 #[test]
-fn depths_are_told() {
+fn depths_are_reported() {
     // Time stepping evaluates contacts once per step, and stops penetrations over the next: a disc penetrates by at most its travel in both.
     let model = with_disc(0.01, [0.2, 0.02], [0.0, -2.0]);
     let located = Settings::new(4e-3, 1e-4);

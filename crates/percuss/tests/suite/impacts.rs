@@ -163,7 +163,7 @@ fn impulses_of_the_rows_add_up_to_the_momentum_handed_over() {
 }
 
 #[test]
-fn the_summary_names_the_line_of_flight_and_the_struck_point_also_of_a_projectile_that_turns_back()
+fn the_summary_names_the_line_of_motion_and_the_struck_point_also_of_a_projectile_that_turns_back()
 {
     let mut b = ModelBuilder::new();
     let (material, section) = plank(&mut b);
@@ -177,7 +177,7 @@ fn the_summary_names_the_line_of_flight_and_the_struck_point_also_of_a_projectil
 }
 
 #[test]
-fn energy_given_by_a_projectile_is_told_apart_from_that_received() {
+fn energy_given_by_a_projectile_is_distinguished_from_that_received() {
     // A free beam with an added mass of 20 kg at the struck point: 1 kg at 10 m/s transfers nearly all of its 50 J, most of which is dissipated in
     // the impact.
     let mut b = ModelBuilder::new();

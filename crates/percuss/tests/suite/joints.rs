@@ -153,7 +153,7 @@ fn brittle(kind: JointKind, strength: JointStrength, speed: f64) -> Model {
     b.build().unwrap()
 }
 
-fn bears(force: f64, moment: f64) -> JointStrength {
+fn strength_of(force: f64, moment: f64) -> JointStrength {
     let given = |x: f64| (x > 0.0).then_some(x);
     JointStrength { force: given(force), moment: given(moment) }
 }
@@ -162,9 +162,9 @@ fn bears(force: f64, moment: f64) -> JointStrength {
 fn a_joint_tears_beyond_its_strength_and_balances_stay_closed() {
     let settings = Settings::new(0.1, 2e-4);
     for (kind, strength) in [
-        (JointKind::Rigid, bears(1e5, 0.0)),
-        (JointKind::Rigid, bears(0.0, 2e4)),
-        (JointKind::Hinge, bears(1e5, 0.0)),
+        (JointKind::Rigid, strength_of(1e5, 0.0)),
+        (JointKind::Rigid, strength_of(0.0, 2e4)),
+        (JointKind::Hinge, strength_of(1e5, 0.0)),
     ] {
         let model = brittle(kind, strength, 20.0);
         let torn = simulate(&model, &settings, &mut NoRecorder).unwrap();
@@ -178,7 +178,8 @@ fn a_joint_tears_beyond_its_strength_and_balances_stay_closed() {
         assert!(torn.joints[0].force_max.time <= parted.time);
         assert!(torn.joints[0].moment_max.time <= parted.time || kind == JointKind::Hinge);
         // With a larger strength it does not fail, and the run is that of a joint without a strength.
-        let more = bears(strength.force.map_or(0.0, |_| 1e9), strength.moment.map_or(0.0, |_| 1e9));
+        let more =
+            strength_of(strength.force.map_or(0.0, |_| 1e9), strength.moment.map_or(0.0, |_| 1e9));
         let held = simulate(&brittle(kind, more, 20.0), &settings, &mut NoRecorder).unwrap();
         assert_eq!(held.joints[0].parted, None);
         assert!(held.joints[0].force_max.value > strength.force.unwrap_or(0.0));
@@ -191,7 +192,7 @@ fn a_joint_tears_beyond_its_strength_and_balances_stay_closed() {
 
 #[test]
 fn a_run_that_goes_on_from_a_checkpoint_remembers_what_has_torn() {
-    let model = brittle(JointKind::Rigid, bears(1e5, 0.0), 20.0);
+    let model = brittle(JointKind::Rigid, strength_of(1e5, 0.0), 20.0);
     let settings = Settings::new(0.1, 2e-4);
     let whole = simulate(&model, &settings, &mut NoRecorder).unwrap();
     let torn = whole.joints[0].parted.unwrap().time;
@@ -226,7 +227,7 @@ fn a_path_ends_where_a_joint_would_tear() {
         b.load(Load::new("weight", kind));
         b.build().unwrap()
     };
-    let strength = bears(0.0, 200.0);
+    let strength = strength_of(0.0, 200.0);
     let settings = PathSettings { end: PathEnd::Factor(1.0), ..PathSettings::default() };
     let path = equilibrium_path(&built(strength, 1.0), &settings).unwrap();
     assert!(!path.reached);
@@ -238,7 +239,7 @@ fn a_path_ends_where_a_joint_would_tear() {
     let torn = equilibrium(&built(strength, 1.001 * last)).unwrap();
     assert_eq!(torn.failures[0].name, "joint.knee");
     assert!((torn.failures[0].factor * 1.001 - 1.0).abs() < 1e-6, "{:?}", torn.failures);
-    let strong = equilibrium_path(&built(bears(0.0, 1e6), 1.0), &settings).unwrap();
+    let strong = equilibrium_path(&built(strength_of(0.0, 1e6), 1.0), &settings).unwrap();
     assert!(strong.reached && strong.torn.is_none());
 }
 
@@ -262,7 +263,7 @@ fn a_joint_that_has_torn_holds_no_set() {
             b.support(Support::new(name, at(name, beam, f), SupportKind::Clamp));
         }
         let between = [at("column.end", column, 1.0), at("girder.start", girder, 0.0)];
-        let strength = Some(bears(limit, 0.0));
+        let strength = Some(strength_of(limit, 0.0));
         b.joint(Joint { strength, ..Joint::new("knee", JointKind::Rigid, between) });
         b.projectile(elastic("mass", at("girder@0.4", girder, 0.4), [0.0, -10.0]));
         b.record_point(at("girder.mid", girder, 0.5));

@@ -153,28 +153,28 @@ fn faults(section: impl FnOnce(MaterialId) -> Section) -> Vec<String> {
 }
 
 #[test]
-fn every_fault_of_fibres_is_told_once() {
+fn every_fault_of_fibres_is_reported_once() {
     let plain = |height: f64, area: f64| SectionFibre { height, area, material: None };
     let of = |fibres: Vec<SectionFibre>| faults(|_| Section::of_fibres("s", fibres));
-    let told = |found: Vec<String>, words: &str| {
+    let reported = |found: Vec<String>, words: &str| {
         assert!(found.len() == 1 && found[0].contains(words), "{words}: {found:?}");
     };
     assert!(of(vec![plain(-0.01, 1e-4), plain(0.01, 1e-4)]).is_empty());
-    told(of(vec![]), "from 2 to 200 fibres");
-    told(of(vec![plain(-0.01, 1e-4), plain(0.01, -1e-4)]), "areas above zero");
-    told(of(vec![plain(0.0, 1e-4), plain(0.0, 1e-4)]), "different heights");
-    told(of(vec![plain(-0.01, 1e-4), plain(0.02, 1e-4)]), "-5.000000e-3 m added to each");
+    reported(of(vec![]), "from 2 to 200 fibres");
+    reported(of(vec![plain(-0.01, 1e-4), plain(0.01, -1e-4)]), "areas above zero");
+    reported(of(vec![plain(0.0, 1e-4), plain(0.0, 1e-4)]), "different heights");
+    reported(of(vec![plain(-0.01, 1e-4), plain(0.02, 1e-4)]), "-5.000000e-3 m added to each");
     let shallow = |_: MaterialId| Section {
         depth: Some(0.01),
         ..Section::of_fibres("s", vec![plain(-0.01, 1e-4), plain(0.01, 1e-4)])
     };
-    told(faults(shallow), "within half the depth");
+    reported(faults(shallow), "within half the depth");
     // The stiffer one draws the centroid to itself: 2e11 against 1e10.
     let two = |stiff: MaterialId| {
         let bar = SectionFibre { material: Some(stiff), ..plain(0.01, 1e-4) };
         Section::of_fibres("s", vec![plain(-0.01, 1e-4), bar])
     };
-    told(faults(two), "-9.047619e-3 m added to each");
+    reported(faults(two), "-9.047619e-3 m added to each");
     // Fibres with another strain measure, or another damping, would differ from their material.
     let mut b = ModelBuilder::new();
     let own = b.material(Material::new("own", 1e10, 1000.0));
@@ -183,5 +183,5 @@ fn every_fault_of_fibres_is_told_once() {
     let section = b.section(Section::of_fibres("s", vec![plain(-0.01, 1e-4), other]));
     b.beam(beam("girder", [0.0, 0.0], [1.0, 0.0], 2, own, section));
     let found = b.build().err().unwrap_or_default();
-    told(found.iter().map(ToString::to_string).collect(), "`damped`");
+    reported(found.iter().map(ToString::to_string).collect(), "`damped`");
 }

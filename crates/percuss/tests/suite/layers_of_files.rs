@@ -35,7 +35,7 @@ fn circles(leads: &[BTreeMap<usize, BTreeSet<String>>]) -> Vec<Vec<usize>> {
 /// Circles of a crate's files: each file with its imports from others of its circle.
 fn faults_of(texts: &[(PathBuf, String)]) -> Vec<BTreeMap<PathBuf, Vec<String>>> {
     let (files, used) = imports(texts);
-    let told = |circle: Vec<usize>| {
+    let reported = |circle: Vec<usize>| {
         let of = |file: &usize| {
             let inside = used[*file].iter().filter(|(home, _)| circle.contains(home));
             let line = |(home, names): (&usize, &BTreeSet<String>)| {
@@ -53,7 +53,7 @@ fn faults_of(texts: &[(PathBuf, String)]) -> Vec<BTreeMap<PathBuf, Vec<String>>>
         };
         circle.iter().map(of).collect()
     };
-    circles(&used).into_iter().map(told).collect()
+    circles(&used).into_iter().map(reported).collect()
 }
 
 #[test]

@@ -46,7 +46,7 @@ fn a_cradle_sends_out_as_many_as_came_in() {
         let found = run(&model, MultipleImpacts::Sequential);
         let expected: Vec<f64> = (0..5).map(|i| f64::from(u8::from(i >= 5 - balls))).collect();
         near(&speeds(&found), &expected);
-        assert_eq!(found.shared_blows.count, 0);
+        assert_eq!(found.multiple_impacts.count, 0);
         assert!(found.energy.loss_impacts.abs() < 1e-14 && found.energy.residual_max < 1e-14);
         assert!(found.momentum.linear_residual_max < 1e-14);
     }
@@ -54,7 +54,7 @@ fn a_cradle_sends_out_as_many_as_came_in() {
 
 /// Along a row of touching balls of masses m_i the last one leaves with prod (1 + e) m_i / (m_i + m_i+1), as along one with gaps.
 #[test]
-fn a_blow_is_passed_on_through_unequal_balls() {
+fn an_impact_is_passed_on_through_unequal_balls() {
     let (masses, e) = ([2.0, 1.0, 0.5, 0.25_f64], 0.8);
     let model = row(&masses, 1, RigidLaw::frictionless(e));
     let found = run(&model, MultipleImpacts::Sequential);
@@ -74,28 +74,28 @@ fn a_blow_is_passed_on_through_unequal_balls() {
 
 /// Without restitution touching balls move on together, for both laws.
 #[test]
-fn a_plastic_blow_takes_the_row_along() {
+fn a_plastic_impact_takes_the_row_along() {
     for how in [MultipleImpacts::Simultaneous, MultipleImpacts::Sequential] {
         let found = run(&row(&[1.0; 5], 1, RigidLaw::frictionless(0.0)), how);
         let off = speeds(&found).iter().map(|v| (v - 0.2).abs()).fold(0.0, f64::max);
         // A sequence ends when no approach is faster than a millionth of the impact velocity, and the rest is concluded by a simultaneous impact.
         assert!(off < 1e-12, "{how:?} {:?}", speeds(&found));
-        assert_eq!(found.shared_blows.count, 0, "nothing bounces: both laws say the same");
+        assert_eq!(found.multiple_impacts.count, 0, "nothing bounces: both laws say the same");
     }
 }
 
 /// Newton's law for a simultaneous impact: (-1/2, 1/2, 1/2, 1/2) for three balls at rest. The summary reports it.
 #[test]
-fn a_shared_blow_is_told() {
+fn a_shared_impact_is_reported() {
     let model = row(&[1.0; 4], 1, RigidLaw::frictionless(1.0));
     let found = run(&model, MultipleImpacts::Simultaneous);
     near(&speeds(&found), &[-0.5, 0.5, 0.5, 0.5]);
-    let shared = found.shared_blows;
+    let shared = found.multiple_impacts;
     assert_eq!((shared.count, shared.contacts), (1, [0, 1]), "{shared:?}");
     assert!((shared.first - 0.01).abs() < 1e-8, "{shared:?}");
     // With one impact after another there is no simultaneous impact.
     let alone = run(&row(&[1.0; 2], 1, RigidLaw::frictionless(1.0)), MultipleImpacts::Simultaneous);
-    assert_eq!(alone.shared_blows.count, 0);
+    assert_eq!(alone.multiple_impacts.count, 0);
 }
 
 /// Friction acts in each impact of a sequence by itself and never gives energy; balances stay closed.

@@ -83,7 +83,7 @@ fn a_disc_flies_through_the_strip_that_it_has_broken() {
 
 /// The energy released at a place does not exceed that of all failures, and each is reported once, in the order of time.
 #[test]
-fn each_place_is_told_once() {
+fn each_place_is_reported_once() {
     let model = struck(80.0, spring());
     let (summary, _) = run(&model, &Settings::new(4e-3, 2e-6));
     let parted = &summary.plastic[0].parted;

@@ -24,8 +24,11 @@ fn impulses_of_the_summary_are_those_of_the_rows() {
         for component in 0..2 {
             let name = format!("support.root.impulse_{}", component + 1);
             let sum: f64 = rows.column(&name).iter().sum();
-            let told = summary.supports[0].impulse[component];
-            assert!((sum - told).abs() < 1e-12 * summary.momentum.linear_scale, "{sum} {told}");
+            let reported = summary.supports[0].impulse[component];
+            assert!(
+                (sum - reported).abs() < 1e-12 * summary.momentum.linear_scale,
+                "{sum} {reported}"
+            );
         }
     }
 }

@@ -5,7 +5,7 @@ use crate::common;
 use common::{at, beam};
 use percuss::internals::geometry::configuration::Configuration;
 use percuss::internals::geometry::pair::Memory;
-use percuss::internals::geometry::touch::Reach;
+use percuss::internals::geometry::touch::SearchRegion;
 use percuss::internals::step::newton::Failure;
 use percuss::*;
 
@@ -46,7 +46,7 @@ fn the_gap_does_not_leap_where_a_cap_that_is_left_to_others_begins() {
             rod.clone().for_each(|n| moved[n] = [along, -down, 0.0, 0.0]);
             let now = Configuration::of(&moved);
             for (i, pair) in model.pairs.iter().enumerate() {
-                let reach = if step == 0 { Reach::All } else { Reach::Near };
+                let reach = if step == 0 { SearchRegion::All } else { SearchRegion::Near };
                 let Some(touch) = pair.touch(&model, &now, &memories[i], reach) else { continue };
                 memories[i] = touch.memory;
                 let pressed = touch.gap.min(0.0);

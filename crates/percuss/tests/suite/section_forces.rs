@@ -683,12 +683,12 @@ fn no_recorded_point_shows_more_than_the_extremes_of_its_beam() {
     for arc in [false, true] {
         let model = struck_beam(arc).build().unwrap();
         let (rows, run) = Rows::of(&model, &Settings::new(2e-3, 2e-5));
-        let told = &run.section_forces[0];
+        let reported = &run.section_forces[0];
         let ranges = [
-            ("axial", &told.axial),
-            ("shear", &told.shear),
-            ("moment", &told.moment),
-            ("stress", &told.stress),
+            ("axial", &reported.axial),
+            ("shear", &reported.shear),
+            ("moment", &reported.moment),
+            ("stress", &reported.stress),
         ];
         for (what, range) in ranges {
             let size = range.max.value.abs().max(range.min.value.abs());

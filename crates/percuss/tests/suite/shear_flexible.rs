@@ -228,7 +228,7 @@ fn corners_between_shear_flexible_and_slender_beams_are_rigid() {
 }
 
 #[test]
-fn the_force_after_a_rigid_blow_has_a_limit() {
+fn the_force_after_a_rigid_impact_has_a_limit() {
     // The section of the paper's second example, with shear: velocity of the mass by Laplace inversion.
     let exact = [(5.0, 34.8562072), (10.0, 30.570388), (20.0, 24.5604188)];
     let errors = |elements: usize, step: f64| {

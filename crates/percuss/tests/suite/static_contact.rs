@@ -416,14 +416,14 @@ fn the_equilibria_of_a_path_are_offered_without_changing_it() {
         assert!((a.factor - b.factor).abs() < 1e-6 * path.limit_points[0].factor);
     }
     // All points but the end, which the path has itself; limit points between those beside them.
-    let told = |limit: bool| -> Vec<(f64, [f64; 2])> {
+    let reported = |limit: bool| -> Vec<(f64, [f64; 2])> {
         offered.0.iter().filter(|o| o.1 == limit).map(|o| (o.0, o.2)).collect()
     };
     let points = |of: &[PathPoint]| -> Vec<(f64, [f64; 2])> {
         of.iter().map(|p| (p.factor, p.displacements[0])).collect()
     };
-    assert_eq!(told(false), points(&path.points[..path.points.len() - 1]));
-    assert_eq!(told(true), points(&path.limit_points));
+    assert_eq!(reported(false), points(&path.points[..path.points.len() - 1]));
+    assert_eq!(reported(true), points(&path.limit_points));
     let down: Vec<f64> = offered.0.iter().map(|o| o.2[1]).collect();
     assert!(down.windows(2).all(|w| w[1] <= w[0] + 1e-12), "the top goes down all the way");
 }

@@ -55,9 +55,9 @@ fn assert_in_balance(found: &Equilibrium, load: [f64; 2]) {
     let size = load[0].abs().max(load[1].abs());
     for i in 0..2 {
         assert_eq!(loads[i], load[i]);
-        let told: f64 = found.reactions.iter().map(|(_, r)| r[i]).sum();
-        assert!((told - reactions[i]).abs() <= 1e-12 * size, "{told} {reactions:?}");
-        assert!((loads[i] + told + springs[i]).abs() < 1e-10 * size, "{:?}", found.balance);
+        let reported: f64 = found.reactions.iter().map(|(_, r)| r[i]).sum();
+        assert!((reported - reactions[i]).abs() <= 1e-12 * size, "{reported} {reactions:?}");
+        assert!((loads[i] + reported + springs[i]).abs() < 1e-10 * size, "{:?}", found.balance);
         assert!(unbalanced[i].abs() < 1e-10 * size);
     }
 }
@@ -73,9 +73,9 @@ fn a_pulled_bar_parts_where_its_law_says_and_carries_nothing_beyond() {
     let tangent = YOUNG * modulus / (YOUNG + modulus);
     let most = SIDE * SIDE * (YIELD + tangent * (failure - YIELD / YOUNG));
     assert_eq!(error.code(), AnalysisCode::NothingLeft);
-    let told = error.to_string();
-    assert!(told.contains(&format!("at load factor {:.6}", most / load)), "{told}");
-    assert!(told.contains("`beam.g` fractures at s = "), "{told}");
+    let reported = error.to_string();
+    assert!(reported.contains(&format!("at load factor {:.6}", most / load)), "{reported}");
+    assert!(reported.contains("`beam.g` fractures at s = "), "{reported}");
     // Short of it the bar holds.
     let mut b = ModelBuilder::new();
     let g = bar(&mut b, Some(law(YIELD, modulus, Some(failure))), 4);

@@ -238,8 +238,8 @@ fn equivalent_static_forces_are_those_of_beam_theory() {
 }
 
 #[test]
-fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
-    let told = |change: &dyn Fn(&mut ModelBuilder, BeamId)| {
+fn where_more_than_the_impact_acts_no_equivalent_force_is_reported() {
+    let reported = |change: &dyn Fn(&mut ModelBuilder, BeamId)| {
         let mut b = ModelBuilder::new();
         let (material, section) = plank(&mut b);
         let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 4, material, section));
@@ -252,9 +252,9 @@ fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
     let held = |b: &mut ModelBuilder, girder| {
         b.support(Support::new("left", at("left", girder, 0.0), SupportKind::Clamp));
     };
-    assert!(told(&held));
-    assert!(!told(&|_, _| ()), "a beam that flies");
-    assert!(!told(&|b, girder| {
+    assert!(reported(&held));
+    assert!(!reported(&|_, _| ()), "a beam that flies");
+    assert!(!reported(&|b, girder| {
         // It oscillates under its weight from the start.
         held(b, girder);
         b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
@@ -275,15 +275,15 @@ fn where_more_than_the_impact_acts_no_equivalent_force_is_told() {
             });
         }
     };
-    assert!(told(&spring(None)), "a spring of the length it has");
-    assert!(!told(&spring(Some(0.9))), "a spring that pulls from the start");
-    assert!(!told(&|b, girder| {
+    assert!(reported(&spring(None)), "a spring of the length it has");
+    assert!(!reported(&spring(Some(0.9))), "a spring that pulls from the start");
+    assert!(!reported(&|b, girder| {
         held(b, girder);
         let (direction, gap, stiffness) = ([0.0, 1.0], 0.0, 1e6);
         let kind = SupportKind::Stop { direction, gap, stiffness, two_sided: false };
         b.support(Support::new("stop", at("end", girder, 1.0), kind));
     }));
-    assert!(!told(&|b, girder| {
+    assert!(!reported(&|b, girder| {
         held(b, girder);
         b.projectile(elastic("other", at("late", girder, 1.0), [0.0, 1.0]));
     }));
@@ -357,8 +357,8 @@ fn a_beam_that_yields_has_the_equivalent_force_of_the_elastic_one() {
     b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, 1.0]));
     let model = b.build().unwrap();
     let summary = simulate(&model, &Settings::new(0.01, 1e-3), &mut NoRecorder).unwrap();
-    let told = summary.contacts[0].no_equivalent_force;
-    assert_eq!(told, Some("the structure is not supported in this direction"));
+    let reported = summary.contacts[0].no_equivalent_force;
+    assert_eq!(reported, Some("the structure is not supported in this direction"));
 }
 
 /// A column with springs between its tip and the ground, each so long without force.

@@ -251,7 +251,7 @@ fn a_limit_point_under_load_control_names_arc_length() {
 }
 
 #[test]
-fn faults_are_told_all_at_once() {
+fn faults_are_reported_all_at_once() {
     let mut b = ModelBuilder::new();
     let material = b.material(Material { retardation: -1.0, ..Material::new("m", YOUNG, DENSITY) });
     let station =

@@ -76,7 +76,7 @@ fn behind_colon(label: &str) -> &str {
 }
 
 /// A file of results: values, then gradients.
-pub fn told(all: &[Answered]) -> String {
+pub fn formatted(all: &[Answered]) -> String {
     let value = |f: &Answered| Some(format!("{:.16e} {}\n", f.value?, f.name));
     let gradient = |f: &Answered| {
         let by = f.gradient.as_ref()?.iter().map(|(_, d)| format!("{d:.16e}"));
@@ -113,12 +113,12 @@ mod tests {
 
     #[test]
     fn files_of_another_format_are_refused() {
-        let told = |text: &str| read(text).err().unwrap_or_default();
-        assert!(told("hello").contains("a count of `variables`"));
-        assert!(told("3 variables\n1 a\n").contains("ends before its 3 variables: it has 1"));
+        let message = |text: &str| read(text).err().unwrap_or_default();
+        assert!(message("hello").contains("a count of `variables`"));
+        assert!(message("3 variables\n1 a\n").contains("ends before its 3 variables: it has 1"));
         assert!(
-            told(&STANDARD.replace("3 ASV", "7 ASV")).contains("second derivatives of `obj_fn`")
+            message(&STANDARD.replace("3 ASV", "7 ASV")).contains("second derivatives of `obj_fn`")
         );
-        assert!(told(&STANDARD.replace("4.0e+02", "heavy")).contains("`mass` is `heavy`"));
+        assert!(message(&STANDARD.replace("4.0e+02", "heavy")).contains("`mass` is `heavy`"));
     }
 }

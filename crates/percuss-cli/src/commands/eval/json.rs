@@ -17,7 +17,7 @@ pub fn read(text: &str) -> Result<Asked, String> {
 }
 
 /// Results by their names, and derivatives by those of the parameters.
-pub fn told(all: &[Answered]) -> String {
+pub fn formatted(all: &[Answered]) -> String {
     let values: Map<String, Value> =
         all.iter().filter_map(|f| Some((f.name.clone(), json!(f.value?)))).collect();
     let gradient = |f: &Answered| {

@@ -1,6 +1,6 @@
 //! Tables, keys and words of a file format, by the names that files have for them.
 
-use percuss_scenario::{BodyReference, KeyReference, KindsReference, Stands, TableReference};
+use percuss_scenario::{BodyReference, KeyReference, KindsReference, TableForm, TableReference};
 
 /// The meaning of a name at one location of a format.
 #[derive(Debug)]
@@ -61,7 +61,7 @@ fn by_name<'r>(format: &'r [TableReference], name: &str) -> Vec<Found<'r>> {
 fn exactly<'r>(format: &'r [TableReference], name: &str) -> Vec<Found<'r>> {
     let mut search = Search { name, kinds: Vec::new(), found: Vec::new() };
     for table in format {
-        if table.stands != Stands::File && table.places.iter().any(|place| place == name) {
+        if table.form != TableForm::File && table.places.iter().any(|place| place == name) {
             search.add(table.places.clone(), Meaning::Table(table));
         }
         search.body(table, &table.body);
@@ -85,7 +85,7 @@ impl<'r> Search<'r, '_> {
     fn body(&mut self, table: &'r TableReference, body: &'r BodyReference) {
         for key in &body.keys {
             // A key of the file with a table is that table.
-            if table.stands == Stands::File && key.table.is_some() {
+            if table.form == TableForm::File && key.table.is_some() {
                 continue;
             }
             let paths = paths(table, key.name);

@@ -1,6 +1,6 @@
 //! Entries of the reference of the file formats as text.
 
-use percuss_scenario::{BodyReference, KeyReference, KindsReference, Stands, TableReference};
+use percuss_scenario::{BodyReference, KeyReference, KindsReference, TableForm, TableReference};
 
 use super::find::{Found, Meaning, find};
 
@@ -26,11 +26,11 @@ pub fn text(format: &[TableReference], name: &str, of: &str) -> Option<String> {
 
 /// A table as it is written in a file.
 pub fn title(table: &TableReference) -> String {
-    match table.stands {
-        Stands::File => "the file".to_owned(),
-        Stands::Once => format!("[{}]", table.places[0]),
-        Stands::Named => format!("[{}.NAME]", table.places[0]),
-        Stands::Braces => {
+    match table.form {
+        TableForm::File => "the file".to_owned(),
+        TableForm::Once => format!("[{}]", table.places[0]),
+        TableForm::Named => format!("[{}.NAME]", table.places[0]),
+        TableForm::Braces => {
             let places = table.places.iter().map(|place| format!("{place} = {{ ... }}"));
             places.collect::<Vec<_>>().join(", ")
         }

@@ -2,7 +2,7 @@
 
 use percuss_codes::{Code, Group};
 use percuss_scenario::content::SteelProfile;
-use percuss_scenario::{Stands, TableReference, reference, study_reference};
+use percuss_scenario::{TableForm, TableReference, reference, study_reference};
 
 use super::print::{self, paragraph, title};
 
@@ -55,7 +55,8 @@ fn of_group(group: &Group) -> String {
 }
 
 fn of_format(name: &str, format: &[TableReference]) -> String {
-    let has_header = |table: &&TableReference| matches!(table.stands, Stands::Once | Stands::Named);
+    let has_header =
+        |table: &&TableReference| matches!(table.form, TableForm::Once | TableForm::Named);
     let line = |table: &TableReference| format!("  {}  {}\n", title(table), table.body.about);
     let lines: String = format.iter().filter(has_header).map(line).collect();
     format!("{name}\n{lines}")

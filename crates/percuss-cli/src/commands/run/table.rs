@@ -16,8 +16,8 @@ use serde_json::Value;
 use super::drift::{drift, unresolved};
 use super::ended::Ended;
 use crate::number::{count, number, quantity, small};
+use crate::plastic_text::{permanent_deflection, plastic_hinge};
 use crate::terminal::{self, painted};
-use crate::yielding_words::{permanent_deflection, plastic_hinge};
 use contacts::{contact_lines, touched};
 use lines::{ROUNDING, listed};
 

@@ -56,7 +56,7 @@ struct Connection {
 /// A request to be answered, and the number of its connection.
 pub type Asked = (usize, Request);
 /// An answer, and the number of its connection.
-pub type Told = (usize, Answer);
+pub type NumberedAnswer = (usize, Answer);
 
 /// The connections.
 pub struct Connections {
@@ -66,11 +66,11 @@ pub struct Connections {
     all: BTreeMap<usize, Connection>,
     next: usize,
     asked: Sender<Asked>,
-    told: Receiver<Told>,
+    answers: Receiver<NumberedAnswer>,
 }
 
 impl Connections {
-    /// Connections that come to a listener; requests go to `asked`, answers come from `told`.
+    /// Connections that come to a listener; requests go to `asked`, answers come from `answers`.
     ///
     /// # Errors
     /// If the listener cannot be looked after.
@@ -79,10 +79,10 @@ impl Connections {
         mut listener: TcpListener,
         gate: Gate,
         asked: Sender<Asked>,
-        told: Receiver<Told>,
+        answers: Receiver<NumberedAnswer>,
     ) -> io::Result<Self> {
         poll.registry().register(&mut listener, LISTENER, Interest::READABLE)?;
-        Ok(Self { poll, listener, gate, all: BTreeMap::new(), next: 0, asked, told })
+        Ok(Self { poll, listener, gate, all: BTreeMap::new(), next: 0, asked, answers })
     }
 
     /// Looks after them for ever.
@@ -150,7 +150,7 @@ impl Connections {
 
     /// Sends answers on their way. A connection that has gone meanwhile is no fault.
     fn answer(&mut self) {
-        while let Ok((number, answer)) = self.told.try_recv() {
+        while let Ok((number, answer)) = self.answers.try_recv() {
             if let Some(one) = self.all.get_mut(&number)
                 && let State::Answering { stays } = one.state
             {

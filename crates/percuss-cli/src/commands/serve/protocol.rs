@@ -21,7 +21,7 @@ pub struct Model<'s> {
     pub differentiable: &'s OnceLock<bool>,
 }
 
-/// An answer: status of HTTP and what is told.
+/// An answer: status of HTTP and what is reported.
 #[derive(Debug, PartialEq)]
 pub struct Answer {
     /// Status.
@@ -66,13 +66,13 @@ type Refused = (Kind, String);
 
 /// The answer to a request.
 pub fn answer(model: &mut Model<'_>, posted: bool, path: &str, body: &str) -> Answer {
-    match told(model, posted, path, body) {
+    match respond(model, posted, path, body) {
         Ok(body) => Answer { status: 200, body },
         Err((kind, text)) => Answer::failure(kind, text),
     }
 }
 
-fn told(model: &mut Model<'_>, posted: bool, path: &str, body: &str) -> Result<Value, Refused> {
+fn respond(model: &mut Model<'_>, posted: bool, path: &str, body: &str) -> Result<Value, Refused> {
     let path = path.split('?').next().unwrap_or(path);
     if path == "/Info" {
         return Ok(json!({ "protocolVersion": VERSION, "models": [NAME] }));

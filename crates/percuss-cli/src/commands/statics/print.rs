@@ -7,7 +7,7 @@ use percuss::{
 };
 
 use crate::number::{count, number, quantity};
-use crate::yielding_words::{permanent_deflection, plastic_hinge};
+use crate::plastic_text::{permanent_deflection, plastic_hinge};
 
 /// Limit points and failures printed, of each.
 const LISTED: usize = 20;

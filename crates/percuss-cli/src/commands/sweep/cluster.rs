@@ -60,13 +60,13 @@ pub fn sweep(study: &Path, scheduler: &str, out: &Path, quiet: bool) -> Result<S
 fn wait(mut command: Command) -> std::io::Result<ExitStatus> {
     interrupt::end_between_steps();
     let mut child = command.spawn()?;
-    let mut told = false;
+    let mut announced = false;
     loop {
         if let Some(status) = child.try_wait()? {
             return Ok(status);
         }
-        if interrupt::requested() && !told {
-            told = true;
+        if interrupt::requested() && !announced {
+            announced = true;
             end(&mut child)?;
         }
         thread::sleep(POLL);

@@ -13,7 +13,7 @@ pub const ELASTIC: &str = include_str!("../../files/elastic.toml");
 pub const RIGID: &str = include_str!("../../files/rigid.toml");
 
 /// A directory with scenario files, removed at the end.
-pub struct Desk {
+pub struct Sandbox {
     dir: TempDir,
 }
 
@@ -27,13 +27,13 @@ pub struct Outcome {
     pub stderr: String,
 }
 
-impl Desk {
+impl Sandbox {
     /// With `elastic.toml` and `rigid.toml` on it.
     pub fn new() -> Self {
-        let desk = Self::empty();
-        desk.put("elastic.toml", ELASTIC);
-        desk.put("rigid.toml", RIGID);
-        desk
+        let sandbox = Self::empty();
+        sandbox.put("elastic.toml", ELASTIC);
+        sandbox.put("rigid.toml", RIGID);
+        sandbox
     }
 
     /// With nothing on it.

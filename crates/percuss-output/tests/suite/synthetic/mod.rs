@@ -303,7 +303,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
         plastic: Vec::new(),
         yielding: Vec::new(),
         joints: Vec::new(),
-        shared_blows: percuss::SharedBlows::default(),
+        multiple_impacts: percuss::MultipleImpactSummary::default(),
         points: vec![PointSummary {
             name: "girder.mid".to_owned(),
             displacement_max: [
@@ -431,7 +431,7 @@ pub fn advice(contact: &str) -> Vec<Advice> {
         reason: None,
     };
     vec![
-        finding(Topic::Touch, 0.01, 0.15, "s", Verdict::Fine, "first contact at 10 ms"),
+        finding(Topic::FirstContact, 0.01, 0.15, "s", Verdict::Fine, "first contact at 10 ms"),
         finding(
             Topic::EffectiveMass,
             91.2,

@@ -13,7 +13,7 @@ pub const TIME: &str = "[time]\nend = 1\nstep = 0.1\n";
 /// Four lines, on which `wall` stands.
 pub const WALL: &str = "[obstacle.wall]\nkind = \"wall\"\nends = [[0, 1], [3, 1]]\n\n";
 
-/// What a sound file contains, which is the same when it is written out.
+/// What a valid file contains, which is the same when it is written out.
 #[track_caller]
 pub fn good(text: &str) -> Content {
     let scenario = read(&[BEAM, text, TIME].concat(), "f.toml").unwrap_or_else(|e| panic!("{e}"));

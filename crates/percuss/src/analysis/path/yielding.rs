@@ -55,10 +55,10 @@ impl Tracer<'_> {
             factor if known && factor.is_finite() => factor,
             _ => here.factor,
         };
-        let told = |one: &yields::Crossing| PathYield {
+        let recorded = |one: &yields::Crossing| PathYield {
             name: one.own.name.clone(),
             factor: factor(one.rise),
         };
-        Yielded::Here(found.iter().map(told).collect())
+        Yielded::Here(found.iter().map(recorded).collect())
     }
 }

@@ -1,6 +1,6 @@
 //! Section forces of runs of one shape side by side: lanes are runs, and each keeps the extremes of its own beams.
 //!
-//! Axial force, shear force and moment, and stresses of elastic beams where they are asked for; strains are not told.
+//! Axial force, shear force and moment, and stresses of elastic beams where they are asked for; strains are not reported.
 
 use super::element::{ElementForces, PLACES, widen};
 use super::line::{ElementShape, Inner, Line, OnNodes, SectionForces};

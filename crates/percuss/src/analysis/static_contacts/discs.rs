@@ -71,8 +71,8 @@ impl StaticContacts {
     }
 
     /// Bodies that are fixed whatever forces of springs act on them.
-    pub fn stand<const TANGENT: bool>(&self, residual: &mut [[f64; 4]], tangent: &mut Tangent) {
-        for node in &self.standing {
+    pub fn fix_nodes<const TANGENT: bool>(&self, residual: &mut [[f64; 4]], tangent: &mut Tangent) {
+        for node in &self.fixed_nodes {
             residual[*node] = [0.0; 4];
             if TANGENT {
                 let diagonal = &mut tangent.chain_mut().diag[*node];
@@ -82,8 +82,8 @@ impl StaticContacts {
     }
 
     /// Whether the body of a node is fixed.
-    pub fn stands(&self, node: usize) -> bool {
-        self.standing.contains(&node)
+    pub fn is_fixed(&self, node: usize) -> bool {
+        self.fixed_nodes.contains(&node)
     }
 
     /// Share of a correction that discs can follow: up to the next obstacle, and not much further.

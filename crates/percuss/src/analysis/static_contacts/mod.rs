@@ -19,7 +19,7 @@ use crate::geometry::configuration::Configuration;
 use crate::geometry::dents::{Dent, Dents};
 use crate::geometry::pair::{Memory, Pair};
 use crate::geometry::row::Row;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 
 use crate::model::Model;
 use crate::model::frozen::BodyKind;
@@ -62,7 +62,7 @@ pub(super) struct StaticContacts {
     /// Discs at rest, and guided projectiles at rest on springs, in the analysis, shape (such bodies).
     discs: Vec<RestingDisc>,
     /// Nodes of fixed bodies at which springs end, shape (such bodies) \[index of a node\].
-    standing: Vec<usize>,
+    fixed_nodes: Vec<usize>,
     /// Bodies in the model: all of them are fixed except those discs and projectiles.
     has_bodies: bool,
     /// Scale of positions \[m\].
@@ -120,13 +120,14 @@ impl StaticContacts {
         let moves =
             |i: &usize| (model.bodies[*i].kind.is_disc() && rests(model, *i)) || hangs(model, *i);
         let discs: Vec<RestingDisc> = (0..model.bodies.len()).filter(moves).map(disc).collect();
-        let stands = |i: &usize| !moves(i) && model.is_tied(*i);
-        let standing = (0..model.bodies.len()).filter(stands).map(|i| model.body_node(i)).collect();
+        let is_fixed = |i: &usize| !moves(i) && model.is_tied(*i);
+        let fixed_nodes =
+            (0..model.bodies.len()).filter(is_fixed).map(|i| model.body_node(i)).collect();
         let has_bodies = !model.bodies.is_empty();
-        let mut contacts = Self { discs, standing, has_bodies, size, ..Self::default() };
+        let mut contacts = Self { discs, fixed_nodes, has_bodies, size, ..Self::default() };
         let at = Configuration::of(&base.displacement);
         for (i, pair) in model.pairs.iter().enumerate().filter(|(_, p)| takes_part(model, p)) {
-            let touch = pair.touch(model, &at, &Memory::default(), Reach::All);
+            let touch = pair.touch(model, &at, &Memory::default(), SearchRegion::All);
             let memory = touch.map_or(Memory::default(), |t| t.memory);
             let rigid = model.contacts[pair.contact].law.is_rigid();
             let of_disc = |d: &RestingDisc| pair.movers.contains(&(model.beams.len() + d.body));
@@ -272,7 +273,7 @@ impl StaticContacts {
         for place in &mut self.places {
             let pair = &model.pairs[place.pair];
             let memory = Memory { near: place.seen.near, ..place.accepted };
-            let Some(touch) = pair.touch(model, &at, &memory, Reach::All) else {
+            let Some(touch) = pair.touch(model, &at, &memory, SearchRegion::All) else {
                 (place.gap, place.force, place.closed) = (f64::INFINITY, 0.0, false);
                 place.multiplier = 0.0;
                 continue;

@@ -7,7 +7,7 @@ use crate::frame::FrameForce;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Memory;
 use crate::geometry::row::Row;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::geometry::turning::Turning;
 use crate::math::vec2::{add, cross, scale};
 use crate::model::Model;
@@ -45,7 +45,7 @@ impl StaticContacts {
         let one = |place: &CandidatePair| {
             let pair = &model.pairs[place.pair];
             let memory = Memory { near: place.seen.near, ..place.accepted };
-            let touch = pair.touch(model, &at, &memory, Reach::All)?;
+            let touch = pair.touch(model, &at, &memory, SearchRegion::All)?;
             let sign = if pair.source_partner == 1 { 1.0 } else { -1.0 };
             Some(FrameForce {
                 contact: pair.contact,
@@ -64,7 +64,7 @@ impl StaticContacts {
         let held = |place: &CandidatePair| {
             let pair = &model.pairs[place.pair];
             let memory = Memory { near: place.seen.near, ..place.accepted };
-            let touch = pair.touch(model, &at, &memory, Reach::All)?;
+            let touch = pair.touch(model, &at, &memory, SearchRegion::All)?;
             let row = moving(model, &pair.normal_row(&touch, &at));
             let stiffness = match model.contacts[pair.contact].law.smooth() {
                 Some(law) => law.held_stiffness(-touch.gap),

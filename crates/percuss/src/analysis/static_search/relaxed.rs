@@ -79,7 +79,7 @@ impl StaticSearch<'_> {
                 if self.solve(share) {
                     return true;
                 }
-                self.put_back(&place);
+                self.restore(&place);
                 self.begin_relaxed(share);
                 if left <= ROUND_OFF {
                     self.contacts.accept(self.model);
@@ -104,7 +104,7 @@ impl StaticSearch<'_> {
                 }
                 continue;
             }
-            self.put_back(&place);
+            self.restore(&place);
             added *= MORE;
             if added > RANGE[1] {
                 return false;
@@ -154,10 +154,10 @@ impl StaticSearch<'_> {
     fn left_unbalanced(&mut self) -> f64 {
         self.foresee(true);
         self.assemble::<false>();
-        let in_play = largest(&self.work.residual).max(self.load());
+        let scale = largest(&self.work.residual).max(self.load());
         let mut free = self.work.residual.clone();
         project(self.model, &mut free);
-        if in_play > 0.0 { largest(&free) / in_play } else { 0.0 }
+        if scale > 0.0 { largest(&free) / scale } else { 0.0 }
     }
 
     /// Largest error of a constraint \[m, -\].
@@ -183,7 +183,7 @@ impl StaticSearch<'_> {
         (work.increment.clone(), work.multiplier.clone(), self.contacts.clone())
     }
 
-    fn put_back(&mut self, place: &Place) {
+    fn restore(&mut self, place: &Place) {
         self.work.increment.copy_from_slice(&place.0);
         self.work.multiplier.copy_from_slice(&place.1);
         self.contacts.clone_from(&place.2);

@@ -6,7 +6,12 @@ use super::law::{Hardening, Overstress, PlasticLaw, Plasticity, StressLaw};
 impl<S: Copy> Fibre<S> {
     /// The same with every number replaced.
     pub fn map<T>(&self, f: &mut impl FnMut(S) -> T) -> Fibre<T> {
-        Fibre { height: f(self.height), area: f(self.area), bears: self.bears, law: self.law }
+        Fibre {
+            height: f(self.height),
+            area: f(self.area),
+            carries_force: self.carries_force,
+            law: self.law,
+        }
     }
 }
 

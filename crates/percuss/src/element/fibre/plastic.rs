@@ -96,18 +96,18 @@ impl<S: Number> PlasticLaw<S> {
         let one = from.constant(1.0);
         let elastic = young * (from - state.plastic);
         let mut path = StressPath::new(elastic, to - from);
-        let (mut modulus, mut bears) = (young, none.at_most(none));
+        let (mut modulus, mut carries_force) = (young, none.at_most(none));
         if self.slack.is_some() {
             let (gaped, gapes) = (self.gapes(state, from), self.gapes(state, to));
             path.start = S::choose(gaped, none, elastic);
             let before = S::choose(gaped, none, young);
             path.cross(gaped, gapes, before, state.plastic - from);
-            (modulus, bears) = (S::choose(gapes, none, young), !gapes);
+            (modulus, carries_force) = (S::choose(gapes, none, young), !gapes);
         }
         let back = self.plasticity.kinematic * state.plastic;
         let trial = young * (to - state.plastic) - back;
         let limit = self.plasticity.yield_stress(state.accumulated);
-        let flows = limit.less(trial.abs()) & bears;
+        let flows = limit.less(trial.abs()) & carries_force;
         if !flows.any() {
             path.go_on(modulus, one);
             return FibreStep::without_flow(path, state);

@@ -111,12 +111,12 @@ impl LuFactors {
     /// LuFactors of a matrix with the largest entry of each column as its pivot (Gilbert and Peierls 1988); `None` if it is singular.
     pub fn seeking_pivots(matrix: SparseMatrix, order: &[usize]) -> Option<Self> {
         let n = order.len();
-        let (mut rows, mut places) = (Vec::with_capacity(n), vec![NOWHERE; n]);
+        let (mut rows, mut places) = (Vec::with_capacity(n), vec![ABSENT; n]);
         let mut pivots = Vec::with_capacity(n);
         let mut lower = ColumnPattern { starts: vec![0], rows: Vec::new() };
         let mut upper = lower.clone();
         let (mut lower_values, mut upper_values) = (Vec::new(), Vec::new());
-        let (mut x, mut seen) = (vec![0.0; n], vec![NOWHERE; n]);
+        let (mut x, mut seen) = (vec![0.0; n], vec![ABSENT; n]);
         for k in 0..n {
             let own = matrix.pattern.range(order[k]);
             let from = &matrix.pattern.rows[own.clone()];
@@ -128,7 +128,7 @@ impl LuFactors {
             let (mut most, mut pivot_row) = (0.0, None);
             for row in &reached {
                 let (value, j) = (x[*row], places[*row]);
-                if j != NOWHERE {
+                if j != ABSENT {
                     upper.rows.push(j);
                     upper_values.push(value);
                     for below in lower.range(j) {
@@ -142,7 +142,7 @@ impl LuFactors {
             let pivot = x[pivot_row];
             for row in reached {
                 let value = std::mem::take(&mut x[row]);
-                if places[row] == NOWHERE && row != pivot_row {
+                if places[row] == ABSENT && row != pivot_row {
                     lower.rows.push(row);
                     lower_values.push(value / pivot);
                 }
@@ -178,7 +178,7 @@ impl LuFactors {
 }
 
 /// Of a row that is not eliminated yet.
-const NOWHERE: usize = usize::MAX;
+const ABSENT: usize = usize::MAX;
 
 /// The rows in which column `k` of the factors has entries, given those in the previous rows `from`: every row after those whose elimination
 /// changes it.
@@ -189,7 +189,7 @@ fn reached(
     k: usize,
 ) -> Vec<usize> {
     let below = |row: usize| match places[row] {
-        NOWHERE => 0..0,
+        ABSENT => 0..0,
         j => lower.range(j),
     };
     let (mut order, mut open) = (Vec::new(), Vec::new());

@@ -8,8 +8,8 @@ use super::faults::{Faults, quantity};
 use super::functions::check_function;
 use crate::math::vec2::{cross, dot, norm};
 
-/// Line of flight of a projectile, not normalised; `None` if neither velocity nor direction gives one.
-pub(in crate::model) fn line_of_flight(projectile: &Projectile) -> Option<[f64; 2]> {
+/// Line of motion of a projectile, not normalised; `None` if neither velocity nor direction gives one.
+pub(in crate::model) fn line_of_motion(projectile: &Projectile) -> Option<[f64; 2]> {
     let line =
         if norm(projectile.velocity) > 0.0 { projectile.velocity } else { projectile.direction? };
     (norm(line) > 0.0).then_some(line)
@@ -49,7 +49,7 @@ pub(super) fn check_projectile(model: &ModelBuilder, projectile: &Projectile, ou
     if velocity.iter().chain(direction.iter().flatten()).any(|c| !c.is_finite()) {
         out.finite(path("velocity"), &velocity, "m/s");
         out.finite(path("direction"), &direction.unwrap_or_default(), "");
-    } else if line_of_flight(projectile).is_none() {
+    } else if line_of_motion(projectile).is_none() {
         let field = if direction.is_some() { "direction" } else { "velocity" };
         let expected = "a velocity, or `direction` for a projectile at rest";
         out.add(path(field), "zero velocity", expected);

@@ -22,7 +22,7 @@ use shear::{check_shear_factor, check_shear_moduli, check_stretch, check_theory}
 use supports::{check_joint, check_spring, check_support};
 use yielding::{check_fibres, check_given_fibres, check_one_sided, check_plasticity};
 
-pub(super) use actions::line_of_flight;
+pub(super) use actions::line_of_motion;
 
 /// All faults of the definitions, in the order of the definitions.
 pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {

@@ -2,7 +2,7 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
-use super::actions::line_of_flight;
+use super::actions::line_of_motion;
 use super::beams::{arc, check_point, length, position};
 use super::faults::{Faults, quantity};
 use super::functions::check_function;
@@ -155,7 +155,7 @@ fn projectile(
         return None;
     }
     let strikes = &guided.strikes;
-    let line = line_of_flight(guided)?;
+    let line = line_of_motion(guided)?;
     let beam = model.beams.get(strikes.beam.0 as usize)?;
     let place = beam.line_point(strikes.along)?.position;
     Some(sub(place, scale(guided.standoff / norm(line), line)))

@@ -1,4 +1,4 @@
-//! Projectiles that are guided along a line of flight.
+//! Projectiles that are guided along a line of motion.
 
 use super::{PointRef, Potential, SmoothLaw};
 
@@ -24,7 +24,7 @@ impl ProjectileKind {
     }
 }
 
-/// A second mass of a projectile, behind the first one on its line of flight.
+/// A second mass of a projectile, behind the first one on its line of motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RearMass {
     /// Mass \[kg\].
@@ -35,7 +35,7 @@ pub struct RearMass {
     pub damping: f64,
 }
 
-/// A projectile: it is guided along a fixed line of flight and strikes a material point of a beam.
+/// A projectile: it is guided along a fixed line of motion and strikes a material point of a beam.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projectile {
     /// The user's name for it.
@@ -46,11 +46,11 @@ pub struct Projectile {
     pub mass: f64,
     /// Initial velocity, shape (2) \[m/s\].
     pub velocity: [f64; 2],
-    /// Line of flight towards the beam, shape (2) \[-\]; needed only where the velocity is zero. Need not be of unit length.
+    /// Line of motion towards the beam, shape (2) \[-\]; needed only where the velocity is zero. Need not be of unit length.
     pub direction: Option<[f64; 2]>,
     /// The material point struck.
     pub strikes: PointRef,
-    /// Initial distance between projectile (or spring tip) and beam along the line of flight \[m\].
+    /// Initial distance between projectile (or spring tip) and beam along the line of motion \[m\].
     pub standoff: f64,
     /// A second mass behind it.
     pub rear: Option<RearMass>,

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::Pair;
 use crate::geometry::row::Row;
-use crate::geometry::touch::{Reach, Touch};
+use crate::geometry::touch::{SearchRegion, Touch};
 use crate::model::frozen::ContactData;
 use crate::model::{Model, SmoothLaw};
 use crate::run::solving::trial::{Accepted, Solved};
@@ -232,7 +232,7 @@ impl StepViews<'_> {
         let now = state.configuration();
         let at = Configuration { increment: &self.work.increment, share: -back, ..now };
         let pair = &model.pairs[i];
-        let Some(touch) = pair.touch(model, &at, &state.pairs[i].memory, Reach::Near) else {
+        let Some(touch) = pair.touch(model, &at, &state.pairs[i].memory, SearchRegion::Near) else {
             return ContactPlace::default();
         };
         let position = [0, 1].map(|i| touch.closest_place[i] + touch.radius * touch.normal[i]);
@@ -277,7 +277,7 @@ pub fn rate_of_rest(before: f64, after: f64) -> f64 {
 }
 
 /// Pair `i` in the current state.
-pub fn touch(model: &Model, state: &State, i: usize, reach: Reach) -> Option<Touch> {
+pub fn touch(model: &Model, state: &State, i: usize, reach: SearchRegion) -> Option<Touch> {
     let at = state.configuration();
     model.pairs[i].touch(model, &at, &state.pairs[i].memory, reach)
 }

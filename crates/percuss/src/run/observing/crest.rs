@@ -51,7 +51,7 @@ impl<S: Number> Crest<S> {
 
     /// Restores all lanes except those of the mask `go`.
     #[inline(always)]
-    pub fn put_back(&mut self, kept: &Self, go: S::Mask) {
+    pub fn restore(&mut self, kept: &Self, go: S::Mask) {
         let choose = |now: &mut S, kept: S| *now = S::choose(go, *now, kept);
         choose(&mut self.value, kept.value);
         choose(&mut self.time, kept.time);

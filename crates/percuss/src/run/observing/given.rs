@@ -29,7 +29,7 @@ pub struct RowReactions {
     /// Time of the last row \[s\].
     row: f64,
     /// Mean reactions and impulses of the last row, shape (2, supports, 3) \[N, N m\] and \[N s, N m s\].
-    told: [Vec<[f64; 3]>; 2],
+    last_row: [Vec<[f64; 3]>; 2],
 }
 
 impl RowReactions {
@@ -40,7 +40,7 @@ impl RowReactions {
             sum: none.clone(),
             time: 0.0,
             carries_impulses: false,
-            told: [mean.clone(), none.clone()],
+            last_row: [mean.clone(), none.clone()],
             mean,
             before: state.reactions.clone(),
             settled: state.time,
@@ -51,18 +51,18 @@ impl RowReactions {
 
     /// Whether it has the given number of supports.
     pub fn fits(&self, supports: usize) -> bool {
-        let pairs = self.since_row.iter().chain(&self.told);
+        let pairs = self.since_row.iter().chain(&self.last_row);
         [&self.sum, &self.mean, &self.before].into_iter().chain(pairs).all(|v| v.len() == supports)
     }
 
     /// Mean reactions over the time before the row.
     pub fn mean(&self) -> &[[f64; 3]] {
-        &self.told[0]
+        &self.last_row[0]
     }
 
     /// Impulses beyond them.
     pub fn impulses(&self) -> &[[f64; 3]] {
-        &self.told[1]
+        &self.last_row[1]
     }
 
     /// Enters a part of a step; reactions in one as short as an impact interval are no forces.
@@ -111,7 +111,7 @@ impl RowReactions {
     /// Ends a row, with the values since the last one.
     pub fn close(&mut self) {
         let since = self.settled - self.row;
-        let ([forces, impulses], [mean, beyond]) = (&mut self.since_row, &mut self.told);
+        let ([forces, impulses], [mean, beyond]) = (&mut self.since_row, &mut self.last_row);
         if since > 0.0 {
             for (mean, force) in mean.iter_mut().zip(forces.iter()) {
                 *mean = force.map(|impulse| impulse / since);

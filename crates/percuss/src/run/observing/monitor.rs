@@ -24,7 +24,7 @@ use crate::state::State;
 use crate::step::contacts::PressingPair;
 use crate::step::effective_mass::EffectiveMass;
 use crate::step::workspace::Workspace;
-use crate::summary::{Range, SectionForceSummary, SharedBlows, SupportSummary};
+use crate::summary::{MultipleImpactSummary, Range, SectionForceSummary, SupportSummary};
 
 /// Forms of the contacts in a step of size `h`, and the forces along them.
 fn contact_forces(work: &Workspace, h: f64) -> impl Iterator<Item = ([&Row; 2], [f64; 2])> {
@@ -53,7 +53,7 @@ pub struct Monitor {
     /// Effective masses of the beams of each contact, once it has struck under a rigid law, shape (contacts).
     pub struck_masses: Vec<Option<EffectiveMass>>,
     /// Impacts that several touching bodies shared.
-    pub shared_blows: SharedBlows,
+    pub multiple_impacts: MultipleImpactSummary,
     /// Section forces of the last part of a step without impact.
     lines: Lines,
     /// Records of beams that can yield, one per beam, shape (beams); empty if none can.
@@ -86,7 +86,7 @@ impl Monitor {
             reactions: RowReactions::new(state, reactions),
             given: vec![Given::default(); model.striking_bodies().count()],
             struck_masses: vec![None; model.contacts.len()],
-            shared_blows: SharedBlows::default(),
+            multiple_impacts: MultipleImpactSummary::default(),
             yielded: vec![YieldRecord::default(); if inelastic { model.beams.len() } else { 0 }],
             connectors: vec![ConnectorRecord::default(); model.memory_count()],
             joints: state
@@ -170,7 +170,7 @@ impl Monitor {
             given.take(model.body_node(body), part);
         }
         if let Some(contacts) = solved.shared {
-            self.shared_blows.take(part.before().time, contacts);
+            self.multiple_impacts.take(part.before().time, contacts);
         }
         self.take_points(part);
         self.audit(&state.ledger, part.measures);

@@ -1,7 +1,7 @@
 //! The state of a run between two steps, from which its remaining duration is estimated.
 
 use super::contact_log::ContactLog;
-use crate::run::solving::solver::Standing;
+use crate::run::solving::solver::StateView;
 use crate::summary::ContactRecord;
 
 /// Progress of a run between two steps.
@@ -23,7 +23,7 @@ pub struct RunStatus<'a> {
 
 impl<'a> RunStatus<'a> {
     /// The status of a run in a state, with its log of contacts.
-    pub(in crate::run) fn of(at: Standing<'a>, contacts: &ContactLog, iterations: usize) -> Self {
+    pub(in crate::run) fn of(at: StateView<'a>, contacts: &ContactLog, iterations: usize) -> Self {
         let counts = contacts.records.iter().map(|record| match record {
             ContactRecord::Smooth { intervals, .. } => intervals.len(),
             ContactRecord::Nonsmooth { impact_count, .. } => *impact_count,
@@ -36,7 +36,7 @@ impl<'a> RunStatus<'a> {
                 busiest = Some((name, count));
             }
         }
-        let Standing { state, settings, .. } = at;
+        let StateView { state, settings, .. } = at;
         Self { step: state.step, time: state.time, end: settings.end, iterations, impacts, busiest }
     }
 }

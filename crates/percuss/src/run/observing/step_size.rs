@@ -91,7 +91,7 @@ pub struct StepSizeControl {
     /// Largest error of an accepted step so far.
     error: f64,
     /// Data of the summary.
-    told: StepControl,
+    control: StepControl,
 }
 
 /// Nodes of the beams, or of the bodies where there are no beams.
@@ -147,7 +147,7 @@ impl StepSizeControl {
             approach: vec![0.0; model.contacts.len()],
             peak: vec![0.0; model.contacts.len()],
             error: 0.0,
-            told: StepControl::new(accuracy),
+            control: StepControl::new(accuracy),
         })
     }
 
@@ -159,13 +159,13 @@ impl StepSizeControl {
             let contacts = [one.contact_step.len(), one.approach.len(), one.peak.len()];
             (past, others, contacts)
         };
-        let sound = self.next > 0.0 && self.next.is_finite();
-        sound && lengths(self) == lengths(other) && self.first == other.first
+        let valid = self.next > 0.0 && self.next.is_finite();
+        valid && lengths(self) == lengths(other) && self.first == other.first
     }
 
     /// Data of the summary on the steps.
-    pub fn told(&self) -> StepControl {
-        StepControl { estimate: self.error.powf(2.0 / 3.0) / ADMITTED, ..self.told }
+    pub fn control(&self) -> StepControl {
+        StepControl { estimate: self.error.powf(2.0 / 3.0) / ADMITTED, ..self.control }
     }
 
     /// Size of the step from `time` on: the remaining time if that is hardly more.
@@ -179,14 +179,14 @@ impl StepSizeControl {
     }
 
     /// Size of the parts after a jump of velocities, where the motion is still unknown \[s\].
-    pub fn afresh(&self) -> Option<f64> {
+    pub fn restart_size(&self) -> Option<f64> {
         (self.known == 0).then_some(self.first)
     }
 
     /// Counts a completed step, and sets the size of the next one. A body after a rigid impact may strike again: the result depends on waves that
     /// are hardly visible in the deflections.
     pub fn close(&mut self, size: f64, pairs: &[PairState]) {
-        self.told.count(size);
+        self.control.count(size);
         let most = (GROWS * size).min(LARGEST * self.first);
         self.next = self.admits.min(most).max(SHRINKS * size).max(SMALLEST * self.first);
         if self.known < 2 {
@@ -200,7 +200,7 @@ impl StepSizeControl {
 
     /// Records a rejection.
     pub fn refuse(&mut self) {
-        self.told.refused += 1;
+        self.control.refused += 1;
     }
 
     /// Whether a part of so small a size is never refused.

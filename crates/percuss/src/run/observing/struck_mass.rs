@@ -1,7 +1,7 @@
 //! Effective mass of the beams of a contact, where and when it first strikes.
 
 use super::contact_log;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::run::solving::trial::Accepted;
 use crate::step::contacts::Phase;
 use crate::step::effective_mass::{EffectiveMass, mass_matrix};
@@ -18,7 +18,7 @@ pub fn weigh(known: &mut [Option<EffectiveMass>], part: &Accepted<'_>) {
         if !strikes || known[pair.contact].is_some() || guided || !beams {
             continue;
         }
-        let Some(touch) = contact_log::touch(model, state, contact.pair, Reach::Near) else {
+        let Some(touch) = contact_log::touch(model, state, contact.pair, SearchRegion::Near) else {
             continue;
         };
         let u = &state.displacement;

@@ -191,7 +191,7 @@ pub fn summaries(
                 let volume = point.weight * fibre.area;
                 out.dissipated += volume * memory.dissipated;
                 out.hardening += volume * point.of.laws[fibre.law].hardening_energy(memory);
-                out.failed += usize::from(memory.failed && fibre.bears);
+                out.failed += usize::from(memory.failed && fibre.carries_force);
             }
         }
         out
@@ -236,7 +236,7 @@ fn plastic_curvature(point: &GaussFibres) -> f64 {
 /// Curvature at which a fibre of a Gauss point first yields in pure bending \[1/m\].
 fn first_yield_curvature(point: &GaussFibres) -> f64 {
     let curvature = |fibre: &Fibre| match &point.of.laws[fibre.law] {
-        StressLaw::Plastic(law) if fibre.bears => {
+        StressLaw::Plastic(law) if fibre.carries_force => {
             let first = law.plasticity.curve.first().map_or(0.0, |part| part.stress);
             first / (law.young * fibre.height.abs())
         }
@@ -251,8 +251,8 @@ fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
     let mut out: Vec<PlasticHinge> = Vec::new();
     let mut side = 0.0;
     for point in points(model, state, beam, true) {
-        let bears = |(fibre, s): (&Fibre, &FibreState)| fibre.bears && !s.failed;
-        let whole = point.fibres.iter().zip(point.states).any(bears);
+        let carries_force = |(fibre, s): (&Fibre, &FibreState)| fibre.carries_force && !s.failed;
+        let whole = point.fibres.iter().zip(point.states).any(carries_force);
         // An open section rotates without yielding, and the moment does not distinguish the two.
         let gapes = point.of.laws.iter().any(|law| law.slack().is_some());
         let yielded = whole && !gapes && point.states.iter().any(|s| s.accumulated > 0.0);

@@ -4,7 +4,7 @@ use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
 use crate::geometry::pair::Memory;
 
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::ledger::Measures;
 use crate::model::Model;
 use crate::model::frozen::{ContactData, MaterialPoint};
@@ -230,8 +230,8 @@ fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search)
         let seen = state.pairs[i].memory;
         // A sleeping pair may have passed around an end meanwhile: its side and closest point are those of its current position.
         let (memory, reach) = match least {
-            Some(_) => (Memory { side: 0.0, ..seen }, Reach::All),
-            None => (seen, Reach::Near),
+            Some(_) => (Memory { side: 0.0, ..seen }, SearchRegion::All),
+            None => (seen, SearchRegion::Near),
         };
         if let Some(touch) = pair.touch(model, &at, &memory, reach)
             && touch.gap < best.gap

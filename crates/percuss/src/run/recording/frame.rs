@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::analysis::section_forces::Lines;
 use crate::frame::{Frame, FrameForce};
-use crate::geometry::touch::{Reach, tangent_of};
+use crate::geometry::touch::{SearchRegion, tangent_of};
 use crate::math::vec2::{add, norm, scale};
 use crate::model::Model;
 use crate::run::solving::trial::{Accepted, PartKind};
@@ -152,7 +152,7 @@ impl Carried {
     /// On the target, at its current position; `None` if the two no longer face each other.
     fn on_target(&self, model: &Model, state: &State, impulsive: bool) -> Option<FrameForce> {
         let (pair, seen) = (&model.pairs[self.pair], &state.pairs[self.pair]);
-        let touch = pair.touch(model, &state.configuration(), &seen.memory, Reach::Near)?;
+        let touch = pair.touch(model, &state.configuration(), &seen.memory, SearchRegion::Near)?;
         let [normal, tangential] = self.vector;
         let along = scale(tangential, tangent_of(touch.normal));
         let on_source = add(scale(normal, touch.normal), along);

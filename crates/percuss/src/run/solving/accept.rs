@@ -1,10 +1,10 @@
 //! Acceptance of a part of a step: the only writer of [`State`] while a run steps.
 
-use super::solver::{Solver, Standing};
+use super::solver::{Solver, StateView};
 use super::trial::{PartKind, Solved};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::dents::Dent;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::ledger::Measures;
 use crate::model::{Model, TouchLaw};
 use crate::settings::{ImpactResolution, Settings};
@@ -90,7 +90,7 @@ impl Acceptance<'_> {
             law: ImpulseLaw::Newton,
             feedback: 0.0,
             arcs: solver.search.arcs(),
-            reach: Reach::Near,
+            reach: SearchRegion::Near,
         };
         problem.unbalanced(&mut work);
         let found = flows::reactions_at_start(model, state, &at_start, forcing, &work);
@@ -134,7 +134,7 @@ impl Acceptance<'_> {
         }
         commit::steer_obstacles(model, state, self.settings.step);
         solver.search.moved(model);
-        solver.search.see(model, state, Reach::Near);
+        solver.search.see(model, state, SearchRegion::Near);
         self.remember_crushing(solved);
         ended
     }
@@ -179,7 +179,7 @@ impl Acceptance<'_> {
         for (contact, found) in found {
             self.state.pairs[contact.pair].closed = contact.phase.closes(found.impulse[0]);
         }
-        let at = Standing { model: self.model, settings: self.settings, state: self.state };
+        let at = StateView { model: self.model, settings: self.settings, state: self.state };
         for pair in self.solver.solving(at, &mut solved.solution).at_rest() {
             self.state.pairs[pair].closed = true;
         }

@@ -9,7 +9,7 @@ use crate::step::contacts::ActiveContact;
 impl Solving<'_> {
     /// Status of the run, `cut` before the next instant at which a part has to end \[s\].
     pub(super) fn moment(&self, cut: f64) -> Moment {
-        let standing = |i: usize| {
+        let status = |i: usize| {
             let (pair, law) = (&self.state.pairs[i], self.rigid_law(i)?);
             let restitution = [law.restitution, law.tangential_restitution];
             let (gap, rate, closed) = (pair.gap, pair.rate, pair.closed);
@@ -21,7 +21,7 @@ impl Solving<'_> {
             cut,
             jumps: self.velocities_jump(),
             located: self.state.located,
-            contacts: self.search.awake().iter().filter_map(|i| standing(*i)).collect(),
+            contacts: self.search.awake().iter().filter_map(|i| status(*i)).collect(),
             nothing: self.nothing(),
         }
     }

@@ -218,7 +218,7 @@ impl Decider {
     }
 
     /// Whether the last solution updates the open contacts under observation: not during the location of one of them.
-    pub fn looks_anew(&self) -> bool {
+    pub fn updates_open_contacts(&self) -> bool {
         self.part.resolution != Resolution::Free || self.search.is_whole()
     }
 

@@ -2,7 +2,7 @@
 
 use super::accept::Acceptance;
 use crate::contact::search::Search;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 
 use crate::step::fibres::PartedElement;
 
@@ -18,7 +18,7 @@ impl Acceptance<'_> {
         let before: Vec<f64> = self.state.pairs.iter().map(|pair| pair.gap).collect();
         let pressed = self.stored_in_contacts();
         self.solver.search = Search::new(self.model);
-        self.solver.search.see(self.model, self.state, Reach::All);
+        self.solver.search.see(self.model, self.state, SearchRegion::All);
         self.state.ledger.loss_failure += pressed - self.stored_in_contacts();
         let now = self.state.pairs.iter().map(|pair| pair.gap);
         now.zip(before).enumerate().filter(|(_, (now, was))| now != was).map(|(i, _)| i).collect()

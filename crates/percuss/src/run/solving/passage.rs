@@ -2,7 +2,7 @@
 
 use super::solver::Solving;
 use crate::geometry::pair::Memory;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::step::newton::Failure;
 
 /// Number of evaluations along a path; a contact without overlap in all of them is assumed to slide along the face.
@@ -65,7 +65,7 @@ impl Solving<'_> {
             if share >= 1.0 {
                 return None;
             }
-            let touch = pair.touch(self.model, &at.at(share), &memory, Reach::All)?;
+            let touch = pair.touch(self.model, &at.at(share), &memory, SearchRegion::All)?;
             if touch.gap < 0.0 {
                 let side = touch.memory.side;
                 let meant = inside && (side == last.memory.side || side == 0.0);

@@ -94,7 +94,7 @@ impl Solving<'_> {
 
     /// Two contacts of the impact solved last if bodies that touch shared it: if impulses elsewhere changed the velocity of one that
     /// bounces.
-    pub(super) fn shared_blow(&self, trial: &Trial) -> Option<[usize; 2]> {
+    pub(super) fn multiple_impact(&self, trial: &Trial) -> Option<[usize; 2]> {
         if !matches!(trial.kind, PartKind::Impact | PartKind::TimeStepping { .. }) {
             return None;
         }

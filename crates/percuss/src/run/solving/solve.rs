@@ -6,7 +6,7 @@ use super::solver::Solving;
 use super::trial::{PartKind, Trial};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::pair::{Memory, Target};
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::model::TouchLaw;
 use crate::step::contacts::{ActiveContact, ImpulseLaw, Phase};
 use crate::step::newton::{Failure, StepProblem};
@@ -57,7 +57,7 @@ impl Solving<'_> {
         }
         self.search.within(self.model, &self.state.velocity, AHEAD * h, &mut self.encounters.near);
         (0..self.encounters.near.len()).for_each(|k| self.look(self.encounters.near[k]));
-        let mut reach = Reach::Near;
+        let mut reach = SearchRegion::Near;
         loop {
             let problem = StepProblem {
                 model: self.model,
@@ -76,8 +76,8 @@ impl Solving<'_> {
                 reach,
             };
             let solved = problem.solve(self.work, &mut self.counts.effort);
-            if reach == Reach::Near && !self.closest_points_stand() {
-                reach = Reach::All;
+            if reach == SearchRegion::Near && !self.closest_points_remain() {
+                reach = SearchRegion::All;
                 continue;
             }
             solved?;
@@ -119,7 +119,7 @@ impl Solving<'_> {
         loop {
             let h = decider.h();
             self.solve_resting(&Attempt::free(h), &mut active)?;
-            if decider.looks_anew() {
+            if decider.updates_open_contacts() {
                 open = self.open_contacts();
             }
             let seen: Vec<Seen> = open.iter().map(|i| self.seen_over(h, *i)).collect();
@@ -160,9 +160,9 @@ impl Solving<'_> {
     }
 
     /// Whether the closest points of smooth contacts in the solution are still the closest at its end.
-    fn closest_points_stand(&self) -> bool {
+    fn closest_points_remain(&self) -> bool {
         let (at, smooth) = (self.end_of_step(), &self.work.smooth);
-        let stands = |i: usize| {
+        let remains = |i: usize| {
             let (pair, seen) = (&self.model.pairs[i], self.seen(i));
             match smooth.binary_search_by_key(&i, |c| c.pair) {
                 // A closest point that is not followed to the end of the step was not searched either.
@@ -183,7 +183,7 @@ impl Solving<'_> {
             .copied()
             .filter(on_axis)
             .filter(|i| self.is_smooth(*i))
-            .all(stands)
+            .all(remains)
     }
 
     pub(super) fn is_smooth(&self, i: usize) -> bool {

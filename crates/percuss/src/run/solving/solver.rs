@@ -42,7 +42,7 @@ impl Counts {
 
 /// Status of a run.
 #[derive(Clone, Copy, Debug)]
-pub struct Standing<'a> {
+pub struct StateView<'a> {
     /// The model.
     pub model: &'a Model,
     /// Settings.
@@ -128,7 +128,7 @@ impl Solver {
     }
 
     /// Status of a run within a step, for decisions.
-    pub fn moment(&mut self, at: Standing<'_>) -> Moment {
+    pub fn moment(&mut self, at: StateView<'_>) -> Moment {
         let cut = self.time_to_cut(at.state.time, at.settings.step);
         let mut room = self.room(at.model);
         let moment = self.solving(at, &mut room).moment(cut);
@@ -137,7 +137,7 @@ impl Solver {
     }
 
     /// Resting pairs in the current state, shape (such pairs) \[index of a pair\].
-    pub fn at_rest(&mut self, at: Standing<'_>) -> Vec<usize> {
+    pub fn at_rest(&mut self, at: StateView<'_>) -> Vec<usize> {
         let mut room = self.room(at.model);
         let found = self.solving(at, &mut room).at_rest();
         self.keep(room);
@@ -147,10 +147,10 @@ impl Solver {
     /// A solved part, in its own memory.
     pub(super) fn solving<'a>(
         &'a mut self,
-        at: Standing<'a>,
+        at: StateView<'a>,
         room: &'a mut PartSolution,
     ) -> Solving<'a> {
-        let Standing { model, settings, state } = at;
+        let StateView { model, settings, state } = at;
         let Self { search, damping, cuts, size, positions, counts, .. } = self;
         let PartSolution { work, forcing, encounters, .. } = room;
         let (size, positions) = (*size, *positions);
@@ -176,7 +176,7 @@ impl Solver {
     /// The reason why there is no solution for `how`.
     pub fn solve<E>(
         &mut self,
-        at: Standing<'_>,
+        at: StateView<'_>,
         how: impl FnOnce(&mut Solving<'_>) -> Result<Trial, E>,
     ) -> Result<Solved, E> {
         let room = self.room(at.model);
@@ -190,7 +190,7 @@ impl Solver {
     pub fn solve_in<E>(
         &mut self,
         mut room: Box<PartSolution>,
-        at: Standing<'_>,
+        at: StateView<'_>,
         how: impl FnOnce(&mut Solving<'_>) -> Result<Trial, E>,
     ) -> Result<Solved, E> {
         let mut solving = self.solving(at, &mut room);
@@ -199,7 +199,7 @@ impl Solver {
                 let rule = solving.rule(&trial);
                 let impulsive = solving.is_impulsive(trial.h);
                 let jumps = impulsive || solving.gives_impulses(&trial);
-                let shared = solving.shared_blow(&trial);
+                let shared = solving.multiple_impact(&trial);
                 let joint_loads = solving.joint_loads(&trial, &rule);
                 room.begin(at.model, at.state);
                 Ok(Solved { trial, rule, impulsive, jumps, shared, joint_loads, solution: room })

@@ -9,7 +9,7 @@ use crate::step::workspace::Workspace;
 
 impl StepProblem<'_> {
     /// The largest energy of the run so far, or the work of the loads in this step; in a first step without either, the work of the first correction.
-    pub(super) fn energy_in_play(&self, work: &Workspace, correction_work: f64) -> f64 {
+    pub(super) fn energy_scale(&self, work: &Workspace, correction_work: f64) -> f64 {
         let rule = &self.integration;
         let loads = external::work(
             self.model,
@@ -35,12 +35,12 @@ impl StepProblem<'_> {
 
     /// Whether the unbalanced forces are zero or round-off.
     pub(super) fn balanced(&self, work: &Workspace, convergence: &ConvergenceMonitor<f64>) -> bool {
-        let impulse = self.unbalanced_impulse(work) / self.momentum_in_play(convergence.energy);
+        let impulse = self.unbalanced_impulse(work) / self.momentum_scale(convergence.energy);
         if convergence.settled() && (impulse <= MOST_IMPULSE || impulse.is_nan()) {
             return true;
         }
         // Forces along forms that have turned since may do no work and still have a moment.
-        let turned = work.turned / self.momentum_in_play(convergence.energy);
+        let turned = work.turned / self.momentum_scale(convergence.energy);
         convergence.unbalanced <= WORK_TOLERANCE * convergence.energy
             && (turned <= TURNED_TOLERANCE || turned.is_nan())
             && (impulse <= IMPULSE_TOLERANCE || impulse.is_nan())
@@ -73,7 +73,7 @@ impl StepProblem<'_> {
     }
 
     /// The largest momentum of the run so far, or the one corresponding to the energy scale; NaN without motion.
-    pub(super) fn momentum_in_play(&self, energy: f64) -> f64 {
+    pub(super) fn momentum_scale(&self, energy: f64) -> f64 {
         let scale = (2.0 * self.model.total_mass * energy).sqrt();
         let scale = scale.max(self.state.ledger.linear_scale);
         if scale > 0.0 { scale } else { f64::NAN }

@@ -5,7 +5,7 @@ use crate::contact::law::StepForce;
 use crate::contact::search::longest_arcs;
 use crate::geometry::configuration::Configuration;
 use crate::geometry::row::Row;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::model::{ContactForce, RigidLaw, SmoothLaw, TouchLaw};
 use crate::step::contacts::{
     ActiveContact, Phase, RigidContact, SmoothContact, add_tangent, add_turning,
@@ -44,7 +44,7 @@ impl StepProblem<'_> {
 
     /// The same within the iteration, for a search along a whole beam.
     pub(super) fn measure_arcs_if_needed(&self, work: &mut Workspace) {
-        if self.reach == Reach::All || !self.active.is_empty() {
+        if self.reach == SearchRegion::All || !self.active.is_empty() {
             self.measure_arcs(work);
         }
     }
@@ -76,7 +76,7 @@ impl StepProblem<'_> {
         let at = self.configuration(increment, arcs);
         if let Rule::Alpha(_) = rule.rule {
             let mid = at.at(theta);
-            let touch = pair.touch(self.model, &mid, &seen.memory, Reach::Near)?;
+            let touch = pair.touch(self.model, &mid, &seen.memory, SearchRegion::Near)?;
             let row = pair.normal_row(&touch, &mid);
             let force = law.potential.collocated(-touch.gap, -touch.gap, 1.0);
             if TANGENT && force.force > 0.0 {
@@ -180,12 +180,18 @@ impl StepProblem<'_> {
         let (touch, normal) = match contact.phase {
             // A closed contact remains closed at the end of the step: the form must give the change of the gap.
             Phase::Resting { .. } => {
-                let step =
-                    pair.over_step(self.model, &at, &seen.memory, seen.gap, true, Reach::All)?;
+                let step = pair.over_step(
+                    self.model,
+                    &at,
+                    &seen.memory,
+                    seen.gap,
+                    true,
+                    SearchRegion::All,
+                )?;
                 (step.middle, step.row)
             }
             Phase::Impact { .. } | Phase::PlasticPostStep { .. } => {
-                let touch = pair.touch(self.model, &mid, &seen.memory, Reach::Near)?;
+                let touch = pair.touch(self.model, &mid, &seen.memory, SearchRegion::Near)?;
                 (touch, pair.normal_row(&touch, &mid))
             }
         };

@@ -58,7 +58,7 @@ pub struct Sweep {
     /// Fibres, one entry a span, shape (spans).
     fibres: Vec<SweptFibres>,
     /// Whether all fibres of a span are intact, shape (spans); failed ones are evaluated one by one.
-    bears: Vec<bool>,
+    carries_force: Vec<bool>,
 }
 
 impl Sweep {
@@ -85,13 +85,13 @@ impl Sweep {
             inertia: nodal(),
             forces: Columns::zeros(8, elements),
             fibres: vec![SweptFibres::default(); model.spans.len()],
-            bears: vec![true; model.spans.len()],
+            carries_force: vec![true; model.spans.len()],
         }
     }
 
     /// Whether the elements of a span are swept.
     pub fn has(&self, span: usize) -> bool {
-        self.tables.get(span).is_some_and(Option::is_some) && self.bears[span]
+        self.tables.get(span).is_some_and(Option::is_some) && self.carries_force[span]
     }
 
     /// Whether the elements of a span are swept, and the forces on them are those of the last evaluation.

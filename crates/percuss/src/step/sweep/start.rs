@@ -73,7 +73,7 @@ impl WithSimd for Begin<'_> {
         sweep.velocity.gather(0, &state.velocity[..nodes]);
         sweep.spin.gather(0, &state.spin);
         for (i, span) in model.spans.iter().enumerate() {
-            sweep.bears[i] = span.fibres.as_ref().is_none_or(|own| {
+            sweep.carries_force[i] = span.fibres.as_ref().is_none_or(|own| {
                 let mut all = state.fibres[own.first..][..span.elements.len() * own.count].iter();
                 all.all(|fibre| !fibre.failed)
             });

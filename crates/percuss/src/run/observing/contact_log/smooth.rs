@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::gap_over_step::{GapOverStep, highest};
 use super::{ContactLog, Free, Released, StepViews, opened};
 use crate::contact::free_gap::FreeGap;
-use crate::geometry::touch::Reach;
+use crate::geometry::touch::SearchRegion;
 use crate::model::SmoothLaw;
 use crate::settings::SAME_INSTANT;
 use crate::state::PairState;
@@ -182,7 +182,9 @@ impl ContactLog {
         }
         let i = seen.work.smooth[k].pair;
         // A sleeping pair was evaluated at the start of the step, not at its end.
-        let Some(touch) = super::touch(seen.model, seen.state, i, Reach::Near) else { return };
+        let Some(touch) = super::touch(seen.model, seen.state, i, SearchRegion::Near) else {
+            return;
+        };
         let row = seen.model.pairs[i].normal_row(&touch, &seen.state.configuration());
         let acceleration = (row.on(&seen.state.velocity) - seen.before[k].rate) / span.h;
         self.free[i] = Free { acceleration, until: span.start + span.h };

@@ -7,7 +7,7 @@ fn first_step() -> Decider {
     Decider::new(&settings, 1.0, settings.size_behind(0))
 }
 
-fn standing(contact: usize, gap: f64, rate: f64) -> RigidPair {
+fn rigid_pair(contact: usize, gap: f64, rate: f64) -> RigidPair {
     let (closed, approach_max, restitution) = (false, 0.0, [0.5, 0.0]);
     RigidPair { contact, gap, rate, closed, approach_max, restitution }
 }
@@ -43,7 +43,7 @@ fn a_size_that_failed_is_tried_again_behind_a_whole_part_alone() {
 fn an_instant_of_contact_is_located_and_then_struck_until_impacts_accumulate() {
     let mut decider = first_step();
     let (gap, rate) = (0.03, -1.0);
-    assert!(decider.goes_on(&moment(0.0, &[standing(4, gap, rate)])));
+    assert!(decider.goes_on(&moment(0.0, &[rigid_pair(4, gap, rate)])));
     assert_eq!(decider.part.resolution, Resolution::Free);
     let end = loop {
         let h = decider.h();
@@ -59,7 +59,7 @@ fn an_instant_of_contact_is_located_and_then_struck_until_impacts_accumulate() {
     assert!((end.0 + 0.5 * interval - gap).abs() <= 1e-3 * interval, "{end:?}");
     assert_eq!(end.1, Some(4));
     decider.spend(true);
-    let near = [standing(4, 0.5 * interval, rate), standing(5, 1.0, rate)];
+    let near = [rigid_pair(4, 0.5 * interval, rate), rigid_pair(5, 1.0, rate)];
     let at = Moment { located: Some(4), ..moment(end.0, &near) };
     assert!(decider.goes_on(&at));
     assert_eq!((decider.part.resolution, decider.h()), (Resolution::Impact, interval));
@@ -78,7 +78,7 @@ fn an_instant_of_contact_is_located_and_then_struck_until_impacts_accumulate() {
 #[test]
 fn what_approaches_too_slowly_does_not_bounce() {
     let mut decider = first_step();
-    let slow = RigidPair { approach_max: 1.0, ..standing(0, -1e-9, -0.5 * STICK) };
+    let slow = RigidPair { approach_max: 1.0, ..rigid_pair(0, -1e-9, -0.5 * STICK) };
     assert!(decider.goes_on(&moment(0.0, &[slow])));
     let phase = Phase::Impact { restitution: 0.0, tangential: 0.0 };
     assert_eq!(decider.part.active, [ActiveContact { pair: 0, phase }]);

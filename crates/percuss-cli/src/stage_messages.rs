@@ -11,13 +11,13 @@ use crate::terminal;
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Says now and then what is being done, until it is dropped.
-pub struct GoingOn {
+pub struct StageMessages {
     stage: Arc<Mutex<&'static str>>,
     /// Ends the thread when it is dropped.
     _end: Sender<()>,
 }
 
-impl GoingOn {
+impl StageMessages {
     /// From now on; `stage` is what is done first. Where no thread can be had nothing is said.
     pub fn new(stage: &'static str) -> Self {
         let (end, ended) = channel::<()>();

@@ -59,7 +59,7 @@ impl<'a> Touch<'a> {
 }
 
 /// A contact, what became of it, and the hand formulas' view of it.
-pub(crate) struct Desk<'a> {
+pub(crate) struct ObservedContact<'a> {
     pub model: &'a Model,
     pub settings: &'a Settings,
     pub run: &'a RunSummary,
@@ -117,7 +117,7 @@ impl Assumptions {
     }
 }
 
-impl Desk<'_> {
+impl ObservedContact<'_> {
     /// One row a quantity that both sides know, of a formula of linear elasticity.
     pub fn rows(&self, formula: &Formula, quantities: Vec<Quantity>) -> Vec<Comparison> {
         let elastic = |q: &Quantity| self.elastic(formula.assumptions.clone(), q.of_run);
@@ -218,7 +218,7 @@ impl Desk<'_> {
         )
     }
 
-    /// Adds that the beam carries its own weight before the touch, where it has any across the blow.
+    /// Adds that the beam carries its own weight before the touch, where it has any across the impact.
     pub fn carried(&self, struck: &Struck<'_>, mut all: Assumptions, duration: f64) -> Assumptions {
         let pull = struck.pull();
         if pull == 0.0 {
@@ -239,7 +239,7 @@ impl Desk<'_> {
         all
     }
 
-    /// Velocity along the blow with which the struck beam starts, and flies on where nothing holds it \[m/s\].
+    /// Velocity along the impact with which the struck beam starts, and flies on where nothing holds it \[m/s\].
     pub(super) fn frame(&self, struck: &Struck<'_>) -> Option<f64> {
         let start = Surroundings::of(self.model, struck.place.index).start(self.model)?;
         Some(dot(start, struck.direction))
@@ -277,7 +277,7 @@ impl Desk<'_> {
         dot(gravity(self.model).0, direction)
     }
 
-    /// Largest deflection of the struck point in the direction of the blow, and its time, if the point is recorded and went
+    /// Largest deflection of the struck point in the direction of the impact, and its time, if the point is recorded and went
     /// farthest that way.
     pub fn deflection(&self, struck: &Struck<'_>) -> Option<[f64; 2]> {
         self.case.guided?;
@@ -297,7 +297,7 @@ impl Desk<'_> {
         forces.map_or(f64::NAN, |f| f.moment.largest().value.abs())
     }
 
-    /// Velocity of a guided projectile at the end, along its line of flight \[m/s\].
+    /// Velocity of a guided projectile at the end, along its line of motion \[m/s\].
     pub fn final_velocity(&self, struck: &Struck<'_>) -> Option<f64> {
         self.case.guided?;
         let projectile = self.run.projectiles.iter().find(|p| p.name == self.contact.name)?;

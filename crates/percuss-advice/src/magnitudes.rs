@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
-use super::advice::slip;
+use super::advice::magnitude_finding;
 use super::case::{self, Meeting};
 use super::structure::{BeamPlace, gravity};
 use super::words::{digits, quantity};
@@ -49,7 +49,13 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
             digits(norm(pull)),
             digits(norm(pull) / 9.81)
         );
-        all.push(slip("gravity", [norm(pull), GRAVITY], "m/s^2", Verdict::Warning, text));
+        all.push(magnitude_finding(
+            "gravity",
+            [norm(pull), GRAVITY],
+            "m/s^2",
+            Verdict::Warning,
+            text,
+        ));
     }
     let steps = settings.end / settings.step;
     if steps > STEPS && settings.accuracy.is_none() {
@@ -59,7 +65,7 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
             quantity(settings.step, "s"),
             quantity(settings.end, "s")
         );
-        all.push(slip("time", [steps, STEPS], "1", Verdict::Note, text));
+        all.push(magnitude_finding("time", [steps, STEPS], "1", Verdict::Note, text));
     }
     all
 }
@@ -93,7 +99,7 @@ fn beam(place: &BeamPlace<'_>, stub: bool, settings: &Settings, all: &mut Vec<Ad
         (0..count).map(move |k| span.gauss_points(k)[1].section)
     });
     let (name, length) = (format!("beam {}", data.name()), data.length());
-    let mut told = [false; 4];
+    let mut reported = [false; 4];
     for row in each {
         let gyration = row.gyration();
         let depth =
@@ -104,9 +110,9 @@ fn beam(place: &BeamPlace<'_>, stub: bool, settings: &Settings, all: &mut Vec<Ad
             density(&name, row.density),
             young(&name, row.young),
         ];
-        for (told, found) in told.iter_mut().zip(found) {
-            if let (false, Some(found)) = (*told, found) {
-                *told = true;
+        for (reported, found) in reported.iter_mut().zip(found) {
+            if let (false, Some(found)) = (*reported, found) {
+                *reported = true;
                 all.push(found);
             }
         }
@@ -122,7 +128,7 @@ fn beam(place: &BeamPlace<'_>, stub: bool, settings: &Settings, all: &mut Vec<Ad
             digits(settings.step / period),
             quantity(period, "s")
         );
-        all.push(slip(&name, [settings.step, period], "s", Verdict::Warning, text));
+        all.push(magnitude_finding(&name, [settings.step, period], "s", Verdict::Warning, text));
     }
 }
 
@@ -136,7 +142,7 @@ fn slender(name: &str, length: f64, depth: f64, given: bool) -> Option<Advice> {
         quantity(length, "m"),
         quantity(depth, "m")
     );
-    Some(slip(name, [length, depth], "m", Verdict::Warning, text))
+    Some(magnitude_finding(name, [length, depth], "m", Verdict::Warning, text))
 }
 
 /// No part of a section lies farther from its centre line than half its depth: neither does its radius of gyration.
@@ -156,7 +162,7 @@ fn section(name: &str, gyration: f64, half_depth: f64) -> Option<Advice> {
     } else {
         return None;
     };
-    Some(slip(name, [gyration, half_depth], "m", Verdict::Warning, text))
+    Some(magnitude_finding(name, [gyration, half_depth], "m", Verdict::Warning, text))
 }
 
 fn density(name: &str, density: f64) -> Option<Advice> {
@@ -175,7 +181,7 @@ fn density(name: &str, density: f64) -> Option<Advice> {
         format!("; in {unit} it would be {} kg/m^3", digits(density * factor))
     });
     let text = format!("density {} kg/m^3, solids have 1 to 30 000{meant}", digits(density));
-    Some(slip(name, [density, reference], "kg/m^3", verdict, text))
+    Some(magnitude_finding(name, [density, reference], "kg/m^3", verdict, text))
 }
 
 fn young(name: &str, young: f64) -> Option<Advice> {
@@ -189,7 +195,7 @@ fn young(name: &str, young: f64) -> Option<Advice> {
     });
     let reference = YOUNG[usize::from(young > YOUNG[1])];
     let text = format!("Young's modulus {} Pa, solids have 1e3 to 1e13{meant}", digits(young));
-    Some(slip(name, [young, reference], "Pa", Verdict::Warning, text))
+    Some(magnitude_finding(name, [young, reference], "Pa", Verdict::Warning, text))
 }
 
 /// Masses against those of beams they go with, and speeds against those of waves.
@@ -229,7 +235,7 @@ fn apart(name: &str, mass: f64, (place, own): (&BeamPlace<'_>, f64)) -> Option<A
         place.beam.name(),
         quantity(own, "kg")
     );
-    Some(slip(name, [mass, own], "kg", Verdict::Warning, text))
+    Some(magnitude_finding(name, [mass, own], "kg", Verdict::Warning, text))
 }
 
 fn fast(name: &str, speed: f64, place: &BeamPlace<'_>) -> Option<Advice> {
@@ -243,7 +249,7 @@ fn fast(name: &str, speed: f64, place: &BeamPlace<'_>) -> Option<Advice> {
         place.beam.name(),
         quantity(wave, "m/s")
     );
-    Some(slip(name, [speed, wave], "m/s", Verdict::Warning, text))
+    Some(magnitude_finding(name, [speed, wave], "m/s", Verdict::Warning, text))
 }
 
 /// Springs of contacts and between points, against the beams they press on.
@@ -301,5 +307,5 @@ fn spring(name: &str, stiffness: f64, place: &BeamPlace<'_>) -> Option<Advice> {
         place.beam.name(),
         quantity(own, "N/m")
     );
-    Some(slip(name, [stiffness, own], "N/m", Verdict::Warning, text))
+    Some(magnitude_finding(name, [stiffness, own], "N/m", Verdict::Warning, text))
 }

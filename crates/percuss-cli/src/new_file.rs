@@ -11,7 +11,7 @@ use crate::outcome::Failure;
 /// Writes a text into a new file; `instead` says what to do if there is one.
 ///
 /// # Errors
-/// If it exists, or the system refuses; then nothing is left of it.
+/// If it exists, or the operating system reports an error; then nothing is left of it.
 pub fn write(path: &Path, text: &str, instead: &str) -> Result<(), Failure> {
     let opened = OpenOptions::new().write(true).create_new(true).open(path);
     let mut file = opened.map_err(|error| match error.kind() {

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
-/// A blow without losses, from touch to release.
+/// An impact without losses, from touch to release.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Blow {
+pub struct SingleMassImpact {
     /// Time from touch to release \[s\].
     pub duration: f64,
     /// Largest force \[N\].
@@ -18,16 +18,16 @@ pub fn reduced_mass(masses: [f64; 2]) -> f64 {
     1.0 / (1.0 / masses[0] + 1.0 / masses[1])
 }
 
-/// Mass with which a free rigid bar meets a blow across it: `1 / (1/m + a^2/J)` \[kg\], for its mass `mass` \[kg\], moment of
-/// inertia about its centre `inertia` \[kg m^2\] and the distance `offset` of the blow from its centre \[m\].
+/// Mass with which a free rigid bar meets an impact across it: `1 / (1/m + a^2/J)` \[kg\], for its mass `mass` \[kg\], moment of
+/// inertia about its centre `inertia` \[kg m^2\] and the distance `offset` of the impact from its centre \[m\].
 pub fn free_bar_mass(mass: f64, inertia: f64, offset: f64) -> f64 {
     1.0 / (1.0 / mass + offset * offset / inertia)
 }
 
 /// A mass \[kg\] at `speed` \[m/s\] against a rigid target, with a linear spring \[N/m\] between: half a period of the spring,
 /// `pi sqrt(m/k)`. For two free bodies the mass is the reduced one.
-pub fn linear_blow(mass: f64, stiffness: f64, speed: f64) -> Blow {
-    Blow {
+pub fn linear_impact(mass: f64, stiffness: f64, speed: f64) -> SingleMassImpact {
+    SingleMassImpact {
         duration: PI * (mass / stiffness).sqrt(),
         peak_force: speed * (mass * stiffness).sqrt(),
         penetration: speed * (mass / stiffness).sqrt(),
@@ -39,11 +39,11 @@ pub fn linear_blow(mass: f64, stiffness: f64, speed: f64) -> Blow {
 /// The energy `2/5 K p^(5/2)` takes up that of the mass: `p_max = (5 m v^2 / (4 K))^(2/5)`. The time is
 /// `2 p_max/v` times the integral of `1/sqrt(1 - x^(5/2))` over \[0, 1\], which is `2/5 B(2/5, 1/2)`: in all
 /// `2.94327518 p_max/v = 3.21807 (m^2 / (K^2 v))^(1/5)` (K. L. Johnson, Contact Mechanics, 1985, eqs. 11.23 and 11.24).
-pub fn hertz_blow(mass: f64, stiffness: f64, speed: f64) -> Blow {
+pub fn hertz_impact(mass: f64, stiffness: f64, speed: f64) -> SingleMassImpact {
     /// `4/5 sqrt(pi) Gamma(2/5) / Gamma(9/10)`.
     const TIME: f64 = 2.943_275_184_320_484_7;
     let penetration = (1.25 * mass * speed * speed / stiffness).powf(0.4);
-    Blow {
+    SingleMassImpact {
         duration: TIME * penetration / speed,
         peak_force: stiffness * penetration.powf(1.5),
         penetration,
@@ -55,7 +55,12 @@ pub fn hertz_blow(mass: f64, stiffness: f64, speed: f64) -> Blow {
 ///
 /// The time is `2 int dp / sqrt(v^2 - 2 V(p)/m)` over the way; with `p = p_max (1 - u^2)` the integrand is smooth at the
 /// turning point, so that the midpoint rule serves.
-pub fn table_blow(penetrations: &[f64], forces: &[f64], mass: f64, speed: f64) -> Blow {
+pub fn table_impact(
+    penetrations: &[f64],
+    forces: &[f64],
+    mass: f64,
+    speed: f64,
+) -> SingleMassImpact {
     const INTERVALS: usize = 4000;
     let law = Lines::new(penetrations, forces);
     let energy = 0.5 * mass * speed * speed;
@@ -66,7 +71,7 @@ pub fn table_blow(penetrations: &[f64], forces: &[f64], mass: f64, speed: f64) -
         2.0 * u / (left.max(f64::MIN_POSITIVE) / energy).sqrt()
     };
     let sum: f64 = (0..INTERVALS).map(integrand).sum();
-    Blow {
+    SingleMassImpact {
         duration: 2.0 * way / speed * sum / INTERVALS as f64,
         peak_force: law.force(way),
         penetration: way,
@@ -168,40 +173,40 @@ mod tests {
 
     #[test]
     fn a_mass_on_a_spring_touches_for_half_a_period() {
-        let blow = linear_blow(500.0, 7.5e5, 20.0);
+        let impact = linear_impact(500.0, 7.5e5, 20.0);
         let [duration, penetration] = integrated(|p| 7.5e5 * p, 500.0, 20.0, 1e-6);
-        near(blow.duration, duration, 1e-7);
-        near(blow.penetration, penetration, 1e-7);
-        near(blow.peak_force, 7.5e5 * penetration, 1e-7);
+        near(impact.duration, duration, 1e-7);
+        near(impact.penetration, penetration, 1e-7);
+        near(impact.peak_force, 7.5e5 * penetration, 1e-7);
     }
 
     /// Two free rigid masses, 500 and 900 kg, k 7.5e5 N/m, 20 m/s (closed form).
     #[test]
     fn two_free_masses_meet_as_their_reduced_mass() {
-        let blow = linear_blow(reduced_mass([500.0, 900.0]), 7.5e5, 20.0);
-        near(blow.duration, 0.065_037_147, 1e-8);
-        near(blow.peak_force, 310_529.50, 1e-8);
+        let impact = linear_impact(reduced_mass([500.0, 900.0]), 7.5e5, 20.0);
+        near(impact.duration, 0.065_037_147, 1e-8);
+        near(impact.peak_force, 310_529.50, 1e-8);
         assert_eq!(reduced_mass([500.0, f64::INFINITY]), 500.0);
     }
 
     #[test]
     fn a_hertz_contact_takes_the_time_of_its_equation_of_motion() {
         for (mass, stiffness, speed) in [(0.033_343, 1.580_559e10, 0.01), (20.0, 3e7, 4.0)] {
-            let blow = hertz_blow(mass, stiffness, speed);
+            let impact = hertz_impact(mass, stiffness, speed);
             let force = |p: f64| stiffness * p * p.sqrt();
-            let [duration, penetration] = integrated(force, mass, speed, 1e-5 * blow.duration);
-            near(blow.duration, duration, 1e-7);
-            near(blow.penetration, penetration, 1e-7);
-            near(blow.peak_force, force(penetration), 1e-7);
+            let [duration, penetration] = integrated(force, mass, speed, 1e-5 * impact.duration);
+            near(impact.duration, duration, 1e-7);
+            near(impact.penetration, penetration, 1e-7);
+            near(impact.peak_force, force(penetration), 1e-7);
             let law = 3.218_07 * (mass * mass / (stiffness * stiffness * speed)).powf(0.2);
-            near(blow.duration, law, 1e-5);
+            near(impact.duration, law, 1e-5);
         }
     }
 
     #[test]
     fn a_table_on_a_straight_line_is_a_linear_spring() {
-        let by_table = table_blow(&[0.0, 0.001, 0.002], &[0.0, 750.0, 1500.0], 500.0, 20.0);
-        let linear = linear_blow(500.0, 7.5e5, 20.0);
+        let by_table = table_impact(&[0.0, 0.001, 0.002], &[0.0, 750.0, 1500.0], 500.0, 20.0);
+        let linear = linear_impact(500.0, 7.5e5, 20.0);
         near(by_table.duration, linear.duration, 1e-8);
         near(by_table.peak_force, linear.peak_force, 1e-12);
         near(by_table.penetration, linear.penetration, 1e-12);
@@ -211,13 +216,13 @@ mod tests {
     fn a_buffer_with_a_plateau_takes_the_time_of_its_equation_of_motion() {
         let (way, force) = ([0.0, 0.01, 0.05, 0.06], [0.0, 2e4, 2e4, 9e4]);
         for speed in [0.5, 3.0, 9.0] {
-            let blow = table_blow(&way, &force, 100.0, speed);
+            let impact = table_impact(&way, &force, 100.0, speed);
             let law = Lines::new(&way, &force);
             let [duration, penetration] =
-                integrated(|p| law.force(p), 100.0, speed, 1e-5 * blow.duration);
-            near(blow.duration, duration, 1e-6);
-            near(blow.penetration, penetration, 1e-6);
-            near(law.energy(blow.penetration), 50.0 * speed * speed, 1e-12);
+                integrated(|p| law.force(p), 100.0, speed, 1e-5 * impact.duration);
+            near(impact.duration, duration, 1e-6);
+            near(impact.penetration, penetration, 1e-6);
+            near(law.energy(impact.penetration), 50.0 * speed * speed, 1e-12);
         }
     }
 

@@ -6,7 +6,7 @@ use std::{env, fs, io};
 
 /// A folder, and the command that pages call `percuss`.
 #[derive(Clone, Debug)]
-pub struct Desk {
+pub struct Sandbox {
     folder: PathBuf,
     percuss: PathBuf,
 }
@@ -20,7 +20,7 @@ pub struct Outcome {
     pub text: String,
 }
 
-impl Desk {
+impl Sandbox {
     /// An empty folder; what was there before is removed. `percuss` is the path of the command.
     ///
     /// # Errors

@@ -63,7 +63,7 @@ fn look_at(text: &str, name: &str) -> Option<Vec<percuss_advice::Advice>> {
 /// what comes of it.
 fn answer_slips(part: usize) {
     let every = if crate::common::whole() { 1 } else { 8 };
-    let (told, hears) = mpsc::channel::<String>();
+    let (reported, hears) = mpsc::channel::<String>();
     let work = std::thread::spawn(move || {
         let mut tried = [0, 0];
         for (n, file) in shipped().iter().enumerate().filter(|(n, _)| n % PARTS == part) {
@@ -86,7 +86,10 @@ fn answer_slips(part: usize) {
                 values.push(odd.into());
                 for value in values {
                     let changed = [&text[..place.start], &value, &text[place.end..]].concat();
-                    if told.send(format!("{name}: {} for {value}", &text[place.clone()])).is_err() {
+                    if reported
+                        .send(format!("{name}: {} for {value}", &text[place.clone()]))
+                        .is_err()
+                    {
                         return tried;
                     }
                     tried[usize::from(look_at(&changed, &name).is_some())] += 1;
@@ -103,9 +106,9 @@ fn answer_slips(part: usize) {
             Err(mpsc::RecvTimeoutError::Timeout) => panic!("no answer: {last}"),
         }
     }
-    let [refused, sound] = work.join().unwrap();
+    let [refused, valid] = work.join().unwrap();
     let most = 300 / every / PARTS;
-    assert!(sound > most && refused > most / 3, "{sound} sound, {refused} refused");
+    assert!(valid > most && refused > most / 3, "{valid} sound, {refused} refused");
 }
 
 // One after the other they would keep a processor long after the other one has ended its tests.
@@ -130,18 +133,19 @@ fn so_is_the_rest() {
 }
 
 #[test]
-fn nothing_shipped_looks_like_a_slip() {
+fn nothing_shipped_looks_like_a_wrong_unit() {
     for file in shipped() {
         let text = std::fs::read_to_string(&file).unwrap();
         let advice =
             look_at(&text, &file.display().to_string()).unwrap_or_else(|| panic!("{file:?}"));
-        let slips: Vec<_> = advice.iter().filter(|one| one.topic == Topic::Slip).collect();
-        assert!(slips.is_empty(), "{file:?}: {slips:#?}");
+        let magnitudes: Vec<_> =
+            advice.iter().filter(|one| one.topic == Topic::Magnitude).collect();
+        assert!(magnitudes.is_empty(), "{file:?}: {magnitudes:#?}");
     }
 }
 
 #[test]
-fn slips_of_units_are_told_with_what_they_contradict() {
+fn wrong_units_are_reported_with_what_they_contradict() {
     let file =
         shipped().into_iter().find(|file| file.ends_with("paper/elastic-pinned.toml")).unwrap();
     let text = std::fs::read_to_string(file).unwrap();
@@ -160,11 +164,11 @@ fn slips_of_units_are_told_with_what_they_contradict() {
     for (right, wrong, words) in cases {
         assert!(text.contains(right), "{right}");
         let advice = look_at(&text.replace(right, wrong), "slip.toml").unwrap_or_default();
-        let slips: Vec<&str> = advice
+        let magnitudes: Vec<&str> = advice
             .iter()
-            .filter(|one| one.topic == Topic::Slip)
+            .filter(|one| one.topic == Topic::Magnitude)
             .map(|one| one.text.as_str())
             .collect();
-        assert!(slips.iter().any(|text| text.contains(words)), "{wrong}: {slips:#?}");
+        assert!(magnitudes.iter().any(|text| text.contains(words)), "{wrong}: {magnitudes:#?}");
     }
 }

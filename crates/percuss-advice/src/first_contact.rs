@@ -2,8 +2,8 @@
 //! there is one.
 
 use super::case::Struck;
-use super::desk::Desk;
 use super::expected::{Expected, Stays};
+use super::planned::PlannedContact;
 use super::structure::{gravity, gravity_varies};
 use super::surroundings::Surroundings;
 use super::words::quantity;
@@ -15,7 +15,7 @@ use percuss::{ContactRecord, ContactSummary, RunSummary, Settings, Start, Termin
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Known {
     /// Free flight, with nothing that acts before the touch.
-    Flight,
+    FreeMotion,
     /// A trial of the model, which saw it.
     Trial,
     /// Free flight, though something else acts as well: an estimate and no more.
@@ -24,32 +24,38 @@ enum Known {
 
 /// The first contact of a projectile or a disc.
 pub fn finding(
-    desk: &Desk<'_>,
+    planned: &PlannedContact<'_>,
     struck: &Struck<'_>,
     contact: Option<f64>,
     expected: Option<&Expected<'_>>,
 ) -> Option<Advice> {
-    let flight = flight(struck)?;
-    let end = desk.settings.end;
+    let free_motion = free_motion(struck)?;
+    let end = planned.settings.end;
     let seen = expected.and_then(|expected| expected.begins);
     let untouched = expected.is_some_and(|expected| expected.stays == Stays::Untouched);
-    let (time, known) = match (acts(desk, struck), seen) {
-        (None, _) => (flight, Known::Flight),
+    let (time, known) = match (acts(planned, struck), seen) {
+        (None, _) => (free_motion, Known::FreeMotion),
         (Some(_), Some(seen)) => (seen, Known::Trial),
         (Some(_), None) if untouched => {
             let last = quantity(end, "s");
             let text = format!("no contact before the end ({last}) in a trial computation");
-            return Some(desk.finding(Topic::Touch, [f64::NAN, end], "s", Verdict::Warning, text));
+            return Some(planned.finding(
+                Topic::FirstContact,
+                [f64::NAN, end],
+                "s",
+                Verdict::Warning,
+                text,
+            ));
         }
-        (Some(why), None) => (flight, Known::Guess(why)),
+        (Some(why), None) => (free_motion, Known::Guess(why)),
     };
-    let (verdict, text) = told(time, end, contact.unwrap_or(0.0), known);
-    Some(desk.finding(Topic::Touch, [time, end], "s", verdict, text))
+    let (verdict, text) = assessed(time, end, contact.unwrap_or(0.0), known);
+    Some(planned.finding(Topic::FirstContact, [time, end], "s", verdict, text))
 }
 
 /// Time of the first touch by the motion both start with and a steady gravity \[s\]; none if they touch already or something else has to
 /// bring them together.
-fn flight(struck: &Struck<'_>) -> Option<f64> {
+fn free_motion(struck: &Struck<'_>) -> Option<f64> {
     let (gap, speed, pull) = (struck.gap?, struck.speed, struck.pull());
     let root = (speed * speed + 2.0 * pull * gap).sqrt();
     let time = 2.0 * gap / (speed + root);
@@ -57,8 +63,8 @@ fn flight(struck: &Struck<'_>) -> Option<f64> {
 }
 
 /// What else moves one of the two before they touch.
-fn acts(desk: &Desk<'_>, struck: &Struck<'_>) -> Option<&'static str> {
-    let model = desk.model;
+fn acts(planned: &PlannedContact<'_>, struck: &Struck<'_>) -> Option<&'static str> {
+    let model = planned.model;
     let around = Surroundings::of(model, struck.place.index);
     let (pull, loads) = gravity(model);
     if loads || gravity_varies(model) {
@@ -77,14 +83,14 @@ fn acts(desk: &Desk<'_>, struck: &Struck<'_>) -> Option<&'static str> {
     if !around.is_relaxed(model) {
         return Some("a spring is strained at the start");
     }
-    if norm(pull) > 0.0 && around.held && desk.settings.start != Start::Static {
+    if norm(pull) > 0.0 && around.held && planned.settings.start != Start::Static {
         return Some("the beam vibrates under its own weight from the start");
     }
     None
 }
 
 /// The finding about a first contact that is still to come.
-fn told(time: f64, end: f64, contact: f64, known: Known) -> (Verdict, String) {
+fn assessed(time: f64, end: f64, contact: f64, known: Known) -> (Verdict, String) {
     let (first, last) = (quantity(time, "s"), quantity(end, "s"));
     if let Known::Guess(why) = known {
         let side = if time >= end { "after" } else { "before" };
@@ -113,7 +119,7 @@ fn told(time: f64, end: f64, contact: f64, known: Known) -> (Verdict, String) {
 
 /// Replaces what was expected by what a run shows.
 pub fn settle(advice: &mut [Advice], settings: &Settings, run: &RunSummary) {
-    for one in advice.iter_mut().filter(|one| one.topic == Topic::Touch) {
+    for one in advice.iter_mut().filter(|one| one.topic == Topic::FirstContact) {
         let Some(contact) = run.contacts.iter().find(|c| c.name == one.contact) else { continue };
         let expected = one.value;
         one.reason = None;

@@ -1,6 +1,6 @@
-//! What is told of runs agrees with what their summaries and histories show.
+//! What is reported runs agrees with what their summaries and histories show.
 
-use crate::common::Desk;
+use crate::common::Sandbox;
 use serde_json::Value;
 
 /// A cantilever under a blast, at whose end a mass flies: the blast moves the end before the mass arrives.
@@ -36,16 +36,16 @@ end = "30 ms"
 step = "20 us"
 "#;
 
-/// Runs a scenario; the summary, all that is told and standard error.
-fn run(desk: &Desk, text: &str, set: &[&str]) -> (Value, String, String) {
-    desk.put("a.toml", text);
+/// Runs a scenario; the summary, all that is reported and standard error.
+fn run(sandbox: &Sandbox, text: &str, set: &[&str]) -> (Value, String, String) {
+    sandbox.put("a.toml", text);
     let set = set.iter().flat_map(|one| ["--set", one]);
     let arguments: Vec<&str> =
         ["run", "a.toml", "--no-report", "--out", "a"].into_iter().chain(set).collect();
-    let outcome = desk.percuss(&arguments);
+    let outcome = sandbox.percuss(&arguments);
     outcome.ends_with(0);
-    let told = format!("{}{}", outcome.stdout, outcome.stderr);
-    (desk.summary("a"), told, outcome.stderr)
+    let reported = format!("{}{}", outcome.stdout, outcome.stderr);
+    (sandbox.summary("a"), reported, outcome.stderr)
 }
 
 /// The findings of a code.
@@ -56,33 +56,33 @@ fn findings<'v>(summary: &'v Value, code: &str) -> Vec<&'v Value> {
 
 /// By free flight the mass would arrive after 4 mm / (2 m/s) = 2 ms; the summary says when it did.
 #[test]
-fn a_first_touch_is_told_as_the_run_shows_it() {
-    let desk = Desk::empty();
-    let (summary, ..) = run(&desk, BLAST, &[]);
+fn a_first_touch_is_reported_as_the_run_shows_it() {
+    let sandbox = Sandbox::empty();
+    let (summary, ..) = run(&sandbox, BLAST, &[]);
     let start = summary["contact"]["p"]["intervals"][0]["start"].as_f64().unwrap();
     assert!((start - 2.236e-3).abs() < 1e-6, "{start}");
-    let told = findings(&summary, "W001");
-    assert_eq!(told.len(), 1, "{told:?}");
-    assert_eq!(told[0]["value"].as_f64(), Some(start), "{told:?}");
-    assert_eq!(told[0]["text"], "first contact at 2.24 ms of 30 ms");
+    let reported = findings(&summary, "W001");
+    assert_eq!(reported.len(), 1, "{reported:?}");
+    assert_eq!(reported[0]["value"].as_f64(), Some(start), "{reported:?}");
+    assert_eq!(reported[0]["text"], "first contact at 2.24 ms of 30 ms");
 }
 
-/// Before the run nothing that a blast, a moved support or another projectile may change is told as certain: where a trial of the model
+/// Before the run nothing that a blast, a moved support or another projectile may change is reported as certain: where a trial of the model
 /// tells the time it is that of the trial, else what else acts is named.
 #[test]
 fn a_touch_that_loads_change_is_no_fact_before_the_run() {
-    let desk = Desk::empty();
-    desk.put("a.toml", BLAST);
-    let told = |end: &str| desk.percuss(&["check", "a.toml", "--set", end]).stderr;
+    let sandbox = Sandbox::empty();
+    sandbox.put("a.toml", BLAST);
+    let reported = |end: &str| sandbox.percuss(&["check", "a.toml", "--set", end]).stderr;
     // Free flight would take 2 ms.
-    let seen = told("time.end=2.1e-3");
+    let seen = reported("time.end=2.1e-3");
     assert!(seen.contains("no contact before the end (2.1 ms) in a trial computation"), "{seen}");
     let rigid = "kind = \"rigid\"\nrestitution = 0.5";
-    desk.put(
+    sandbox.put(
         "a.toml",
         BLAST.replace("kind = \"elastic\"", rigid).replace("stiffness = \"1e6 N/m\"\n", ""),
     );
-    let guessed = told("time.end=1e-3");
+    let guessed = reported("time.end=1e-3");
     assert!(guessed.contains("note: p, first contact: first contact at "), "{guessed}");
     assert!(
         guessed.contains("2 ms for free motion, after the end (1 ms); other loads act as well"),
@@ -98,15 +98,15 @@ fn by_hand(summary: &Value) -> &[Value] {
 /// A bound is called one where all that it assumes is so: here a blast acts as well.
 #[test]
 fn a_bound_whose_assumptions_fail_is_not_called_one() {
-    let desk = Desk::empty();
-    let (summary, out, _) = run(&desk, BLAST, &[]);
+    let sandbox = Sandbox::empty();
+    let (summary, out, _) = run(&sandbox, BLAST, &[]);
     let rows = by_hand(&summary);
     let force = rows.iter().find(|row| row["quantity"] == "largest contact force").unwrap();
     assert!(force["holds_if"].as_str().unwrap().contains("(not met)"), "{force}");
     assert!(!out.contains("upper bound"), "{out}");
     let [before, after] = ["[load.blast]", "[projectile.p]"].map(|part| BLAST.find(part).unwrap());
     let quiet = format!("{}{}", &BLAST[..before], &BLAST[after..]);
-    let (summary, ..) = run(&desk, &quiet, &[]);
+    let (summary, ..) = run(&sandbox, &quiet, &[]);
     let bound = by_hand(&summary).iter().find(|row| row["formula"] == "upper bound of the force");
     let [bound, found] =
         [&bound.unwrap()["by_hand"], &summary["contact"]["p"]["peak_force"]["value"]];
@@ -151,8 +151,8 @@ points = ["b.mid"]
 /// Elastic formulas beside a beam that yielded say so; beside one that could have, and did not, too.
 #[test]
 fn elastic_formulas_say_whether_the_beam_stayed_elastic() {
-    let desk = Desk::empty();
-    let (summary, ..) = run(&desk, BLOW, &[]);
+    let sandbox = Sandbox::empty();
+    let (summary, ..) = run(&sandbox, BLOW, &[]);
     assert!(summary["plastic"]["b"]["first_yield"].is_null());
     let rows = by_hand(&summary);
     assert!(!rows.is_empty());
@@ -162,7 +162,7 @@ fn elastic_formulas_say_whether_the_beam_stayed_elastic() {
             "{row}"
         );
     }
-    let (summary, ..) = run(&desk, BLOW, &["projectile.p.velocity=[0, -16]"]);
+    let (summary, ..) = run(&sandbox, BLOW, &["projectile.p.velocity=[0, -16]"]);
     assert!(summary["plastic"]["b"]["first_yield"]["time"].as_f64().is_some());
     let rows = by_hand(&summary);
     assert!(!rows.is_empty());
@@ -177,11 +177,11 @@ fn elastic_formulas_say_whether_the_beam_stayed_elastic() {
 /// What a formula of one touch says is set beside that touch, under a name that says so where there were others.
 #[test]
 fn a_largest_force_by_hand_is_named_after_what_it_is_compared_with() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let mut seen = [false; 2];
     let stiff = BLOW.replace("2e4 N/m", "1e7 N/m").replace("0.2 ms", "0.05 ms");
     for mass in ["4 kg", "100 kg"] {
-        let (summary, ..) = run(&desk, &stiff.replace("40 kg", mass), &["time.end=0.05"]);
+        let (summary, ..) = run(&sandbox, &stiff.replace("40 kg", mass), &["time.end=0.05"]);
         let contact = &summary["contact"]["p"];
         let touches = contact["intervals"].as_array().unwrap();
         seen[usize::from(touches.len() > 1)] = true;
@@ -227,11 +227,11 @@ step = 0.0002
 start = "static"
 "#;
 
-/// What the preload dissipated and what the run did are told apart: the second is that of the balance of energy.
+/// What the preload dissipated and what the run did are distinguished: the second is that of the balance of energy.
 #[test]
-fn energy_dissipated_by_a_preload_is_told_apart_from_the_run() {
-    let desk = Desk::empty();
-    let (summary, out, _) = run(&desk, PRELOADED, &[]);
+fn energy_dissipated_by_a_preload_is_distinguished_from_the_run() {
+    let sandbox = Sandbox::empty();
+    let (summary, out, _) = run(&sandbox, PRELOADED, &[]);
     let number = |path: &str| summary.pointer(path).and_then(Value::as_f64).unwrap();
     let all = number("/plastic/g/dissipated");
     let preload = number("/plastic/g/dissipated_by_preload");
@@ -245,10 +245,10 @@ fn energy_dissipated_by_a_preload_is_told_apart_from_the_run() {
 /// Without a damper nothing is said of damping: the contact's own dissipation took what is missing.
 #[test]
 fn energy_dissipated_in_contacts_is_not_called_damping() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let dissipates = BLAST.replace("\"1e6 N/m\"", "\"1e6 N/m\"\ndissipation = \"0.3 s/m\"");
     let dissipates = dissipates.replace("-6 kN/m", "0 kN/m");
-    let (summary, out, _) = run(&desk, &dissipates, &[]);
+    let (summary, out, _) = run(&sandbox, &dissipates, &[]);
     let number = |path: &str| summary.pointer(path).and_then(Value::as_f64).unwrap();
     let (lost, scale) = (number("/energy/loss_damping"), number("/energy/scale"));
     assert!(lost > 1e-3 * scale, "{lost} of {scale}");
@@ -257,10 +257,10 @@ fn energy_dissipated_in_contacts_is_not_called_damping() {
     assert!(!out.contains("dissipated by damping"), "{out}");
 }
 
-/// A beam in millimetres and newtons is told as that, in one sentence, and not as several slips.
+/// A beam in millimetres and newtons is reported as that, in one sentence, and not as several slips.
 #[test]
 fn a_scenario_in_millimetres_is_recognised_once() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let text = |young: &str, width: &str, depth: &str, length: &str| {
         format!(
             "[material.m]\nyoung = {young}\ndensity = 7850\n[section.s]\nshape = \"rectangle\"\nwidth = {width}\ndepth = {depth}\n\
@@ -269,36 +269,36 @@ fn a_scenario_in_millimetres_is_recognised_once() {
              [load.p]\nkind = \"point\"\nat = \"b.mid\"\nforce = [0, -1000]\n[time]\nend = 0.1\nstep = 0.001\n"
         )
     };
-    desk.put("mm.toml", text("210000", "100", "200", "4000"));
-    let told = desk.percuss(&["check", "mm.toml"]).stderr;
-    assert_eq!(told.matches("warning: ").count(), 1, "{told}");
-    assert!(told.contains("values appear to be in mm and N"), "{told}");
-    assert!(told.contains("\"4000 mm\", \"2.10e5 MPa\""), "{told}");
+    sandbox.put("mm.toml", text("210000", "100", "200", "4000"));
+    let reported = sandbox.percuss(&["check", "mm.toml"]).stderr;
+    assert_eq!(reported.matches("warning: ").count(), 1, "{reported}");
+    assert!(reported.contains("values appear to be in mm and N"), "{reported}");
+    assert!(reported.contains("\"4000 mm\", \"2.10e5 MPa\""), "{reported}");
     for (young, width, depth, length) in
         [("210e9", "0.1", "0.2", "4"), ("2e5", "0.01", "0.02", "0.5"), ("210e9", "2", "3", "100")]
     {
-        desk.put("m.toml", text(young, width, depth, length));
-        let told = desk.percuss(&["check", "m.toml"]).stderr;
-        assert!(!told.contains("in mm and N"), "{told}");
+        sandbox.put("m.toml", text(young, width, depth, length));
+        let reported = sandbox.percuss(&["check", "m.toml"]).stderr;
+        assert!(!reported.contains("in mm and N"), "{reported}");
     }
 }
 
 /// A cantilever that a moment at its end bends 1.2 times as far as to first yield: `static` tells what a run that is loaded as slowly tells.
 #[test]
 fn statics_tells_of_yield_what_a_run_tells() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let text = PRELOADED.replace("values = [1, 1, -0.9]", "values = [1, 1, 1]");
-    let (summary, ..) = run(&desk, &text, &["time.end=0.002"]);
-    let outcome = desk.percuss(&["static", "a.toml", "--out", "s"]);
+    let (summary, ..) = run(&sandbox, &text, &["time.end=0.002"]);
+    let outcome = sandbox.percuss(&["static", "a.toml", "--out", "s"]);
     outcome.ends_with(0);
     let found: Value = {
-        let text = std::fs::read_to_string(desk.path("s").join("static.json")).unwrap();
+        let text = std::fs::read_to_string(sandbox.path("s").join("static.json")).unwrap();
         serde_json::from_str(&text).unwrap()
     };
-    let (found, told) = (&found["plastic"]["g"], &summary["plastic"]["g"]);
+    let (found, reported) = (&found["plastic"]["g"], &summary["plastic"]["g"]);
     let near = |path: &str| {
         let of = |value: &Value| value.pointer(path).and_then(Value::as_f64).unwrap();
-        let (a, b) = (of(found), of(told));
+        let (a, b) = (of(found), of(reported));
         assert!((a - b).abs() <= 1e-6 * b.abs(), "{path}: {a} {b}");
     };
     for path in [
@@ -329,11 +329,11 @@ fn statics_tells_of_yield_what_a_run_tells() {
 /// moment, only hardening holds it.
 #[test]
 fn statics_tells_that_a_plastic_mechanism_was_passed() {
-    let desk = Desk::empty();
+    let sandbox = Sandbox::empty();
     let hardens = "yield = \"275 MPa\"\nhardening = { isotropic = \"4.1 GPa\" }";
     let text = PRELOADED.replace("yield = \"275 MPa\"", hardens).replace("3900", "4700");
-    desk.put("a.toml", text);
-    let outcome = desk.percuss(&["static", "a.toml"]);
+    sandbox.put("a.toml", text);
+    let outcome = sandbox.percuss(&["static", "a.toml"]);
     outcome.ends_with(0);
     assert!(
         outcome.stdout.contains("plastic mechanism: displacements grew up to "),
@@ -342,7 +342,7 @@ fn statics_tells_that_a_plastic_mechanism_was_passed() {
     );
 }
 
-/// A beam between two clamps that let go after the blow.
+/// A beam between two clamps that let go after the impact.
 const RELEASED: &str = r#"
 [material.m]
 young = "205 GPa"
@@ -380,24 +380,27 @@ step = 2e-05
 
 /// Where a permanent set is `null` its reason stands beside it; without yield it is zero.
 #[test]
-fn a_permanent_set_is_told_or_the_reason_why_not() {
-    let desk = Desk::empty();
+fn a_permanent_set_is_reported_or_the_reason_why_not() {
+    let sandbox = Sandbox::empty();
     let set = |text: &str| {
-        let (summary, told, _) = run(&desk, text, &[]);
+        let (summary, reported, _) = run(&sandbox, text, &[]);
         let beam = &summary["plastic"]["g"];
         let note = beam["permanent_set_note"].as_str().map(str::to_owned);
-        (beam["permanent_set"].as_f64(), note, told)
+        (beam["permanent_set"].as_f64(), note, reported)
     };
-    let (held, note, told) = set(RELEASED);
+    let (held, note, reported) = set(RELEASED);
     assert!(held.unwrap() > 0.01 && note.is_none(), "{held:?} {note:?}");
-    assert!(told.contains("permanent deflection "), "{told}");
-    assert!(told.contains(" mm, (x, y) = ("), "{told}");
+    assert!(reported.contains("permanent deflection "), "{reported}");
+    assert!(reported.contains(" mm, (x, y) = ("), "{reported}");
     let flies = RELEASED
         .replace("kind = \"clamp\"\n[support.b]", "kind = \"clamp\"\nuntil = 0.005\n[support.b]");
-    let (none, note, told) = set(&flies);
+    let (none, note, reported) = set(&flies);
     let reason = "it can move without strain at the end";
     assert_eq!((none, note.as_deref()), (None, Some(reason)));
-    assert!(told.contains(&format!("permanent deflection not available: {reason}")), "{told}");
+    assert!(
+        reported.contains(&format!("permanent deflection not available: {reason}")),
+        "{reported}"
+    );
     let (zero, note, _) = set(&RELEASED.replace("-8", "-0.01"));
     assert_eq!((zero, note), (Some(0.0), None));
 }

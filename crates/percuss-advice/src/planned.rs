@@ -8,7 +8,7 @@ use percuss::{Model, Settings};
 pub(super) const STEPS: [f64; 2] = [20.0, 8.0];
 
 /// A contact and how it is to be run.
-pub(super) struct Desk<'a> {
+pub(super) struct PlannedContact<'a> {
     pub model: &'a Model,
     pub settings: &'a Settings,
     pub case: &'a Case<'a>,
