@@ -331,6 +331,42 @@ fn forces_at_supports_are_their_reactions_in_motion_under_every_scheme() {
 }
 
 #[test]
+fn forces_at_a_support_of_a_shear_flexible_beam_are_its_reactions() {
+    let mut b = ModelBuilder::new();
+    let plain = Material::new("m", 1e9, 1e3);
+    let m = b.material(Material { poisson: Some(0.3), mass_damping: 3.0, ..plain });
+    let s = b.section(Section::rectangle("s", 0.1, 0.2));
+    let slender = beam("arm", [0.0, 0.0], [1.0, 0.0], 5, m, s);
+    let arm = b.beam(Beam { theory: Theory::Shear, ..slender });
+    hold(&mut b, at("root", arm, 0.0), SupportKind::Clamp);
+    b.load(Load::new("q", line_load(arm, [20.0, -300.0])));
+    b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+    let ball = b.disc(disc("ball", 2.0, 0.1, [0.63, 0.205], [0.4, -1.0]));
+    let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e5 }));
+    b.contact(Contact::new("c", [ContactPartner::Disc(ball), ContactPartner::Beam(arm)], law));
+    b.record_point(at("root", arm, 0.0));
+    let model = b.build().unwrap();
+    let mut log = Columns::default();
+    let run = simulate(&model, &Settings::new(0.05, 2e-4), &mut log).unwrap();
+    let peak = run.section_forces[0].shear.largest().value.abs();
+    for (own, of_support, sign) in AT_THE_START {
+        let own = log.of(&format!("section.root.{own}"));
+        let reaction = log.of(&format!("support.root.{of_support}"));
+        for k in 2..own.len() {
+            let apart = own[k] - sign * reaction[k];
+            assert!(apart.abs() < 1e-7 * peak, "{of_support} {k}: {} {}", own[k], reaction[k]);
+        }
+    }
+    // The contact was active; at the free end no section force is left.
+    assert!(peak > 500.0, "{peak}");
+    let envelope = &run.section_forces[0].envelope;
+    for forces in [&envelope.shear, &envelope.moment] {
+        let last = forces[1].len() - 1;
+        assert!(forces.iter().all(|side| side[last].abs() < 1e-6 * peak), "{forces:?}");
+    }
+}
+
+#[test]
 fn forces_at_a_driven_support_are_its_reactions_where_its_velocity_jumps_too() {
     // A clamp is pulled aside by a ramp that begins with a jump of velocity, and stops with one.
     for scheme in [Scheme::EnergyMomentum, Scheme::StrainRate, Scheme::Midpoint] {

@@ -254,8 +254,8 @@ impl Line {
         line
     }
 
-    /// Of a shear-flexible element, whose axis is straight: the moments at its ends are those on the vectors d of its nodes, given as tangents. The
-    /// force along it is linear; rotary inertia is what the balance of moments leaves over.
+    /// Of a shear-flexible element, whose vectors d are given as tangents: the moments at its ends are those on d, and N and V are along and across d
+    /// at its nodes. The force along it is linear; rotary inertia is what the balance of moments leaves over.
     pub fn sheared(
         shape: &ElementShape,
         ends: &OnNodes,
@@ -263,20 +263,24 @@ impl Line {
         inner: &mut [Inner],
     ) -> Self {
         let mut line = Self { way: [[0.0; 2]; 3], force: [[0.0; 2]; 5], moment: [0.0; 8] };
-        let [da, db] = &shape.tangents;
-        line.way[0] = shape.chord;
+        let (l, [da, db]) = (shape.length, &shape.tangents);
         for i in 0..2 {
+            let (a, b, chord) = (l * da[i], l * db[i], 6.0 * shape.chord[i]);
+            line.way[0][i] = a;
+            line.way[1][i] = chord - 4.0 * a - 2.0 * b;
+            line.way[2][i] = 3.0 * (a + b) - chord;
             let (on_a, on_b) = (along[0][i], along[1][i]);
             line.force[0][i] = -ends[0][i];
             line.force[1][i] = 4.0 * on_a - 2.0 * on_b;
             line.force[2][i] = 3.0 * (on_b - on_a);
         }
         line.moment[0] = -across(da, &[ends[0][2], ends[0][3]]);
-        let mut sum = line.moment[0];
-        for (j, force) in line.force.iter().enumerate() {
-            line.moment[j + 1] = -across(&line.way[0], force) / (j + 1) as f64;
-            sum += line.moment[j + 1];
+        for (i, way) in line.way.iter().enumerate() {
+            for (j, force) in line.force.iter().enumerate() {
+                line.moment[i + j + 1] -= across(way, force) / (i + j + 1) as f64;
+            }
         }
+        let sum: f64 = line.moment.iter().sum();
         line.close(across(db, &[ends[1][2], ends[1][3]]) - sum, inner);
         line
     }
