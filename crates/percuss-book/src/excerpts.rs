@@ -92,6 +92,12 @@ pub fn table_uses(sample: &Sample, format: &[TableReference]) -> Vec<TableUse> {
     walk.found
 }
 
+/// Whether a table has a key, or a kind, that its declaration knows; tables by names of the user's have none.
+fn has_own_key(of: &TableReference, table: &dyn TableLike) -> bool {
+    let keys = of.body.keys.iter().map(|key| key.name);
+    keys.chain(of.body.kinds.iter().map(|kinds| kinds.tag)).any(|key| table.contains_key(key))
+}
+
 /// The way through a file.
 struct Walk<'w> {
     sample: &'w Sample,
@@ -162,7 +168,7 @@ impl Walk<'_> {
         match of.form {
             TableForm::File => {}
             // Tables in braces behind names of the user's.
-            TableForm::Braces if !of.body.keys.iter().any(|key| table.contains_key(key.name)) => {
+            TableForm::Braces if !has_own_key(of, table) => {
                 for (name, item) in table.iter() {
                     if let Some(table) = item.as_inline_table() {
                         self.table(of, table, &join(path, name), self.lines(path));

@@ -109,6 +109,7 @@ struct Wanted {
 
 /// A run with all that is kept of it.
 struct Done {
+    /// Columns of the history, shape (channels, rows) \[unit of the channel\].
     columns: Columns,
     fields: Fields,
     /// The scenario with every default written out.

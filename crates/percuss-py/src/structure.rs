@@ -24,7 +24,7 @@ pub fn shaped<'py, T: Element>(
 /// Elements of the beams of a model.
 #[derive(Debug)]
 pub struct Beams(
-    /// Shape (beams).
+    /// One each, shape (beams).
     Vec<Beam>,
 );
 

@@ -52,7 +52,7 @@ pub(super) fn take_in(
 /// A column: its header without the unit, and its values.
 struct Column {
     header: String,
-    /// Shape (points).
+    /// Values, shape (points).
     values: Vec<Given>,
 }
 
