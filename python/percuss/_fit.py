@@ -175,7 +175,7 @@ class FitParameter(NamedTuple):
     Examples
     --------
     >>> run = percuss.run("plank.toml")
-    >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+    >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
     >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
     ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
     >>> round(found.params["mass"].value, 3), found.params["mass"].unit
@@ -208,7 +208,7 @@ class FitProfile(NamedTuple):
     Examples
     --------
     >>> run = percuss.run("plank.toml")
-    >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+    >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
     >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
     ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
     >>> profile = found.profile("mass", points=4)
@@ -227,7 +227,7 @@ class Fit:
     Examples
     --------
     >>> run = percuss.run("plank.toml")
-    >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+    >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
     >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
     ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
     >>> found.names, found.x.round(2)
@@ -264,7 +264,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> percuss.fit("plank.toml", {"projectile.bag.mass": {"start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin").names
         ['projectile.bag.mass']
@@ -283,7 +283,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin").params["mass"].start
         9.0
@@ -315,7 +315,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin").x.round(3)
         array([10.])
@@ -334,7 +334,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> found.stderr.shape, bool(found.stderr[0] > 0)
@@ -354,7 +354,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> bool(np.allclose(found.cov[0, 0], found.stderr[0] ** 2))
@@ -374,7 +374,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin").correl
         array([[1.]])
@@ -393,7 +393,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> bool(np.allclose(np.linalg.inv(found.jac.T @ found.jac), found.cov))
@@ -413,7 +413,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> bool(abs(found.fun).max() < 0.1)
@@ -433,7 +433,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin").cost < 1e-3
         True
@@ -452,7 +452,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin").redchi < 1e-3
         True
@@ -471,7 +471,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin").success
         True
@@ -490,7 +490,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin").message[:9]
         'converged'
@@ -509,7 +509,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin").nfev > 1
         True
@@ -529,7 +529,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> round(found.channels[0]["r_squared"], 4)
@@ -549,7 +549,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> [kind for kind, text in found.warnings if kind == "residuals"]
@@ -569,7 +569,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9, "bounds": [5, 20]}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), starts=2, solver="basin")
         >>> [round(start["x"][0], 3) for start in found.starts]
@@ -594,7 +594,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> "[parameters]" in found.report()
@@ -618,7 +618,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> abs(found.to_scenario()["projectile.bag.mass"] - 10) < 1e-3
@@ -655,7 +655,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> low, high = found.profile("mass", points=4).interval
@@ -688,7 +688,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> [ax.get_ylabel() for ax in found.plot()]
@@ -728,7 +728,7 @@ class Fit:
         Examples
         --------
         >>> run = percuss.run("plank.toml")
-        >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"]}
+        >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), solver="basin")
         >>> place = found.save("runs/plank-fit")
@@ -828,8 +828,8 @@ def fit(
     Examples
     --------
     >>> run = percuss.run("plank.toml")
-    >>> noise = np.random.default_rng(1).normal(0, 20, run.t.size)
-    >>> record = {"t [s]": run.t, "F [N]": run["contact.bag.force"] + noise}
+    >>> noise = np.random.default_rng(1).normal(0, 20, run.time.size)
+    >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"] + noise}
     >>> data = percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma="20 N")
     >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": "9 kg"}}, data, solver="basin")
     >>> low, high = found.params["mass"].interval

@@ -73,7 +73,7 @@ pub fn modes<'py>(
     let sizes = [shapes.len(), shapes[0].len(), 4];
     let shapes = shapes.iter().flat_map(|shape| shape.as_flattened()).copied().collect();
     result.set_item("shapes", shaped(py, shapes, &sizes)?)?;
-    result.set_item("beams", beams.to_python(py)?)?;
+    result.set_item("beams", beams.into_python(py)?)?;
     Ok(result)
 }
 
@@ -127,6 +127,6 @@ pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bou
     result.set_item("summary", summary)?;
     result.set_item("displacement", nodes(py, &displacement)?)?;
     result.set_item("warnings", warnings)?;
-    result.set_item("beams", beams.to_python(py)?)?;
+    result.set_item("beams", beams.into_python(py)?)?;
     Ok(result)
 }

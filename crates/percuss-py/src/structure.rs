@@ -58,7 +58,7 @@ impl Beams {
     ///
     /// # Errors
     /// What NumPy raises.
-    pub fn to_python(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
+    pub fn into_python(self, py: Python<'_>) -> PyResult<Bound<'_, PyDict>> {
         let out = PyDict::new(py);
         for Beam { name, nodes, lengths, ends } in self.0 {
             let ends = shaped(py, ends, &[nodes.len(), 2, 4])?;

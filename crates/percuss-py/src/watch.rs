@@ -170,10 +170,10 @@ fn on_a_thread(work: impl FnOnce() + Send + 'static) {
     let own = Arc::clone(&shared);
     let thread = std::thread::Builder::new().name("percuss".into()).stack_size(STACK);
     let spawned = thread.spawn(move || take(&own).map_or((), |work| work()));
-    if spawned.is_err() {
-        if let Some(work) = take(&shared) {
-            work();
-        }
+    if spawned.is_err()
+        && let Some(work) = take(&shared)
+    {
+        work();
     }
 }
 

@@ -110,10 +110,10 @@ fn a_misspelt_required_key_is_one_fault() {
         ]),
         &[
             "2:1: material.m.yuong: found the unknown key `yuong`, expected one of `preset`, \
-             `young`, `density`, `strain`, `retardation`, `mass_damping`, `yield`, \
+             `young`, `density`, `poisson`, `shear_modulus`, `strain`, `retardation`, `mass_damping`, `expansion`, `yield`, \
              `hardening`, `rate`, `failure_strain`, `bears` (did you mean `young`?)",
             "5:1: section.s.arae: found the unknown key `arae`, expected one of \
-             `rotary_inertia`, `fibres`, `area`, `inertia`, `depth`, `shape` (did you mean `area`?)",
+             `rotary_inertia`, `fibres`, `shear_factor`, `area`, `inertia`, `depth`, `shape` (did you mean `area`?)",
         ],
     );
     let text = file(&[HEAD, &BEAM.replace("elements", "elemnts")]);
