@@ -60,6 +60,9 @@ impl Curve {
 
     /// The curve in a channel frequency class, evenly sampled.
     ///
+    /// The filter has no phase: a change at the start of the curve is felt before it. The filtered curve is therefore longer, by the memory
+    /// of the filter at either end, and has the initial and the last value of the curve there.
+    ///
     /// # Errors
     /// If its rows are too far apart for the class.
     pub fn filtered(&self, class: Cfc) -> Result<Self, ShockError> {
@@ -67,7 +70,9 @@ impl Curve {
         let count = (self.length() / step).round().max(1.0) as usize;
         let step = self.length() / count as f64;
         let start = self.time.first().copied().unwrap_or(0.0);
-        let values = (0..=count).map(|k| self.at(start + step * k as f64)).collect();
+        let room = (class.memory() / step).ceil() as usize;
+        let start = start - step * room as f64;
+        let values = (0..=count + 2 * room).map(|k| self.at(start + step * k as f64)).collect();
         let signal = filtered(&Signal { start, step, values, resampled: true }, class)?;
         let even = (signal.step - step).abs() <= EQUAL * step;
         debug_assert!(even, "a filter keeps the sampling");
@@ -99,6 +104,25 @@ mod tests {
         let found: Vec<f64> = [-1.0, 0.5, 1.0, 2.0, 5.0].map(|t| curve.at(t)).into();
         assert_eq!(found, [1.0, 1.5, 4.0, 2.0, 0.0]);
         assert_eq!(curve.sampled(&[2.5], 2.0), [1.5]);
+    }
+
+    #[test]
+    fn a_filtered_curve_has_its_initial_value_only_before_the_filter_reaches_back() {
+        let step = 1e-4;
+        let rise = |k: i32| f64::from(k.clamp(0, 5)) / 5.0;
+        let curve = |from: i32| Curve {
+            time: (from..=400).map(|k| step * f64::from(k)).collect(),
+            values: (from..=400).map(rise).collect(),
+        };
+        let [own, led] = [curve(0), curve(-1000)].map(|one| one.filtered(Cfc::Class60));
+        let (own, led) = (own.expect("fine enough"), led.expect("fine enough"));
+        // What a record holds that begins a while before the run: the filter spreads the rise over its time, to either side.
+        for t in [-6e-3, -2e-3, -5e-4, 0.0, 1e-3, 1e-2] {
+            // Times of samples differ by round-off.
+            assert!((own.at(t) - led.at(t)).abs() < 1e-9, "{t}: {} {}", own.at(t), led.at(t));
+        }
+        assert!(own.at(-1e-3) > 0.05 && own.at(-0.09).abs() < 1e-12, "{}", own.at(-1e-3));
+        assert!((own.at(1.0) - 1.0).abs() < 1e-12);
     }
 
     #[test]
