@@ -103,6 +103,8 @@ pub struct Fit {
     pub overlays: Vec<Overlay>,
     /// What was found from each starting point, shape (starts).
     pub minima: Vec<Minimum>,
+    /// Values of all parameters at each of them, shape (starts, parameters) \[SI unit of the parameter\].
+    pub reached: Vec<Vec<f64>>,
     /// What speaks against the result, shape (doubts).
     pub doubts: Vec<Doubt>,
     /// Scenarios with the values found: file name and text, shape (scenarios).
@@ -189,6 +191,7 @@ impl Problem {
             runs: self.runs(),
             channels,
             overlays: self.overlays(&computed),
+            reached: minima.iter().map(|one| self.values(&one.coordinates)).collect(),
             minima,
             doubts,
             scenarios: self.scenarios(&values)?,

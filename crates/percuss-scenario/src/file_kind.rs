@@ -16,12 +16,12 @@ pub(crate) enum FileKind {
 }
 
 impl FileKind {
-    /// It in words, and the command for it.
-    fn words(self) -> [&'static str; 2] {
+    /// It in words, what it does, and the command for it.
+    fn words(self) -> [&'static str; 3] {
         match self {
-            Self::Scenario => ["a scenario", "`percuss run`"],
-            Self::Study => ["a study, which varies a scenario", "`percuss sweep`"],
-            Self::Fit => ["a fit, which finds parameters of a scenario", "`percuss fit`"],
+            Self::Scenario => ["a scenario", "which describes one run", "`percuss run`"],
+            Self::Study => ["a study", "which varies a scenario", "`percuss sweep`"],
+            Self::Fit => ["a fit", "which finds numbers of a scenario", "`percuss fit`"],
         }
     }
 
@@ -36,9 +36,9 @@ impl FileKind {
         else {
             return Ok(());
         };
-        let ([found, command], [wanted, _]) = (other.words(), self.words());
+        let ([found, does, command], [wanted, ..]) = (other.words(), self.words());
         let expected = format!("{wanted}; for {found} there is {command}");
-        Err(Diagnostics::of_file(name, found, expected))
+        Err(Diagnostics::of_file(name, format!("{found}, {does}"), expected))
     }
 }
 
@@ -89,7 +89,7 @@ mod tests {
                     Ok(()) => assert_eq!(kind, wanted),
                     Err(refused) => {
                         assert_ne!(kind, wanted);
-                        let [what, command] = kind.words();
+                        let [what, _, command] = kind.words();
                         let refused = refused.to_string();
                         assert!(refused.contains(what) && refused.contains(command), "{refused}");
                     }

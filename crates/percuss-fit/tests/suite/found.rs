@@ -1,6 +1,6 @@
 //! What is found in records without noise, by every way of asking.
 
-use percuss_fit::fit_text;
+use percuss_fit::{fit_text, fit_value};
 
 use crate::common::{FIT, OFFSET, SCENARIO, desk, fitted, parameter, problem, put, record};
 
@@ -16,6 +16,12 @@ fn a_record_without_noise_gives_the_values_that_made_it() {
         assert!(found.interval[0] < truth && truth < found.interval[1], "{name}");
     }
     assert!(fit.cost < 1e-3 && fit.channels.iter().all(|one| one.r_squared > 0.999_99));
+    // Values of minima are in the units of the parameters, whatever their coordinates.
+    let json = fit_value(&fit);
+    let values = json["starts"][0]["values"].as_array().expect("values").iter();
+    let values: Vec<f64> = values.map(|value| value.as_f64().expect("a number")).collect();
+    let found: Vec<f64> = fit.parameters.iter().map(|one| one.value).collect();
+    assert_eq!(values, found);
     let text = fit_text(&fit);
     assert!(text.contains("stiffness") && text.contains("[channels]"), "{text}");
     let (name, scenario) = &fit.scenarios[0];
