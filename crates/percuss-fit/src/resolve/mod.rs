@@ -20,6 +20,9 @@ use crate::run::GoesOn;
 use numbers::numbers;
 use records::record;
 
+/// Most starting points, and most iterations from one: a slip of the keyboard does not fill the memory.
+const MOST: usize = 100_000;
+
 /// What a program hands over instead of naming it in the file.
 #[derive(Debug, Default)]
 pub struct Supplied {
@@ -129,8 +132,9 @@ fn whole(content: &FitContent) -> Vec<Fault> {
         faults.push(Fault::new("test", found, "at least one [test.NAME] that is fitted"));
     }
     for (key, count) in [("starts", content.fit.starts), ("iterations", content.fit.iterations)] {
-        if count == 0 {
-            faults.push(Fault::new(format!("fit.{key}"), "0", "a whole number above zero"));
+        if !(1..=MOST).contains(&count) {
+            let expected = format!("a whole number from 1 to {MOST}");
+            faults.push(Fault::new(format!("fit.{key}"), count.to_string(), expected));
         }
     }
     if content.fit.loss_scale <= 0.0 {

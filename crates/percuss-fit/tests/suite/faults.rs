@@ -87,6 +87,7 @@ fn each_fault_names_its_place() {
             "`mas`",
         ),
         ("[fit]", "[fit]\nstarts = 0", "fit.starts", "0"),
+        ("[fit]", "[fit]\nstarts = 100000000000", "fit.starts", "from 1 to 100000"),
         ("[fit]", "[fit]\niterations = 0", "fit.iterations", "0"),
         (
             "path = \"projectile.hammer.stiffness\"\nstart = \"1.5 MN/m\"\nbounds = [\"0.5 MN/m\", \"8 MN/m\"]\nspacing = \"log\"",
