@@ -64,11 +64,11 @@ pub fn read_whole(text: &str, name: &str, access: FileAccess) -> Result<Scenario
 }
 
 fn read_text(text: &str, name: &str, files: Files<'_>) -> Result<Scenario, Diagnostics> {
-    FileKind::Scenario.expect(text, name)?;
     read_from(Source::new(name, text), files)
 }
 
 fn read_from(source: Source, files: Files<'_>) -> Result<Scenario, Diagnostics> {
+    FileKind::Scenario.expect(&source.text, &source.name)?;
     let expected = "a scenario, with a beam and [time] at least";
     let parsed = parse::<Content>(&source, files, expected)?;
     let Parsed { content, places, faults, tainted, names_files } = parsed;
