@@ -79,13 +79,18 @@ impl Curve {
         Ok(Self { time: signal.times().collect(), values: signal.values })
     }
 
-    /// The mean rate of change over each step, at the middle of it: an acceleration from a velocity.
+    /// The mean rate of change over each step, at the middle of it: an acceleration from a velocity. Before the curve its value does not
+    /// change, so that its rate is zero up to half a step before the start, the middle of the step that ends there.
     ///
     /// # Errors
     /// As [`Signal::from_velocity`].
     pub fn derivative(&self) -> Result<Self, ShockError> {
         let signal = Signal::from_velocity(&self.time, &self.values)?;
-        Ok(Self { time: signal.times().collect(), values: signal.values })
+        let before = signal.start - signal.step;
+        Ok(Self {
+            time: std::iter::once(before).chain(signal.times()).collect(),
+            values: std::iter::once(0.0).chain(signal.values.iter().copied()).collect(),
+        })
     }
 
     /// Values at times of a record, which begins `offset` before the curve.
@@ -104,6 +109,21 @@ mod tests {
         let found: Vec<f64> = [-1.0, 0.5, 1.0, 2.0, 5.0].map(|t| curve.at(t)).into();
         assert_eq!(found, [1.0, 1.5, 4.0, 2.0, 0.0]);
         assert_eq!(curve.sampled(&[2.5], 2.0), [1.5]);
+    }
+
+    #[test]
+    fn a_velocity_has_no_rate_of_change_before_its_start() {
+        let time: Vec<f64> = (0..101).map(|k| 1e-4 * f64::from(k)).collect();
+        let values: Vec<f64> = time.iter().map(|t| -3.0 + 200.0 * t).collect();
+        let rate = Curve { time, values }.derivative().expect("rows enough");
+        for (t, expected) in
+            [(-1e-3, 0.0), (-6e-5, 0.0), (0.0, 100.0), (5e-3, 200.0), (2e-2, 200.0)]
+        {
+            // Differences of velocities of size 3 over 1e-4 s.
+            assert!((rate.at(t) - expected).abs() < 1e-9, "{t}: {}", rate.at(t));
+        }
+        let filtered = rate.filtered(Cfc::Class600).expect("fine enough");
+        assert!(filtered.at(-9e-3).abs() < 1e-9 && (filtered.at(5e-3) - 200.0).abs() < 1e-6);
     }
 
     #[test]

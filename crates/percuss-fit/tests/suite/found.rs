@@ -2,7 +2,9 @@
 
 use percuss_fit::{fit_text, fit_value};
 
-use crate::common::{FIT, OFFSET, SCENARIO, desk, fitted, parameter, problem, put, record};
+use crate::common::{
+    FIT, OFFSET, SCENARIO, desk, fitted, history, parameter, problem, put, record,
+};
 
 #[test]
 fn a_record_without_noise_gives_the_values_that_made_it() {
@@ -165,6 +167,46 @@ fn filters_act_on_both_sides_and_onsets_align() {
         "column = \"point.bar.mid.velocity_2\"",
     );
     assert!(problem(desk.path(), &unfiltered).is_err(), "a displacement is no velocity");
+}
+
+/// A record of the acceleration of the hammer that begins before it strikes: zero up to half a step before, then, linear between their
+/// middles, the mean values of steps.
+fn accelerations() -> String {
+    let run = history(SCENARIO);
+    let time = run.column("time").expect("times");
+    let velocity = run.column("projectile.hammer.velocity_2").expect("velocities");
+    let rates = velocity.windows(2).zip(time.windows(2));
+    let rates: Vec<f64> = rates.map(|(v, t)| (v[1] - v[0]) / (t[1] - t[0])).collect();
+    let step = time[1] - time[0];
+    let at = |t: f64| {
+        let place = t / step - 0.5;
+        if place < 0.0 {
+            return (1.0 + place).max(0.0) * rates[0];
+        }
+        let row = (place as usize).min(rates.len() - 2);
+        let share = (place - row as f64).min(1.0);
+        (1.0 - share) * rates[row] + share * rates[row + 1]
+    };
+    let row = |k: u32| {
+        let t = 75e-6 * f64::from(k);
+        format!("{t:?},{:?}\n", at(t - OFFSET))
+    };
+    format!("t [s],a [m/s^2]\n{}", (0..110).map(row).collect::<String>())
+}
+
+#[test]
+fn accelerations_are_zero_before_the_start_of_the_run() {
+    let desk = desk(&accelerations());
+    let (head, _) = FIT.split_once("[test.drop.channel.F]").expect("a channel");
+    // Residuals that are left are those of sampling at other times, before the filter.
+    for (class, within, left) in [("", 1e-3, 1e-5), ("cfc = 600\n", 1e-2, 1e-3)] {
+        let channel =
+            "[test.drop.channel.a]\ncolumn = \"projectile.hammer.acceleration_2\"\nsigma = 10\n";
+        let fit = fitted(desk.path(), &format!("{head}{channel}{class}")).expect("a fit");
+        let found = parameter(&fit, "stiffness").value;
+        assert!((found / 2e6 - 1.0).abs() < within, "{class}: {found}");
+        assert!(1.0 - fit.channels[0].r_squared < left, "{class}: {:?}", fit.channels);
+    }
 }
 
 #[test]
