@@ -39,7 +39,7 @@ pub enum Command {
     /// Continue a completed run to a later end time
     #[command(after_help = format!("{EXTEND}\n\n{EXIT_STATUS}"))]
     Extend(Extend),
-    /// Validate a scenario or study and list all errors and warnings
+    /// Validate a scenario, study or fit and list all errors and warnings
     Check(Check),
     /// Static equilibrium under the loads at time zero, with contacts; moving projectiles are ignored
     #[command(after_help = format!("{STATIC}\n\n{EXIT_STATUS}"))]
@@ -102,7 +102,7 @@ pub enum Command {
 /// Arguments of `check`.
 #[derive(Args, Debug)]
 pub struct Check {
-    /// Scenario or study file, or - for standard input (a scenario)
+    /// Scenario, study or fit file, or - for standard input (a scenario)
     #[arg(value_hint = ValueHint::FilePath)]
     pub file: PathBuf,
     /// Change a value of the scenario, such as time.step=1e-5; repeatable

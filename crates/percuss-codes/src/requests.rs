@@ -64,9 +64,9 @@ catalogue! {
         TooManyRuns = "E316", "too many runs in one comparison",
             "A page overlays a few runs, each in a colour of its own. Give fewer directories; `percuss sweep` is for many runs.";
         /// Something that scenarios have and studies do not.
-        NotOfStudies = "E317", "not available for studies",
-            "A study names its base scenario by path, so it is read from a file and not from standard input; its values are given in \
-             the study, not by `--set`.";
+        NotOfStudies = "E317", "not available for studies and fits",
+            "A study or a fit names its base scenario by path, so it is read from a file and not from standard input; its values are given \
+             in the file, not by `--set`.";
         /// Words vary, and a function takes numbers.
         NoFunction = "E318", "non-numeric parameters",
             "`percuss serve`, `percuss eval` and functions in Python use the study as a function of numbers, and in this one words or \

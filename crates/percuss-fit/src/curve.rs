@@ -60,6 +60,9 @@ impl Curve {
 
     /// The curve in a channel frequency class, evenly sampled.
     ///
+    /// The filter has no phase: a change at the start of the curve is felt before it. The filtered curve is therefore longer, by the memory
+    /// of the filter at either end, and has the initial and the last value of the curve there.
+    ///
     /// # Errors
     /// If its rows are too far apart for the class.
     pub fn filtered(&self, class: Cfc) -> Result<Self, ShockError> {
@@ -67,20 +70,27 @@ impl Curve {
         let count = (self.length() / step).round().max(1.0) as usize;
         let step = self.length() / count as f64;
         let start = self.time.first().copied().unwrap_or(0.0);
-        let values = (0..=count).map(|k| self.at(start + step * k as f64)).collect();
+        let room = (class.memory() / step).ceil() as usize;
+        let start = start - step * room as f64;
+        let values = (0..=count + 2 * room).map(|k| self.at(start + step * k as f64)).collect();
         let signal = filtered(&Signal { start, step, values, resampled: true }, class)?;
         let even = (signal.step - step).abs() <= EQUAL * step;
         debug_assert!(even, "a filter keeps the sampling");
         Ok(Self { time: signal.times().collect(), values: signal.values })
     }
 
-    /// The mean rate of change over each step, at the middle of it: an acceleration from a velocity.
+    /// The mean rate of change over each step, at the middle of it: an acceleration from a velocity. Before the curve its value does not
+    /// change, so that its rate is zero up to half a step before the start, the middle of the step that ends there.
     ///
     /// # Errors
     /// As [`Signal::from_velocity`].
     pub fn derivative(&self) -> Result<Self, ShockError> {
         let signal = Signal::from_velocity(&self.time, &self.values)?;
-        Ok(Self { time: signal.times().collect(), values: signal.values })
+        let before = signal.start - signal.step;
+        Ok(Self {
+            time: std::iter::once(before).chain(signal.times()).collect(),
+            values: std::iter::once(0.0).chain(signal.values.iter().copied()).collect(),
+        })
     }
 
     /// Values at times of a record, which begins `offset` before the curve.
@@ -99,6 +109,40 @@ mod tests {
         let found: Vec<f64> = [-1.0, 0.5, 1.0, 2.0, 5.0].map(|t| curve.at(t)).into();
         assert_eq!(found, [1.0, 1.5, 4.0, 2.0, 0.0]);
         assert_eq!(curve.sampled(&[2.5], 2.0), [1.5]);
+    }
+
+    #[test]
+    fn a_velocity_has_no_rate_of_change_before_its_start() {
+        let time: Vec<f64> = (0..101).map(|k| 1e-4 * f64::from(k)).collect();
+        let values: Vec<f64> = time.iter().map(|t| -3.0 + 200.0 * t).collect();
+        let rate = Curve { time, values }.derivative().expect("rows enough");
+        for (t, expected) in
+            [(-1e-3, 0.0), (-6e-5, 0.0), (0.0, 100.0), (5e-3, 200.0), (2e-2, 200.0)]
+        {
+            // Differences of velocities of size 3 over 1e-4 s.
+            assert!((rate.at(t) - expected).abs() < 1e-9, "{t}: {}", rate.at(t));
+        }
+        let filtered = rate.filtered(Cfc::Class600).expect("fine enough");
+        assert!(filtered.at(-9e-3).abs() < 1e-9 && (filtered.at(5e-3) - 200.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_filtered_curve_has_its_initial_value_only_before_the_filter_reaches_back() {
+        let step = 1e-4;
+        let rise = |k: i32| f64::from(k.clamp(0, 5)) / 5.0;
+        let curve = |from: i32| Curve {
+            time: (from..=400).map(|k| step * f64::from(k)).collect(),
+            values: (from..=400).map(rise).collect(),
+        };
+        let [own, led] = [curve(0), curve(-1000)].map(|one| one.filtered(Cfc::Class60));
+        let (own, led) = (own.expect("fine enough"), led.expect("fine enough"));
+        // What a record holds that begins a while before the run: the filter spreads the rise over its time, to either side.
+        for t in [-6e-3, -2e-3, -5e-4, 0.0, 1e-3, 1e-2] {
+            // Times of samples differ by round-off.
+            assert!((own.at(t) - led.at(t)).abs() < 1e-9, "{t}: {} {}", own.at(t), led.at(t));
+        }
+        assert!(own.at(-1e-3) > 0.05 && own.at(-0.09).abs() < 1e-12, "{}", own.at(-1e-3));
+        assert!((own.at(1.0) - 1.0).abs() < 1e-12);
     }
 
     #[test]

@@ -21,8 +21,9 @@ const SIMILAR: f64 = 1.5;
 const SIMILAR_BY: f64 = 5.0;
 /// Costs within this share belong to one minimum.
 const SAME: f64 = 1e-3;
-/// A value is at its bound within this share of the width, or of one standard error.
+/// A value is at its bound within this share of the width, if that is less than a standard error, or within this share of the latter.
 const AT_BOUND: f64 = 1e-3;
+const AT_BOUND_ERRORS: f64 = 0.1;
 /// Correlation of neighbouring residuals from which it is reported.
 const AUTOCORRELATED: f64 = 0.3;
 
@@ -222,7 +223,11 @@ fn bounds(e: &Evidence<'_>) -> Vec<String> {
     let at = free.filter_map(|((one, z), error)| {
         let [low, high] = one.coordinates();
         let width = if (high - low).is_finite() { high - low } else { z.abs() };
-        let near = (AT_BOUND * width).max(if error.is_finite() { 0.1 * error } else { 0.0 });
+        let near = match error.is_finite() {
+            // Within wide bounds a share of the width may be many standard errors.
+            true => (AT_BOUND * width).min(*error).max(AT_BOUND_ERRORS * error),
+            false => AT_BOUND * width,
+        };
         let bound = match (z - low <= near, high - z <= near) {
             (true, _) => one.bounds[0],
             (_, true) => one.bounds[1],

@@ -2,6 +2,7 @@
 
 use percuss_codes::AnalysisCode;
 
+use crate::channel::Test;
 use crate::covariance::{Covariance, covariance};
 use crate::doubts::{Doubt, Evidence, doubts};
 use crate::error::{FitError, Stop};
@@ -102,6 +103,8 @@ pub struct Fit {
     pub overlays: Vec<Overlay>,
     /// What was found from each starting point, shape (starts).
     pub minima: Vec<Minimum>,
+    /// Values of all parameters at each of them, shape (starts, parameters) \[SI unit of the parameter\].
+    pub reached: Vec<Vec<f64>>,
     /// What speaks against the result, shape (doubts).
     pub doubts: Vec<Doubt>,
     /// Scenarios with the values found: file name and text, shape (scenarios).
@@ -188,6 +191,7 @@ impl Problem {
             runs: self.runs(),
             channels,
             overlays: self.overlays(&computed),
+            reached: minima.iter().map(|one| self.values(&one.coordinates)).collect(),
             minima,
             doubts,
             scenarios: self.scenarios(&values)?,
@@ -263,8 +267,14 @@ impl Problem {
     /// The scenario with the values found, and that of each test that differs from it.
     fn scenarios(&self, values: &[f64]) -> Result<Vec<(String, String)>, FitError> {
         let mut base = self.base.clone();
-        for (one, value) in self.adjustables.iter().zip(values) {
+        for (k, (one, value)) in self.adjustables.iter().zip(values).enumerate() {
+            // The value of a parameter of some tests is in the scenarios of these.
+            let acts = |test: &Test| test.fields.iter().any(|(number, _)| *number == k);
             for path in &one.paths {
+                let elsewhere = |test: &Test| !acts(test) && test.scenario.field(path).is_ok();
+                if self.tests.iter().any(elsewhere) {
+                    continue;
+                }
                 // What the base does not have is a number of a test.
                 if let Ok(field) = base.field(path) {
                     let _ = base.set_number(&field, *value);

@@ -36,10 +36,11 @@ pub fn fit_value(fit: &Fit) -> Value {
             "effective_samples": one.effective_samples,
         })
     };
-    let minimum = |one: &crate::solve::Minimum| {
+    let minimum = |(one, values): (&crate::solve::Minimum, &Vec<f64>)| {
         json!({
             "start": one.start,
             "coordinates": one.coordinates,
+            "values": values,
             "cost": bound(one.cost),
             "success": one.success,
             "message": one.message,
@@ -65,7 +66,7 @@ pub fn fit_value(fit: &Fit) -> Value {
         "covariance": fit.covariance,
         "correlation": fit.correlation,
         "channels": fit.channels.iter().map(channel).collect::<Vec<_>>(),
-        "starts": fit.minima.iter().map(minimum).collect::<Vec<_>>(),
+        "starts": fit.minima.iter().zip(&fit.reached).map(minimum).collect::<Vec<_>>(),
         "warnings": fit.doubts.iter().map(doubt).collect::<Vec<_>>(),
     })
 }

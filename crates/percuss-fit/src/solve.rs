@@ -193,7 +193,7 @@ fn ended(termination: &Termination, iterations: u64) -> (bool, String) {
         // No point nearby is better to the last digit.
         (Termination::Stalled(_), _) => (true, "converged: no further decrease of the cost".into()),
         (Termination::Limit(_), _) => {
-            (false, format!("not converged after {iterations} iterations"))
+            (false, format!("not converged within the limit of iterations ({iterations})"))
         }
         _ => (false, format!("the optimiser stopped ({code:?})")),
     }

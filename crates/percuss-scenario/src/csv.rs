@@ -136,7 +136,7 @@ fn parse(text: &str, columns: &[Column; 2]) -> Result<(Vec<Row>, bool), (usize, 
 }
 
 /// A cell in a message: itself if it looks like a number, for the file may be none that its reader should see.
-fn shown(cell: &str) -> String {
+pub(crate) fn shown(cell: &str) -> String {
     let numeric = |c: char| c.is_ascii_digit() || "+-.,eE'_".contains(c);
     let named = ["nan", "inf", "infinity"].contains(&cell.to_lowercase().trim_matches(['+', '-']));
     match named || (cell.len() <= 30 && cell.chars().all(numeric)) {

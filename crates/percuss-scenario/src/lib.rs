@@ -24,12 +24,14 @@ pub mod content;
 mod csv;
 mod diagnostic;
 mod edit;
+mod file_kind;
 mod files;
 pub mod fit;
 mod foreign;
 mod format;
 mod given;
 mod header;
+
 mod known_path;
 mod layout;
 mod load;
@@ -67,9 +69,11 @@ pub use compile::Compiled;
 pub use content::Content;
 pub use diagnostic::{Diagnostic, Diagnostics};
 pub use edit::Adds;
+pub use file_kind::{is_fit, is_study};
 pub use files::{FileAccess, read_bytes, read_in_time};
-pub use fit::{FitFile, fit_schema, is_fit};
+pub use fit::{FitFile, fit_schema};
 pub use given::Given;
+
 pub use layout::TableForm;
 pub use overrides::{apply_changes, apply_overrides, known_steps, remove_value};
 pub use point::{Anchor, Point};
@@ -79,7 +83,7 @@ pub use reference::{
     study_reference,
 };
 pub use scenario::Scenario;
-pub use study::{StudyFile, is_study, study_schema};
+pub use study::{StudyFile, study_schema};
 pub use suggest::one_of;
 pub use table::Named;
 pub use tabulated::TableFile;

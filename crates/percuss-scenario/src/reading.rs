@@ -6,11 +6,11 @@ use std::sync::Arc;
 use crate::compile;
 use crate::content::Content;
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::file_kind::FileKind;
 use crate::files::{FileAccess, Files};
 use crate::parse::{Parsed, folder, parse, place};
 use crate::scenario::Scenario;
 use crate::source::Source;
-use crate::study::is_study;
 
 /// Reads a scenario from a file.
 ///
@@ -64,14 +64,11 @@ pub fn read_whole(text: &str, name: &str, access: FileAccess) -> Result<Scenario
 }
 
 fn read_text(text: &str, name: &str, files: Files<'_>) -> Result<Scenario, Diagnostics> {
-    if is_study(text) {
-        let expected = "a scenario; `percuss sweep` runs studies";
-        return Err(Diagnostics::of_file(name, "a study, which varies a scenario", expected));
-    }
     read_from(Source::new(name, text), files)
 }
 
 fn read_from(source: Source, files: Files<'_>) -> Result<Scenario, Diagnostics> {
+    FileKind::Scenario.expect(&source.text, &source.name)?;
     let expected = "a scenario, with a beam and [time] at least";
     let parsed = parse::<Content>(&source, files, expected)?;
     let Parsed { content, places, faults, tainted, names_files } = parsed;

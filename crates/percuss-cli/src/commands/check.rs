@@ -23,18 +23,17 @@ const LONG: f64 = 60.0;
 /// Reasons printed why runs of a study are invalid.
 const REASONS: usize = 5;
 
-/// Validates a scenario or a study, and prints what it contains.
+/// Validates a scenario, a study or a fit, and prints what it contains.
 pub fn run(arguments: &Check) -> Result<Status, Failure> {
     // A file that cannot be read is reported below, where a scenario is read.
     let text = scenario::text(&arguments.file);
-    if text.as_deref().is_ok_and(percuss_scenario::is_study) {
-        if scenario::is_input(&arguments.file) {
-            let text = "a study is read from a file, not from standard input";
-            return Err(Failure::input(RequestCode::NotOfStudies, text));
-        }
+    let is = |kind: fn(&str) -> bool| text.as_deref().is_ok_and(kind);
+    if is(percuss_scenario::is_study) {
+        is_alone(arguments, "study")?;
         return study(arguments);
     }
-    if text.as_deref().is_ok_and(percuss_scenario::is_fit) {
+    if is(percuss_scenario::is_fit) {
+        is_alone(arguments, "fit")?;
         return super::fit::check(&arguments.file);
     }
     let stage_messages = StageMessages::new("the file and its model");
@@ -69,12 +68,20 @@ pub fn run(arguments: &Check) -> Result<Status, Failure> {
     refuse(denied)
 }
 
+/// Refuses what a file that names its scenario does not go with: standard input, and changes of a scenario.
+fn is_alone(arguments: &Check, kind: &str) -> Result<(), Failure> {
+    let refused = |text: String| Err(Failure::input(RequestCode::NotOfStudies, text));
+    if scenario::is_input(&arguments.file) {
+        return refused(format!("a {kind} is read from a file, not from standard input"));
+    }
+    if !arguments.set.is_empty() {
+        return refused(format!("--set changes scenarios; give the values in the {kind}"));
+    }
+    Ok(())
+}
+
 /// Validates a study, and a sample of its runs.
 fn study(arguments: &Check) -> Result<Status, Failure> {
-    if !arguments.set.is_empty() {
-        let text = "--set changes scenarios; give the values in the study";
-        return Err(Failure::input(RequestCode::NotOfStudies, text));
-    }
     let study = Study::load_with(&arguments.file, scenario::access())?;
     let (parameters, results) = (study.parameters().len(), study.results().len());
     let contents =
@@ -89,8 +96,10 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
     if !invalid.is_empty() {
         let of = if looked_at < study.run_count() { "a sample of " } else { "" };
         let bad = runs(invalid.len() as u64);
-        let text =
-            format!("{bad} of {of}{looked_at} are invalid and have a reason instead of results:");
+        let [are, have] = if invalid.len() == 1 { ["is", "has"] } else { ["are", "have"] };
+        let text = format!(
+            "{bad} of {of}{looked_at} {are} invalid and {have} a reason instead of results:"
+        );
         denied.extend(advisor::warn(Caution::InvalidRuns, &text, &arguments.deny));
     }
     let mut printed: Vec<&str> = Vec::new();

@@ -56,7 +56,15 @@ fn faults_of_a_fit_are_reported_with_their_places_and_nothing_is_written() {
         reported.tells("where there is no file");
     }
     assert!(!sandbox.path("runs/wrong-fit").exists());
-    sandbox.percuss(&["sweep", "fit.toml"]).ends_with(2);
+    // The command for another kind of file names the one for this.
+    for command in ["sweep", "run"] {
+        let refused = sandbox.percuss(&[command, "fit.toml"]);
+        refused.ends_with(2).tells("a fit, which").tells("`percuss fit`");
+    }
+    let refused = sandbox.percuss(&["fit", "swinging-beam.toml"]);
+    refused.ends_with(2).tells("a scenario, which").tells("`percuss run`");
+    let changed = sandbox.percuss(&["check", "fit.toml", "--set", "time.step=1e-5"]);
+    changed.ends_with(2).tells("[E317]").tells("give the values in the fit");
     let schema = sandbox.percuss(&["schema", "--fit"]);
     let schema: serde_json::Value =
         serde_json::from_str(&schema.ends_with(0).stdout).expect("JSON alone");

@@ -20,6 +20,9 @@ use crate::run::GoesOn;
 use numbers::numbers;
 use records::record;
 
+/// Most starting points, and most iterations from one: a slip of the keyboard does not fill the memory.
+const MOST: usize = 100_000;
+
 /// What a program hands over instead of naming it in the file.
 #[derive(Debug, Default)]
 pub struct Supplied {
@@ -47,10 +50,13 @@ impl Problem {
         base.compile()?;
         let mut faults = whole(&file.content);
         let content = &file.content;
-        let scenarios = scenarios(&base, content, supplied, &mut faults)?;
+        let scenarios = scenarios(&base, content, supplied, &mut faults);
         let (adjustables, fields) = numbers(content, &scenarios, &mut faults);
         let mut tests = Vec::new();
         let mut reads = Vec::new();
+        faults.extend(
+            content.test.iter().flat_map(|one| offsets::times_at_fault(&one.name, &one.table)),
+        );
         for ((named, scenario), fields) in content.test.iter().zip(&scenarios).zip(fields) {
             if file.is_tainted(&format!("test.{}.data", named.name)) {
                 continue;
@@ -92,7 +98,9 @@ impl Problem {
         for (k, read) in reads.iter().enumerate() {
             problem.align(k, read, &content.test[k].table, &mut faults, goes_on)?;
         }
-        faults.extend(problem.enough(content));
+        if faults.is_empty() {
+            faults.extend(problem.enough(content));
+        }
         file.settle(faults)?;
         Ok(problem)
     }
@@ -122,6 +130,12 @@ fn whole(content: &FitContent) -> Vec<Fault> {
     if !content.test.iter().any(|test| !test.table.hold_out) {
         let found = if content.test.is_empty() { "no test" } else { "only tests with `hold_out`" };
         faults.push(Fault::new("test", found, "at least one [test.NAME] that is fitted"));
+    }
+    for (key, count) in [("starts", content.fit.starts), ("iterations", content.fit.iterations)] {
+        if !(1..=MOST).contains(&count) {
+            let expected = format!("a whole number from 1 to {MOST}");
+            faults.push(Fault::new(format!("fit.{key}"), count.to_string(), expected));
+        }
     }
     if content.fit.loss_scale <= 0.0 {
         let found = content.fit.loss_scale.to_string();
@@ -165,10 +179,11 @@ fn scenarios(
     content: &FitContent,
     supplied: &Supplied,
     faults: &mut Vec<Fault>,
-) -> Result<Vec<Scenario>, FitError> {
+) -> Vec<Scenario> {
     let mut all = Vec::new();
     for Named { name, table } in &content.test {
         let own = supplied.scenarios.get(name).unwrap_or(base);
+        let key = format!("test.{name}.set");
         let split = |change: &String| {
             let (path, value) = change.split_once('=')?;
             Some((path.trim().to_owned(), value.trim().to_owned()))
@@ -176,14 +191,23 @@ fn scenarios(
         let changes: Vec<Option<(String, String)>> = table.set.iter().map(split).collect();
         if changes.iter().any(Option::is_none) {
             let expected = "changes such as \"projectile.bag.velocity[1]=-3\"";
-            faults.push(Fault::new(format!("test.{name}.set"), "a text without `=`", expected));
+            faults.push(Fault::new(&key, "a text without `=`", expected));
         }
         let changes: Vec<(String, String)> = changes.into_iter().flatten().collect();
         let pairs: Vec<(&str, &str)> =
             changes.iter().map(|(path, value)| (path.as_str(), value.as_str())).collect();
-        all.push(if pairs.is_empty() { own.clone() } else { own.reread(&pairs)? });
+        // Further faults are sought in the scenario without the changes.
+        let changed = match pairs.is_empty() {
+            true => own.clone(),
+            false => own.reread(&pairs).unwrap_or_else(|wrong| {
+                let found = percuss_study::in_one_line(&wrong);
+                faults.push(Fault::new(&key, found, "changes that the scenario can have"));
+                own.clone()
+            }),
+        };
+        all.push(changed);
     }
-    Ok(all)
+    all
 }
 
 /// Columns of the history of a scenario.

@@ -18,7 +18,9 @@ pub(super) fn numbers(
 ) -> (Vec<Adjustable>, Vec<Fields>) {
     let mut fields: Vec<Fields> = vec![Vec::new(); scenarios.len()];
     let mut all = Vec::new();
-    for named in &content.parameter {
+    // What a parameter without a path, or a fit without a test, lacks has been reported.
+    let given = content.parameter.iter().filter(|one| paths(&one.table).next().is_some());
+    for named in given.filter(|_| !scenarios.is_empty()) {
         let header = format!("parameter.{}", named.name);
         let found = places(content, named, scenarios)
             .and_then(|places| Ok((adjustable(named, scenarios, &places, content)?, places)));
@@ -32,7 +34,7 @@ pub(super) fn numbers(
             Err(fault) => faults.push(Fault { path: format!("{header}.{}", fault.path), ..fault }),
         }
     }
-    faults.extend(twice_set(&all));
+    faults.extend(twice_set(content, &all, &fields));
     (all, fields)
 }
 
@@ -50,6 +52,10 @@ fn places(
         if let Some(unknown) = names.iter().find(|name| !known.contains(&name.as_str())) {
             let expected = percuss_scenario::one_of(unknown, known.into_iter());
             return Err(Fault::new("tests", format!("the unknown test `{unknown}`"), expected));
+        }
+        if names.is_empty() {
+            let expected = "names of tests, or no `tests` for a parameter of all tests";
+            return Err(Fault::new("tests", "an empty list", expected));
         }
         tests.retain(|k| names.contains(&content.test[*k].name));
     }
@@ -73,10 +79,7 @@ fn places(
             return Err(Fault { path: key.into(), ..fault });
         }
     }
-    match places.is_empty() && !tests.is_empty() {
-        true => Err(Fault::new(key, "no path", "`path`, such as \"projectile.bag.stiffness\"")),
-        false => Ok(places),
-    }
+    Ok(places)
 }
 
 /// Paths of a parameter.
@@ -111,18 +114,16 @@ fn adjustable(
     let Some((test, field)) = places.first() else {
         return Err(Fault::new("path", "no test", "at least one [test.NAME]"));
     };
+    let key = if given.path.is_some() { "path" } else { "paths" };
+    let (own, unit) = continuous(key, scenarios, places, (*test, field))?;
     let mut reader = Reader { scenario: scenarios[*test].clone(), field };
-    let Some((own, unit)) = reader.scenario.number(field) else {
-        let found = format!("`{}`, which is no number", field.path());
-        return Err(Fault::new("path", found, "the path of a number"));
-    };
     let start = given.start.as_ref().map_or(Ok(own), |start| reader.number("start", start))?;
     let bounds = match &given.bounds {
         None => [f64::NEG_INFINITY, f64::INFINITY],
         Some([low, high]) => [reader.number("bounds", low)?, reader.number("bounds", high)?],
     };
     if bounds[0] >= bounds[1] || bounds[0].is_nan() {
-        let found = format!("from {} to {}", bounds[0], bounds[1]);
+        let found = format!("from {:e} to {:e} {unit}", bounds[0], bounds[1]);
         return Err(Fault::new("bounds", found, "a smaller value, then a larger one"));
     }
     if !given.fixed && !(bounds[0]..=bounds[1]).contains(&start) {
@@ -167,15 +168,67 @@ fn adjustable(
     })
 }
 
-/// Parameters that set the same number in one test: the last would win.
-fn twice_set(all: &[Adjustable]) -> Vec<Fault> {
-    let mut faults = Vec::new();
-    for (i, later) in all.iter().enumerate() {
-        let same = |path: &&String| all[..i].iter().any(|one| one.paths.contains(path));
-        if let Some(path) = later.paths.iter().find(same) {
-            let found = format!("`{path}`, which another parameter sets too");
-            let expected = "a number that no other parameter sets";
-            faults.push(Fault::new(format!("parameter.{}.path", later.name), found, expected));
+/// The number that a parameter has in its first place, and its unit, which all of its places share.
+///
+/// # Errors
+/// If there is no number in one of them, a whole one, or a quantity of another unit.
+fn continuous(
+    key: &str,
+    scenarios: &[Scenario],
+    places: &[(usize, Field)],
+    first: (usize, &Field),
+) -> Result<(f64, &'static str), Fault> {
+    let at = |test: usize, field: &Field| {
+        let mut scenario = scenarios[test].clone();
+        let Some((own, unit)) = scenario.number(field) else {
+            let found = format!("`{}`, which is no number", field.path());
+            return Err(Fault::new(key, found, "the path of a number"));
+        };
+        // A count takes itself and nothing beside it.
+        let whole = scenario.set_number(field, own).is_ok()
+            && scenario.set_number(field, own + 0.5).is_err()
+            && own.fract() == 0.0;
+        match whole && scenario.set_number(field, own + 1.0).is_ok() {
+            true => {
+                let found = format!("`{}`, a whole number", field.path());
+                Err(Fault::new(key, found, "a number that may vary a little, such as a stiffness"))
+            }
+            false => Ok((own, unit)),
+        }
+    };
+    let (own, unit) = at(first.0, first.1)?;
+    for (test, field) in places {
+        let (_, other) = at(*test, field)?;
+        if other != unit {
+            let in_unit = |unit: &str| if unit.is_empty() { "no unit" } else { unit }.to_owned();
+            let found = format!("`{}` ({})", field.path(), in_unit(other));
+            let expected = format!("a number in {}, as `{}`", in_unit(unit), first.1.path());
+            return Err(Fault::new(key, found, expected));
+        }
+    }
+    Ok((own, unit))
+}
+
+/// Numbers that are set twice in one test, by two parameters or by one: the last would win, and derivatives would be wrong.
+fn twice_set(content: &FitContent, all: &[Adjustable], fields: &[Fields]) -> Vec<Fault> {
+    let mut faults: Vec<Fault> = Vec::new();
+    for fields in fields {
+        for (i, (k, field)) in fields.iter().enumerate() {
+            let same = |(_, one): &&(usize, Field)| one.steps() == field.steps();
+            let Some((other, _)) = fields[..i].iter().find(same) else { continue };
+            let (name, path) = (&all[*k].name, field.path());
+            let given = content.parameter.iter().find(|one| one.name == *name);
+            let single = given.is_some_and(|one| one.table.path.is_some());
+            let key = format!("parameter.{name}.{}", if single { "path" } else { "paths" });
+            let found = match other == k {
+                true => format!("`{path}` twice"),
+                false => format!("`{path}`, which another parameter sets too"),
+            };
+            if faults.iter().any(|fault| fault.path == key && fault.found == found) {
+                continue;
+            }
+            let expected = "a number that no other parameter sets in the same test (see `tests`)";
+            faults.push(Fault::new(key, found, expected));
         }
     }
     faults

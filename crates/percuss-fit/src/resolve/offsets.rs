@@ -11,8 +11,35 @@ use crate::parameter::Adjustable;
 use crate::problem::Problem;
 use crate::run::{GoesOn, Share};
 
+/// A number of times, in words.
+fn count(times: usize) -> String {
+    if times == 1 { "1 time".into() } else { format!("{times} times") }
+}
+
 /// Half the width of the bounds of a fitted offset, as a share of the run or of the record, whichever is shorter.
 const OFFSET: f64 = 0.1;
+
+/// What is wrong with the times that a test gives.
+pub(super) fn times_at_fault(name: &str, given: &FitTest) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    if let (Some(from), Some(to)) = (given.from, given.to)
+        && from >= to
+    {
+        let found = format!("a window from {from:e} to {to:e} s");
+        faults.push(Fault::new(format!("test.{name}.to"), found, "a time behind `from`"));
+    }
+    let mut idle = |key: &str, expected: &str| {
+        let found = format!("`{key}`, which has no effect with this `align`");
+        faults.push(Fault::new(format!("test.{name}.{key}"), found, expected));
+    };
+    if given.offset_bounds.is_some() && given.align != Alignment::Fit {
+        idle("offset_bounds", "`align = \"fit\"`, or no bounds");
+    }
+    if given.offset.is_some() && given.align == Alignment::Onset {
+        idle("offset", "`align = \"none\"` or \"fit\", or no offset");
+    }
+    faults
+}
 
 impl Problem {
     /// Chooses the offset of a test, and the times that are compared.
@@ -117,17 +144,19 @@ impl Problem {
         let first = given.from.unwrap_or(f64::NEG_INFINITY);
         let keep: Vec<usize> =
             (0..read.all.len()).filter(|i| (first..=last).contains(&read.all[*i])).collect();
+        let offset = self.tests[k].offset;
+        let within = keep.iter().filter(|i| read.all[**i] >= offset).count();
         let test = &mut self.tests[k];
         test.time = keep.iter().map(|i| read.all[*i]).collect();
         for channel in &mut test.channels {
             channel.measured = keep.iter().map(|i| channel.measured[*i]).collect();
         }
-        (keep.len() < 2).then(|| {
+        (within < 2).then(|| {
             let found = format!(
-                "a record from {:.6e} to {:.6e} s, of which {} times lie within the run (from {earliest:.6e} s of the record, {end:.6e} s long)",
+                "a record from {:.6e} to {:.6e} s, of which {} lie within the run and the window (the run starts at {offset:.6e} s of the record and is {end:.6e} s long)",
                 read.all[0],
                 read.all[read.all.len() - 1],
-                keep.len()
+                count(within)
             );
             let expected = "a record that overlaps the run: see `offset`, `align`, `from` and `to`, and `time.end` of the scenario";
             Fault::new(format!("test.{}.data", test.name), found, expected)

@@ -44,7 +44,10 @@ pub(super) fn record(
     let time = record.column(&table.time).and_then(|column| column.in_unit("s"));
     let time = time.map_err(|fault| tell("time", fault)).ok()?;
     if let Some(k) = time.windows(2).position(|pair| pair[1] <= pair[0]) {
-        let found = format!("times that do not increase (row {})", k + 2);
+        let (row, before, at) = (k + 2, time[k], time[k + 1]);
+        let found = format!(
+            "times that do not increase: {at:e} s behind {before:e} s, row {row} below the header"
+        );
         tell("time", (found, "times that increase from row to row".into()));
         return None;
     }
@@ -99,6 +102,9 @@ fn channel(
         (true, "m/s") => "m/s^2",
         (_, unit) => unit,
     };
+    if given.factor == 0.0 {
+        return Err(("factor", ("0".into(), "a factor other than zero".into())));
+    }
     let data = given.data.as_deref().unwrap_or(&named.name);
     let measured = record.column(data).and_then(|column| column.in_unit(unit));
     let measured = measured.map_err(|fault| ("data", fault))?;

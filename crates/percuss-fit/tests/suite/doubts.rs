@@ -41,6 +41,18 @@ fn parameters_that_cannot_be_distinguished_are_named() {
 }
 
 #[test]
+fn a_value_in_wide_bounds_is_at_its_bound_only_within_its_standard_error() {
+    let desk = desk(&record(SCENARIO, 7, 1.0));
+    // 0.2 s/m lies at a share of 2e-4 of these bounds, and many standard errors above their lower end.
+    let wide = FIT.replace("bounds = [0, \"1 s/m\"]", "bounds = [0, \"1e3 s/m\"]");
+    let fit = fitted(desk.path(), &wide).expect("a fit");
+    assert!(!kinds(&fit).contains(&"bound"), "{:?}", fit.doubts);
+    let tight = FIT.replace("bounds = [0, \"1 s/m\"]", "bounds = [0, \"0.15 s/m\"]");
+    let fit = fitted(desk.path(), &tight).expect("a fit");
+    assert!(kinds(&fit).contains(&"bound"), "{:?}", fit.doubts);
+}
+
+#[test]
 fn a_coarse_step_is_reported_where_the_record_is_better() {
     let desk = desk(&record(SCENARIO, 7, 0.01));
     let precise = FIT.replace("30 N", "0.3 N").replace("20 um", "0.2 um");

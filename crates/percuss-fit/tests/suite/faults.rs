@@ -80,6 +80,55 @@ fn each_fault_names_its_place() {
             "test.drop.set",
             "without `=`",
         ),
+        (
+            "align = \"fit\"",
+            "align = \"none\"\nset = [\"projectile.hammer.mas=3\"]",
+            "test.drop.set",
+            "`mas`",
+        ),
+        ("[fit]", "[fit]\nstarts = 0", "fit.starts", "0"),
+        ("[fit]", "[fit]\nstarts = 100000000000", "fit.starts", "from 1 to 100000"),
+        ("[fit]", "[fit]\niterations = 0", "fit.iterations", "0"),
+        (
+            "path = \"projectile.hammer.stiffness\"\nstart = \"1.5 MN/m\"\nbounds = [\"0.5 MN/m\", \"8 MN/m\"]\nspacing = \"log\"",
+            "path = \"beam.bar.elements\"\nbounds = [2, 8]",
+            "parameter.stiffness.path",
+            "a whole number",
+        ),
+        (
+            "path = \"projectile.hammer.stiffness\"",
+            "paths = [\"projectile.hammer.stiffness\", \"projectile.hammer.mass\"]",
+            "parameter.stiffness.paths",
+            "(kg)",
+        ),
+        (
+            "path = \"projectile.hammer.stiffness\"",
+            "paths = [\"projectile.hammer.stiffness\", \"projectile.hammer.stiffness\"]",
+            "parameter.stiffness.paths",
+            "twice",
+        ),
+        ("spacing = \"log\"", "tests = []", "parameter.stiffness.tests", "an empty list"),
+        ("sigma = \"30 N\"", "sigma = \"30 N\"\nfactor = 0", "test.drop.channel.F.factor", "0"),
+        (
+            "align = \"fit\"",
+            "align = \"fit\"\nfrom = \"3 ms\"\nto = \"2 ms\"",
+            "test.drop.to",
+            "a window from",
+        ),
+        // A record that ends before its run starts.
+        (
+            "align = \"fit\"",
+            "align = \"none\"\noffset = \"1 s\"",
+            "test.drop.data",
+            "of which 0 times lie within the run",
+        ),
+        (
+            "align = \"fit\"",
+            "align = \"none\"\noffset_bounds = [0, 1]",
+            "test.drop.offset_bounds",
+            "no effect",
+        ),
+        ("align = \"fit\"", "align = \"onset\"\noffset = 0", "test.drop.offset", "no effect"),
     ] {
         assert!(FIT.contains(from), "{from}");
         let reported = reported(&FIT.replacen(from, to, 1));
@@ -102,6 +151,21 @@ fn starting_points_need_bounds_and_a_number_is_set_once() {
         .replace("projectile.hammer.dissipation", "projectile.hammer.stiffness")
         .replace("start = \"0.1 s/m\"\nbounds = [0, \"1 s/m\"]", "start = \"1 MN/m\"");
     assert!(reported(&twice).contains("which another parameter sets too"));
+    // Two ways to write one place.
+    let component = FIT
+        .replace("projectile.hammer.stiffness", "projectile.hammer.velocity[1]")
+        .replace("projectile.hammer.dissipation", "projectile.hammer.velocity.1")
+        .replace("start = \"1.5 MN/m\"\nbounds = [\"0.5 MN/m\", \"8 MN/m\"]\nspacing = \"log\"", "")
+        .replace("start = \"0.1 s/m\"\nbounds = [0, \"1 s/m\"]", "");
+    assert!(reported(&component).contains("which another parameter sets too"));
+}
+
+#[test]
+fn what_follows_from_another_fault_is_not_reported_besides() {
+    let window = FIT.replace("align = \"fit\"", "align = \"none\"\nfrom = \"1 s\"");
+    assert_eq!(reported(&window).lines().count(), 1, "{}", reported(&window));
+    let no_path = FIT.replace("path = \"projectile.hammer.stiffness\"\n", "");
+    assert_eq!(reported(&no_path).lines().count(), 1, "{}", reported(&no_path));
 }
 
 #[test]

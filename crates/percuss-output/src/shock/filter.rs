@@ -50,6 +50,11 @@ impl Cfc {
             other => f64::from(other.number()) / 0.6,
         }
     }
+
+    /// Time after which the filter has forgotten a value, to round-off \[s\]: a change of the signal reaches that far to either side.
+    pub fn memory(self) -> f64 {
+        MEMORY / f64::from(self.number())
+    }
 }
 
 /// The signal in a channel frequency class: a two-pole Butterworth filter, run forward and backward, so that phases stay.

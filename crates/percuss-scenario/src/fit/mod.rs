@@ -12,7 +12,6 @@ use std::path::{Path, PathBuf};
 
 use percuss::Fault;
 use serde_json::{Value as Json, json};
-use toml::de::DeTable;
 
 pub use content::{
     Alignment, FitChannel, FitContent, FitJacobian, FitLoss, FitOptions, FitParameter, FitPrior,
@@ -22,6 +21,7 @@ pub use record::{Record, RecordColumn};
 
 use crate::code::{FaultCode, of_path};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::file_kind::FileKind;
 use crate::files::{FileAccess, Files, WITHIN, is_within};
 use crate::parse::{folder, parse, place};
 use crate::source::{Places, Source};
@@ -64,6 +64,7 @@ impl FitFile {
     }
 
     fn read_from(source: Source, folder: &Path, access: FileAccess) -> Result<Self, Diagnostics> {
+        FileKind::Fit.expect(&source.text, &source.name)?;
         let expected = "a fit, with `base`, [fit], [parameter.NAME] and [test.NAME]";
         let parsed = parse::<FitContent>(&source, Files::taken_in(folder, access), expected)?;
         let faults = parsed.faults.into_iter().map(|raw| place(&source, raw)).collect();
@@ -172,15 +173,6 @@ pub fn fit_schema() -> Json {
     schema
 }
 
-/// Whether a text is meant to be a fit: it has a table [fit].
-pub fn is_fit(text: &str) -> bool {
-    if !text.contains("fit") {
-        return false;
-    }
-    let (root, _) = DeTable::parse_recoverable(text);
-    root.get_ref().get("fit").is_some()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -222,7 +214,7 @@ column = "point.tip.acceleration_2"
         let written = content.to_toml();
         assert!(written.contains("[test.two.channel.a]"), "{written}");
         assert_eq!(read(&written), content);
-        assert!(is_fit(FIT) && !crate::is_study(FIT));
+        assert!(crate::is_fit(FIT) && !crate::is_study(FIT));
     }
 
     #[test]

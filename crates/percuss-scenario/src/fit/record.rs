@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::dimension::dimension;
-use crate::csv::cells;
+use crate::csv::{cells, shown};
 use crate::header::{parts, value};
 use crate::measure;
 use crate::units;
@@ -13,6 +13,16 @@ use crate::units;
 pub struct Record {
     /// Its columns, shape (columns).
     pub columns: Vec<RecordColumn>,
+}
+
+/// What is wrong with the text of a record.
+#[derive(Debug)]
+struct Wrong {
+    /// Line, from 1; 0 for the whole.
+    line: usize,
+    found: String,
+    /// What would be right, if that is not a record in general.
+    expected: Option<&'static str>,
 }
 
 /// A column of a record.
@@ -82,35 +92,41 @@ impl Record {
             .map_err(|error| (format!("\"{name}\", which cannot be read ({error})"), expected()))?;
         let text = String::from_utf8(bytes)
             .map_err(|_| (format!("\"{name}\", which is not UTF-8"), expected()))?;
-        Self::parse(&text).map_err(|(line, found)| {
+        Self::parse(&text).map_err(|Wrong { line, found, expected: own }| {
             let at = if line > 0 { format!(" in line {line}") } else { String::new() };
-            (format!("{found}{at} of \"{name}\""), expected())
+            (format!("{found}{at} of \"{name}\""), own.map_or_else(expected, str::to_owned))
         })
     }
 
-    /// Reads the text of a record; the error is the line, from 1, or 0 for the whole, and what was found.
-    fn parse(text: &str) -> Result<Self, (usize, String)> {
+    /// Reads the text of a record.
+    fn parse(text: &str) -> Result<Self, Wrong> {
+        let wrong = |line: usize, found: &str| Wrong { line, found: found.into(), expected: None };
         let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
         let mut lines = lines.filter(|(_, line)| {
             let line = line.trim();
             !line.is_empty() && !line.starts_with('#')
         });
-        let Some((first, header)) = lines.next() else { return Err((0, "no rows".into())) };
+        let Some((first, header)) = lines.next() else { return Err(wrong(0, "no rows")) };
         let headers = cells(header.trim());
         if headers.iter().any(|cell| cell.parse::<f64>().is_ok()) {
-            return Err((first + 1, "a first row of numbers".into()));
+            return Err(wrong(first + 1, "a first row of numbers"));
         }
         let mut columns: Vec<RecordColumn> =
             headers.iter().map(|header| RecordColumn::new(header, Vec::new())).collect();
         for (k, line) in lines {
             let row = cells(line.trim());
             if row.len() != columns.len() {
-                let found = format!("{} columns where the header has {}", row.len(), columns.len());
-                return Err((k + 1, found));
+                let (here, there) = (row.len(), columns.len());
+                let columns = if here == 1 { "column" } else { "columns" };
+                return Err(wrong(
+                    k + 1,
+                    &format!("{here} {columns} where the header has {there}"),
+                ));
             }
             for (column, cell) in columns.iter_mut().zip(row) {
                 let number = value(cell, None).ok_or_else(|| {
-                    (k + 1, format!("a cell of `{}` that is no finite number", column.header))
+                    let (found, expected) = cell_at_fault(&column.header, cell);
+                    Wrong { line: k + 1, found, expected: Some(expected) }
                 })?;
                 column.values.push(number);
             }
@@ -124,14 +140,42 @@ impl Record {
     /// What was found and what would be right.
     pub fn column(&self, name: &str) -> Result<&RecordColumn, (String, String)> {
         let name = name.trim();
-        let exact = self.columns.iter().find(|column| column.header == name);
-        if let Some(column) = exact.or_else(|| self.columns.iter().find(|one| one.name == name)) {
-            return Ok(column);
-        }
         let headers = self.columns.iter().map(|column| column.header.as_str());
+        let called: [fn(&RecordColumn, &str) -> bool; 2] =
+            [|one, name| one.header == name, |one, name| one.name == name];
+        for is in called {
+            match self.columns.iter().filter(|one| is(one, name)).collect::<Vec<_>>()[..] {
+                [] => {}
+                [column] => return Ok(column),
+                [..] => {
+                    let found = format!("`{name}`, which several columns of the record are called");
+                    let all: Vec<String> = headers.map(|header| format!("`{header}`")).collect();
+                    return Err((
+                        found,
+                        format!("one column of that name among {}", all.join(", ")),
+                    ));
+                }
+            }
+        }
         let found = format!("`{name}`, which is no column of the record");
         Err((found, crate::suggest::one_of(name, headers)))
     }
+}
+
+/// What was found in a cell that is no number, and what would be right.
+fn cell_at_fault(header: &str, cell: &str) -> (String, &'static str) {
+    let dotted = cell.replacen(',', ".", 1);
+    if cell.is_empty() {
+        let expected = "a number in every cell: rows in which one is missing have to be left out";
+        return (format!("an empty cell of `{header}`"), expected);
+    }
+    if cell.contains(',') && dotted.parse::<f64>().is_ok() {
+        let expected = "a decimal point, such as 0.5";
+        return (format!("a comma in the number {} of `{header}`", shown(cell)), expected);
+    }
+    let expected =
+        "a finite number in every cell below the first row; units stand in the first row";
+    (format!("{}, which is no finite number, in a cell of `{header}`", shown(cell)), expected)
 }
 
 #[cfg(test)]
@@ -154,9 +198,35 @@ mod tests {
     }
 
     #[test]
+    fn a_name_of_two_columns_is_refused_and_a_whole_header_distinguishes_them() {
+        let record = Record::parse("t [s],F [N],F [kN],u,u\n0,1,2,3,4\n");
+        let record = record.unwrap_or_else(|fault| panic!("{fault:?}"));
+        for name in ["F", "u"] {
+            let refused = record.column(name);
+            assert!(refused.is_err_and(|(found, _)| found.contains("several columns")), "{name}");
+        }
+        assert_eq!(record.column("F [kN]").map(|column| column.values[0]), Ok(2.0));
+    }
+
+    #[test]
+    fn a_cell_at_fault_is_shown_with_what_would_be_right() {
+        for (cell, found, expected) in [
+            ("", "an empty cell of `F [N]`", "rows in which one is missing"),
+            ("0,5", "a comma in the number \"0,5\"", "a decimal point"),
+            ("NaN", "\"NaN\", which is no finite number", "a finite number"),
+            ("kN", "a text, which is no finite number", "units stand in the first row"),
+        ] {
+            let wrong = Record::parse(&format!("t [s];F [N]\n0;{cell}\n"));
+            let Err(wrong) = wrong else { panic!("{cell:?} was read") };
+            assert!(wrong.line == 2 && wrong.found.contains(found), "{wrong:?}");
+            assert!(wrong.expected.is_some_and(|text| text.contains(expected)), "{wrong:?}");
+        }
+    }
+
+    #[test]
     fn a_record_without_header_or_with_gaps_is_refused_with_its_line() {
         for (text, line) in [("0,1\n1,2\n", 1), ("t,F\n0,1\n1\n", 3), ("t,F\n0,x\n", 2), ("", 0)] {
-            assert_eq!(Record::parse(text).map_err(|fault| fault.0), Err(line), "{text:?}");
+            assert_eq!(Record::parse(text).map_err(|fault| fault.line), Err(line), "{text:?}");
         }
     }
 }

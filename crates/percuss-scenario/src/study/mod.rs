@@ -13,7 +13,6 @@ use std::path::{Path, PathBuf};
 
 use percuss::Fault;
 use serde_json::{Value as Json, json};
-use toml::de::DeTable;
 
 pub(crate) use content::Spaced;
 pub use content::{
@@ -25,6 +24,7 @@ pub use wanted::{ColumnResult, WantedResult};
 
 use crate::code::{FaultCode, of_path};
 use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::file_kind::FileKind;
 use crate::files::{FileAccess, Files, WITHIN, is_within};
 use crate::parse::{folder, parse, place};
 use crate::source::{Places, Source};
@@ -85,6 +85,7 @@ impl StudyFile {
     }
 
     fn read_from(source: Source, folder: &Path, access: FileAccess) -> Result<Self, Diagnostics> {
+        FileKind::Study.expect(&source.text, &source.name)?;
         let expected = "a study, with `base`, [parameter.NAME], [design] and [results]";
         let parsed = parse::<StudyContent>(&source, Files::taken_in(folder, access), expected)?;
         let mut faults: Vec<_> = parsed.faults.into_iter().map(|raw| place(&source, raw)).collect();
@@ -172,17 +173,4 @@ pub fn study_schema() -> Json {
     schema["$schema"] = json!("http://json-schema.org/draft-07/schema#");
     schema["title"] = json!("Percuss study");
     schema
-}
-
-/// Whether a text is meant to be a study and not a scenario or a fit: it names a base or parameters.
-pub fn is_study(text: &str) -> bool {
-    const KEYS: [&str; 3] = ["base", "parameter", "design"];
-    // Most scenarios are known by this, without being parsed; a key in quotes may be spelt with escapes.
-    if !KEYS.iter().any(|key| text.contains(key)) && !text.contains('\\') {
-        return false;
-    }
-    let (root, _) = DeTable::parse_recoverable(text);
-    let root = root.get_ref();
-    let another = ["beam", "fit"].iter().any(|key| root.get(*key).is_some());
-    KEYS.iter().any(|key| root.get(*key).is_some()) && !another
 }

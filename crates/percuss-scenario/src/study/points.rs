@@ -131,7 +131,10 @@ fn assign(
         let own = |p: &Named<Parameter>| p.name == header || p.table.path == header;
         match parameters.iter().position(own) {
             Some(at) if at >= declared || taken[at] => {
-                return Err((format!("a second column {header:?}"), "one a parameter".into()));
+                return Err((
+                    format!("a second column {header:?}"),
+                    "one column for each parameter".into(),
+                ));
             }
             Some(at) => {
                 taken[at] = true;
