@@ -50,7 +50,7 @@ class Convergence(NamedTuple):
     --------
     >>> found = percuss.converge("plank.toml", "contact.bag.peak_force.value", refine=["step"])
     >>> found["step"].factors, round(found["step"].order, 1), round(found["step"].limit)
-    ((1, 2, 4, 8), 2.0, 2561)
+    ((1, 2, 4, 8), 1.1, 2561)
     """
 
     refined: str
@@ -75,7 +75,7 @@ class Convergence(NamedTuple):
         --------
         >>> found = percuss.converge("plank.toml", "contact.bag.peak_force.value", refine=["step"])
         >>> f"{found['step'].relative_error:.1e}"
-        '1.7e-05'
+        '1.9e-05'
         """
         return self.error / self.limit if self.limit else math.nan
 
@@ -135,7 +135,7 @@ class Convergences(dict[str, Convergence]):
     Examples
     --------
     >>> percuss.converge("plank.toml", "contact.bag.peak_force.value")
-    <percuss.Convergence in the step: contact.bag.peak_force.value = 2560.92..., order 2.0...>
+    <percuss.Convergence in the step: contact.bag.peak_force.value = 2560.92..., order 1.0...>
     <percuss.Convergence in the mesh: contact.bag.peak_force.value = 2560.92..., no steady order>
     """
 
@@ -227,7 +227,7 @@ def converge(
     --------
     >>> found = percuss.converge("plank.toml", "contact.bag.peak_force.value")
     >>> round(found["step"].order, 1), round(found["step"].limit)
-    (2.0, 2561)
+    (1.1, 2561)
     """
     if levels < 3:
         raise coded(InputError, f"levels={levels}: expected 3 or more, an order needs three values", "E311")

@@ -31,7 +31,7 @@ class FailedRunError(AnalysisError):
     ...     percuss.run("plank.toml", **coarse)
     ... except percuss.FailedRunError as error:
     ...     print(error.code, round(error.result.time[-1], 2))
-    E108 0.66
+    E108 0.64
     """
 
     result: Result

@@ -22,7 +22,7 @@ _ANSWERS = {
 _WHEN = {"primary": "while the signal lasts", "residual": "after it", "maximax": "at any time"}
 
 
-_SAMPLED = ("N", "N m", "Pa", "m", "m/s", "rad", "rad/s")
+_SAMPLED = ("N", "N*m", "Pa", "m", "m/s", "rad", "rad/s")
 """Units of columns that are signals: forces, moments, stresses, displacements, velocities. Impulses are sums over output intervals."""
 
 

@@ -240,9 +240,10 @@ class Symbols:
             elif load["kind"] == "distributed":
                 self._distributed_load(load, float(factor), most["distributed"])
             elif load["kind"] == "strain":
-                places = np.linspace(*load["stretch"], 25)
-                points = [self.drawing.on({"beam": load["beam"], "s": float(s)})[0] for s in places]
-                self.drawing.line(points, "load", 1.4, linestyle=(0, (2, 2)))
+                start, end = load["stretch"]
+                places = np.linspace(float(start), float(end), 25)
+                axis = [self.drawing.on({"beam": load["beam"], "s": float(s)})[0] for s in places]
+                self.drawing.line(axis, "load", 1.4, linestyle=(0, (2, 2)))
             else:
                 self._acceleration(load, float(factor))
 

@@ -116,7 +116,7 @@ def test_a_profile_agrees_with_the_standard_error(found):
 
 def test_columns_of_programs_serve_as_records_and_doubts_are_warnings():
     run = percuss.run(FITS / "hammer.toml")
-    record = {"t [s]": run.t, "F [kN]": 1e-3 * run["contact.hammer.force"] + np.where(run.t > 3e-3, 0.5, 0.0)}
+    record = {"t [s]": run.time, "F [kN]": 1e-3 * run["contact.hammer.force"] + np.where(run.time > 3e-3, 0.5, 0.0)}
     data = percuss.Measured(record, {"F": "contact.hammer.force"}, time="t", sigma="10 N")
     with pytest.warns(percuss.PercussWarning, match="W119"):
         found = percuss.fit(FITS / "hammer.toml", {"projectile.hammer.stiffness": {"start": 1.6e6}}, data, solver="basin")

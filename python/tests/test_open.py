@@ -5,6 +5,7 @@ import pickle
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import percuss
@@ -29,7 +30,7 @@ def speeds(elastic):
 
 
 def command(*arguments, **more):
-    return subprocess.run([sys.executable, "-m", "percuss", *arguments], capture_output=True, text=True, **more)
+    return subprocess.run([Path(sys.executable).with_name("percuss"), *arguments], capture_output=True, text=True, **more)
 
 
 def same(one, other):

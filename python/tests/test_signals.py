@@ -61,7 +61,7 @@ CALLS = {
     "modes": "percuss.modes(fine, 1000, beam__girder__elements=2000)",
     "static": "percuss.static(fine)",
     "path": "percuss.static(fine, path=True)",
-    "converge": "percuss.converge(slow, 'contact.mass.peak_force.value')",
+    "converge": "percuss.converge(path, 'contact.mass.peak_force.value', time__end='20 s')",
 }
 
 

@@ -135,7 +135,12 @@ fn locked(counts: &Mutex<Option<(usize, usize)>>) -> MutexGuard<'_, Option<(usiz
 fn exception(py: Python<'_>, quantity: Option<&str>, error: ConvergeError) -> PyErr {
     match error {
         ConvergeError::Faults(faults) => match quantity {
-            Some(name) if faults.all().iter().any(|one| one.path == name) => {
+            Some(name)
+                if faults
+                    .all()
+                    .iter()
+                    .any(|one| one.path == name || one.message.contains(name)) =>
+            {
                 let help = faults.all().first().map_or("", |one| one.help.as_str());
                 let text = format!(
                     "'{name}' is neither a column nor a number of the summary; expected {help}"

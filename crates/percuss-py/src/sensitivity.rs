@@ -80,7 +80,7 @@ pub fn sensitivity<'py>(
 /// Returns
 /// -------
 /// ndarray
-///     The values, in the units of the columns; NaN for times outside the run.
+///     The values [units of the columns]; NaN for times outside the run.
 ///
 /// Raises
 /// ------

@@ -91,7 +91,9 @@ fn listed_numbers(values: &mut Values<'_>, list: &[Given]) -> Option<Result<Vari
         first?;
         unit = values.scenario.number(&values.field).map(|(_, unit)| unit);
     }
-    values.unit = Some(unit?);
+    // Numbers with units say themselves whether they are fractions or lengths.
+    let unit = unit?;
+    values.unit = bare.iter().any(Option::is_some).then_some(unit);
     if bare.iter().zip(list).any(|(bare, given)| bare.is_none() && given.is_word()) {
         return None;
     }
