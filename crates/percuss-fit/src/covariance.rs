@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn parameters_that_data_cannot_tell_apart_have_no_variance() {
         let jacobian: Vec<Vec<f64>> =
-            (0..5).map(|t| f64::from(t)).map(|t| vec![t, 2.0 * t, 1.0, 0.0]).collect();
+            (0..5).map(f64::from).map(|t| vec![t, 2.0 * t, 1.0, 0.0]).collect();
         let found = covariance(&jacobian, 4);
         assert_eq!(found.unresolved, [true, true, false, true]);
         assert!(found.matrix[0][0].is_infinite() && found.matrix[2][2].is_finite());

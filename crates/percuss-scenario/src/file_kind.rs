@@ -30,7 +30,8 @@ impl FileKind {
     /// # Errors
     /// What it is, and the command for it.
     pub fn expect(self, text: &str, name: &str) -> Result<(), Diagnostics> {
-        let kinds: [(Self, fn(&str) -> bool); 3] =
+        type Test = fn(&str) -> bool;
+        let kinds: [(Self, Test); 3] =
             [(Self::Fit, is_fit), (Self::Study, is_study), (Self::Scenario, is_scenario)];
         let Some((other, _)) = kinds.into_iter().find(|(kind, is)| *kind != self && is(text))
         else {
