@@ -572,7 +572,7 @@ class Fit:
         >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"]}
         >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": 9, "bounds": [5, 20]}},
         ...     percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma=50.0), starts=2, solver="basin")
-        >>> [round(start["x"][0], 3) for start in found.starts]
+        >>> [round(float(start["x"][0]), 3) for start in found.starts]
         [10.0, 10.0]
         """
         free = [k for k, one in enumerate(self._value["parameters"]) if not one["fixed"]]
@@ -828,7 +828,7 @@ def fit(
     Examples
     --------
     >>> run = percuss.run("plank.toml")
-    >>> noise = np.random.default_rng(1).normal(0, 20, run.time.size)
+    >>> noise = np.random.default_rng(2).normal(0, 20, run.time.size)
     >>> record = {"t [s]": run.time, "F [N]": run["contact.bag.force"] + noise}
     >>> data = percuss.Measured(record, {"F": "contact.bag.force"}, time="t", sigma="20 N")
     >>> found = percuss.fit("plank.toml", {"mass": {"path": "projectile.bag.mass", "start": "9 kg"}}, data, solver="basin")
