@@ -64,7 +64,7 @@ pub fn is_study(text: &str) -> bool {
     KEYS.iter().any(|key| root.get(*key).is_some()) && !another
 }
 
-/// Whether a text is meant to be a fit: it has a table [fit] or tests.
+/// Whether a text is meant to be a fit: it has a table `[fit]` or tests.
 pub fn is_fit(text: &str) -> bool {
     if !text.contains("fit") && !text.contains("test") {
         return false;
