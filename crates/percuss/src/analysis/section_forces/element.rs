@@ -14,7 +14,7 @@ pub(super) const FLAT: f64 = 1e-12;
 
 /// Share of an element next to a node within which an extreme is at the node: its value there is that of the extreme but for a millionth of the
 /// change along the element.
-const NEXT_TO_NODE: f64 = 1e-3;
+const NEXT_TO_NODE: f64 = 1e-6;
 
 /// The place of an extreme in an element, as it is given: at a node if it is next to it.
 fn place_of_extreme(xi: f64) -> f64 {
@@ -168,6 +168,6 @@ mod tests {
             assert_eq!(place_of_extreme(found), given);
         }
         // The end of an element is that of its span to the last bit.
-        assert_eq!(station(0.1, 0.3, place_of_extreme(0.999_99)), 0.3);
+        assert_eq!(station(0.1, 0.3, place_of_extreme(0.999_999_9)), 0.3);
     }
 }
