@@ -12,8 +12,7 @@ pub(super) const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
 /// What changes by less than this share of itself along half an element does not change.
 pub(super) const FLAT: f64 = 1e-12;
 
-/// Share of an element next to a node within which an extreme is at the node: its value there is that of the extreme but for a millionth of the
-/// change along the element.
+/// Share of an element next to a node within which an extreme is at the node: its value there is that of the extreme but for round-off.
 const NEXT_TO_NODE: f64 = 1e-6;
 
 /// The place of an extreme in an element, as it is given: at a node if it is next to it.
