@@ -37,7 +37,7 @@ def run(
         A scenario, the path of its file, or nested dictionaries with the file's names.
     progress : bool or callable, optional
         Whether a bar is shown; by default in terminals and notebooks, once a run takes a second. A function is called with the
-        time reached and that of the end [s].
+        time reached and that of the end [s], the last time when the run is done.
     out : str or path, optional
         Directory for the files that ``percuss run`` writes.
     report : bool

@@ -41,6 +41,15 @@ def test_a_path_is_no_progress_and_a_function_is_called(elastic, study):
             call()
 
 
+def test_work_that_is_done_at_once_is_reported_at_its_end(elastic):
+    calls = []
+    percuss.run(elastic, progress=lambda done, total: calls.append((done, total)), time__end="2 ms")
+    assert calls[-1] == (2e-3, 2e-3)
+    percuss.converge(elastic, "contact.mass.peak_force.value", levels=2, progress=lambda *counts: calls.append(counts), time__end="2 ms")
+    done, total = calls[-1]
+    assert done == total > 1
+
+
 def test_a_text_is_no_list(elastic):
     for call in (
         lambda: percuss.converge(elastic, "contact.mass.peak_force.value", refine="step"),

@@ -80,7 +80,7 @@ impl Watch {
         self.run_reporting(py, work, |_| Ok(()))
     }
 
-    /// The same; `tell` is called as often as signals are looked for, and what it raises ends the work, too.
+    /// The same; `tell` is called as often as signals are looked for and once when the work is done, and what it raises ends the work, too.
     ///
     /// # Errors
     /// As [`Watch::run`], and what `tell` raised.
@@ -133,7 +133,11 @@ impl Watch {
         let mut raised: Option<(PyErr, Instant)> = None;
         loop {
             match (receiver.recv_timeout(LOOK), raised.take()) {
-                (Ok(outcome), None) => return Ok(outcome),
+                (Ok(outcome), None) => {
+                    // Work that ends before signals are looked for the first time is reported, too.
+                    Python::attach(|py| tell(py))?;
+                    return Ok(outcome);
+                }
                 (Err(RecvTimeoutError::Disconnected), None) => {
                     return Ok(Err(Box::new("a thread ended without a result")));
                 }
