@@ -76,6 +76,8 @@ def test_points_that_do_not_fit_are_refused(two, points, told):
 
 
 def test_points_and_a_design_or_a_text_are_one_too_many(two):
+    with pytest.raises(TypeError, match="correlations and points"):
+        percuss.sweep(**without_design(two), points=POINTS, correlations=[])
     with pytest.raises(TypeError, match="design and points"):
         percuss.sweep(**two, points=POINTS)
     with pytest.raises(TypeError, match="points is a text"):
