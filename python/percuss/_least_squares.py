@@ -11,9 +11,6 @@ import numpy as np
 from . import _percuss
 from ._errors import MissingError
 
-Minimum = tuple[list[float], list[float], float, bool, str, int]
-"""Start, coordinates, cost, whether it converged, why it ended, evaluations."""
-
 Item = TypeVar("Item")
 Made = TypeVar("Made")
 
@@ -31,11 +28,11 @@ def least_squares() -> Callable[..., Any]:
     return found
 
 
-def minima_of(problem: _percuss.FitProblem, solve: Callable[..., Any], options: dict[str, Any], threads: int) -> list[Minimum]:
+def minima_of(problem: _percuss.FitProblem, solve: Callable[..., Any], options: dict[str, Any], threads: int) -> list[_percuss.FoundMinimum]:
     """Minima from all starting points, in their order, on so many threads."""
     low, high = np.array(problem.bounds()).T
 
-    def descend(start: list[float]) -> Minimum:
+    def descend(start: list[float]) -> _percuss.FoundMinimum:
         why = problem.residuals(start)[1]
         if why is not None:
             return start, start, float("nan"), False, f"the run at the starting point fails: {why}", 1

@@ -5,11 +5,11 @@ from os import PathLike
 from typing import Any, Literal
 
 from ._function import Function
+from ._scenario import Source
 from ._structure import Floats
 
-Source = tuple[str, str, list[tuple[str, str]], dict[str, list[Callable[[float], float]]], bool]
-
 FoundMinimum = tuple[list[float], list[float], float, bool, str, int]
+"""Start, coordinates, cost, whether it converged, why it ended, evaluations."""
 
 VERSION: str
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import Any
 
-import desk
+import book_files
 import numpy as np
 import pytest
 
@@ -152,7 +152,7 @@ def example(text: str, names: dict[str, Any], title: str) -> doctest.DocTest:
 def found(tmp_path_factory) -> percuss.Fit:
     """``found`` in the examples of parts of a fit: the one of its class."""
     folder = tmp_path_factory.mktemp("fit")
-    desk.lay(folder)
+    book_files.write(folder)
     made = example(said_of(percuss.Fit), {}, "Fit")
     with pytest.MonkeyPatch.context() as patch:
         patch.chdir(folder)
@@ -165,7 +165,7 @@ def test_examples_run(name, tmp_path, monkeypatch, request):
     pyplot = pytest.importorskip("matplotlib.pyplot")
     if name == "openturns":
         pytest.importorskip("openturns")
-    desk.lay(tmp_path)
+    book_files.write(tmp_path)
     monkeypatch.chdir(tmp_path)
     names = {"found": request.getfixturevalue("found")} if name.startswith("Fit") and name != "Fit" else {}
     test = example(said_of(ITEMS.get(name, percuss)), names, name)

@@ -59,7 +59,7 @@ def test_a_path_makes_a_parameter(two):
 
 
 @pytest.mark.parametrize(
-    "points, told",
+    "points, message",
     [
         ([[1.0, 2.0, 3.0]], r"shape \(1, 3\), expected \(n_point, 2\).*speed, mass"),
         ([1.0, 2.0], r"shape \(2,\)"),
@@ -70,8 +70,8 @@ def test_a_path_makes_a_parameter(two):
         (np.zeros((0, 2)), "points: none"),
     ],
 )
-def test_points_that_do_not_fit_are_refused(two, points, told):
-    with pytest.raises(ValueError, match=told):
+def test_points_that_do_not_fit_are_refused(two, points, message):
+    with pytest.raises(ValueError, match=message):
         percuss.sweep(two, points=points)
 
 
