@@ -1,7 +1,8 @@
 """Percuss: impact on geometrically exact beams, with an energy and momentum balance after every step.
 
 Names and units are those of the scenario file; a bare number is SI. Examples speak of ``plank.toml`` and ``speed.toml``, the
-scenario and the study of the book's first hour, and of ``scenarios/studies/speed-and-mass.toml``.
+scenario and the study of the book's first hour, and of ``scenarios/studies/speed-and-mass.toml``; those of a fit's parts of ``found``, the
+fit in the example of :class:`Fit`.
 
 Examples
 --------
@@ -30,10 +31,13 @@ from ._errors import (
     ScenarioError,
     StudyError,
 )
-from ._fit import Fit, FitParameter, FitProfile, Measured, fit
+from ._fit import fit
+from ._fit_result import Fit
+from ._fit_values import FitParameter, FitProfile
 from ._function import Function, function
 from ._given import Potential
 from ._load import check, load
+from ._measured import Measured
 from ._open import open as open  # not in `import *`, which would hide that of Python
 from ._openturns import openturns_function as openturns
 from ._outcome import AdviceWarning, FailedRunError, FailedRunWarning

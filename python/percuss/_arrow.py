@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING, Any
 import arro3.core as arro3
 
 if TYPE_CHECKING:
-    from ._result import Result
+    from ._history import History
     from ._study import Sweep
 
 
-def table(result: Result) -> Any:
+def table(history: History) -> Any:
     """The history as a table."""
-    units, descriptions = result.units, result.descriptions
+    units, descriptions = history.units, history.descriptions
     fields = []
-    for name in result.columns:
+    for name in history.columns:
         about = {"unit": units[name], "description": descriptions[name]}
         fields.append(arro3.Field(name, arro3.DataType.float64(), nullable=False, metadata=about))
-    arrays = [arro3.Array.from_numpy(result[name]) for name in result.columns]
+    arrays = [arro3.Array.from_numpy(history[name]) for name in history.columns]
     return arro3.Table.from_arrays(arrays, schema=arro3.Schema(fields))
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import ItemsView, Iterable, Iterator, KeysView, Mapping, ValuesView
+from collections.abc import ItemsView, Iterator, KeysView, Mapping, ValuesView
 from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ._nearest import LISTED, nearest
 
 if TYPE_CHECKING:
     import pandas
@@ -51,7 +53,7 @@ class Columns(Generic[Kind]):
         try:
             return np.asarray(self._columns[name])
         except KeyError:
-            raise KeyError(f"no column {name!r}{nearest(name, self._columns)}") from None
+            raise KeyError(f"no column {name!r}{nearest(name, self._columns, LISTED)}") from None
 
     def __contains__(self, name: object) -> bool:
         return name in self._columns
@@ -153,11 +155,3 @@ def read_only(value: Any) -> None:
     elif isinstance(value, (list, tuple)):
         for entry in value:
             read_only(entry)
-
-
-def nearest(name: str, names: Iterable[str]) -> str:
-    """Suggestions for an unknown name."""
-    from difflib import get_close_matches
-
-    close = get_close_matches(name, names, n=3)
-    return f"; did you mean {' or '.join(map(repr, close))}?" if close else "; `columns` lists them"

@@ -221,7 +221,7 @@ def converge(
     ScenarioError
         If the scenario has faults.
     AnalysisError
-        If a refined run does not complete.
+        If a run, as given or refined, does not complete.
 
     Examples
     --------
@@ -232,7 +232,8 @@ def converge(
     if levels < 3:
         raise coded(InputError, f"levels={levels}: expected 3 or more, an order needs three values", "E311")
     known = ("step", "mesh") if callable(quantity) else ("step", "mesh", "fibres", "together")
-    unknown = [word for word in texts("refine", refine) if word not in known]
+    refine = texts("refine", refine)
+    unknown = [word for word in refine if word not in known]
     if unknown:
         raise ValueError(f"refine: {unknown[0]!r}, expected {', '.join(known)}")
     given = scenario_of(scenario)
@@ -240,7 +241,7 @@ def converge(
         return _of_function(given, quantity, refine, levels, progress, overrides)
     with Progress(progress, 1, "runs", "converge") as bar:
         source = given._source(overrides)
-        name, sequences = _percuss.converged(source, quantity, list(refine), levels, bar.to)
+        name, sequences = _percuss.converged(source, quantity, refine, levels, bar.to)
     out = Convergences()
     for word, values, order, limit, uncertainty in sequences:
         factors = tuple(2**k for k in range(len(values)))
@@ -257,8 +258,9 @@ def _of_function(
     overrides: dict[str, Any],
 ) -> Convergences:
     """The same of a function of the result, which only Python can call."""
-    base = Scenario(_written(given, overrides), given.name)
-    base._given = given._source(overrides)[3]
+    source = given._source(overrides)
+    base = Scenario(_percuss.written(source), given.name, allow_outside=given._outside)
+    base._given = source[3]
     if "step" in refine and "time.accuracy" in base:
         text = "time.accuracy chooses steps as it goes, and what is halved here is one that is given: give a time.step"
         raise coded(InputError, text, "E311")
@@ -277,10 +279,6 @@ def _of_function(
     return out
 
 
-def _written(scenario: Scenario, overrides: dict[str, Any]) -> str:
-    return _percuss.written(scenario._source(overrides))
-
-
 def _completed(scenario: Scenario, bar: Progress) -> Result:
     """A run, without the advice on step and mesh: what is looked at is their effect."""
     # Reported of, it logs no estimate of its time, which would break the line of the bar.
@@ -288,7 +286,7 @@ def _completed(scenario: Scenario, bar: Progress) -> Result:
     result = Result._of(_percuss.run(scenario._source(), reported, None, False, 0))
     warn_of_audit(result)
     if result.status != "completed":
-        text = f"a refined run did not complete: {result.summary.get('error', result.status)}"
+        text = f"a run did not complete: {result.summary.get('error', result.status)}"
         raise coded(AnalysisError, text, result.summary.get("error_code"))
     return result
 

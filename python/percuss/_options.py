@@ -12,16 +12,20 @@ from typing import ParamSpec, TypeVar
 Arguments = ParamSpec("Arguments")
 Returned = TypeVar("Returned")
 
-OPTIONS = (
-    "about", "accuracy", "allow_outside", "check", "client", "count", "executor", "failed", "jobs", "levels", "out", "parameters", "path",
-    "points", "progress", "quantity", "refine", "report", "results", "shapes",
-)  # fmt: skip
-"""Names of the options of functions that take changes of a scenario, or tables of a study, as further keywords."""
+OF_SCENARIOS = ("about", "check", "count", "levels", "out", "parameters", "path", "progress", "quantity", "refine", "report", "results", "shapes")
+"""Names of the options of functions that take changes of a scenario as further keywords."""
+
+OF_STUDIES = ("allow_outside", "client", "executor", "jobs", "out", "points", "progress")
+"""Names of the options of the function that takes tables of a study as further keywords."""
 
 
-def near_option(keyword: str) -> str | None:
-    """The option that an unknown keyword is like."""
-    return next(iter(get_close_matches(keyword, OPTIONS, n=1)), None)
+def refuse_option(keyword: str) -> None:
+    """Refuses a keyword that is no key of scenarios, if it is like an option, or is one of another function."""
+    if keyword in (*OF_SCENARIOS, *OF_STUDIES):
+        raise TypeError(f"{keyword!r} is no option of this function, and no key of scenarios")
+    near = get_close_matches(keyword, OF_SCENARIOS, n=1)
+    if near:
+        raise TypeError(f"{keyword!r} is neither an option nor a key of scenarios; did you mean {near[0]!r}?")
 
 
 def own_options(function: Callable[Arguments, Returned]) -> Callable[Arguments, Returned]:

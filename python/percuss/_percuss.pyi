@@ -5,11 +5,11 @@ from os import PathLike
 from typing import Any, Literal
 
 from ._function import Function
+from ._scenario import Source
 from ._structure import Floats
 
-Source = tuple[str, str, list[tuple[str, str]], dict[str, list[Callable[[float], float]]], bool]
-
 FoundMinimum = tuple[list[float], list[float], float, bool, str, int]
+"""Start, coordinates, cost, whether it converged, why it ended, evaluations."""
 
 VERSION: str
 
@@ -88,6 +88,7 @@ class FitProblem:
         records: list[tuple[str, list[tuple[str, list[float]]]]],
         jobs: int,
     ) -> FitProblem: ...
+    def stop(self) -> None: ...
     def starts(self) -> list[list[float]]: ...
     def bounds(self) -> list[tuple[float, float]]: ...
     def values(self, coordinates: list[float]) -> list[float]: ...

@@ -9,8 +9,8 @@ from typing import Any, Union
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._columns import nearest
 from ._named import named_columns
+from ._nearest import nearest
 
 Points = Union[ArrayLike, Mapping[str, Any], Any]
 """An array of shape (n_point, n_parameter), or columns by the names or paths of parameters: a table of pandas, polars or Arrow, a mapping."""
@@ -53,8 +53,7 @@ def _matched(named: Mapping[str, Any], parameters: Mapping[str, str]) -> dict[st
         if name is None and "." not in header:
             known = [*parameters, *by_path]
             expected = f"; expected {', '.join(parameters)}, or paths of the scenario" if parameters else "; expected paths of the scenario"
-            hint = nearest(header, known)
-            raise ValueError(f"points: {header!r} is no parameter{hint if hint.startswith('; did') else expected}")
+            raise ValueError(f"points: {header!r} is no parameter{nearest(header, known, expected)}")
         if (name or header) in columns:
             raise ValueError(f"points: {header!r} is a second column of one parameter")
         columns[name or header] = np.atleast_1d(np.asarray(values)).tolist()

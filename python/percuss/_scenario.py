@@ -3,29 +3,21 @@
 from __future__ import annotations
 
 import os
-import sys
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 from . import _percuss, _toml
 from ._errors import PathError
 from ._given import Potential, split, without_laws
-from ._options import near_option
+from ._options import refuse_option
 from ._review import Advice, Review
 from ._view import view
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
-
-
-Source = tuple[str, str, list[tuple[str, str]], dict[str, list[Callable[[float], float]]], bool]
-"""Arguments of the native module: text, name, changes, functions."""
-
-
 Given = dict[str, list[Callable[[float], float]]]
 """Functions by their paths; of a law energy and force."""
+
+Source = tuple[str, str, list[tuple[str, str]], Given, bool]
+"""Arguments of the native module: text, name, changes, functions, whether files may lie in any folder."""
 
 
 class Scenario:
@@ -61,7 +53,7 @@ class Scenario:
         self._text = text
         self._name = name
         self._outside = allow_outside
-        self._given: dict[str, list[Callable[[float], float]]] = {}
+        self._given: Given = {}
         self._tree: dict[str, Any] | None = None
 
     @classmethod
@@ -164,7 +156,7 @@ class Scenario:
         >>> percuss.load("plank.toml").to_dict()["time"]
         {'end': '0.15 s', 'step': '0.2 ms'}
         """
-        return tomllib.loads(self._text)
+        return _toml.read(self._text)
 
     def to_toml(self) -> str:
         """The scenario as a file in SI units with every default written out.
@@ -329,7 +321,7 @@ class Scenario:
     def _put(self, values: Mapping[str, Any]) -> None:
         """Sets values, all of them or none."""
         changes: list[tuple[str, str]] = []
-        given: dict[str, list[Callable[[float], float]]] = {}
+        given: Given = {}
         for path, value in values.items():
             simple, functions = split(value, path)
             changes.append((path, _toml.value(simple)))
@@ -376,15 +368,13 @@ class Scenario:
 
         return f"<b>{escape(self._name)}</b><pre>{escape(self._text)}</pre>"
 
-    def _refuse_option(self, keyword: str) -> None:
-        """Refuses what is neither an option of a function nor a key of scenarios, if it is like an option."""
-        option = near_option(keyword)
+    def _is_path(self, path: str) -> bool:
+        """Whether scenarios may have something there."""
         try:
-            _percuss.steps(keyword, self._name)
+            _percuss.steps(path, self._name)
         except PathError:
-            if option is not None:
-                text = f"{keyword!r} is neither an option nor a key of scenarios; did you mean {option!r}?"
-                raise TypeError(text) from None
+            return False
+        return True
 
     def _source(self, changes: Mapping[str, Any] | None = None) -> Source:
         """Arguments of the native module; ``changes`` apply to existing values only, by paths or keywords."""
@@ -404,8 +394,9 @@ class Scenario:
         if "." in keyword or "[" in keyword:
             return keyword
         if "__" not in keyword:
-            self._refuse_option(keyword)
-            return keyword
+            if not self._is_path(keyword):
+                refuse_option(keyword)
+            return keyword  # what is like no option is refused with the other faults of the scenario
         kind, _, rest = keyword.partition("__")
         try:
             names = self.to_dict().get(kind, {})

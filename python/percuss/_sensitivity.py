@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from html import escape
 from typing import Any
 
 from . import _percuss
+from ._columns import read_only
 from ._load import Scenarios, scenario_of
+from ._nearest import nearest
 from ._options import texts
 from ._structure import Floats
 
@@ -23,6 +25,7 @@ class Sensitivity:
     """
 
     def __init__(self, native: dict[str, Any]) -> None:
+        read_only(native)
         self._native = native
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -188,8 +191,8 @@ class Sensitivity:
         85.5
         """
         result, parameter = key
-        row = list(self.results).index(result)
-        return float(self.derivatives[row, list(self.parameters).index(parameter)])
+        row, column = _place("result", result, self.results), _place("parameter", parameter, self.parameters)
+        return float(self.derivatives[row, column])
 
     def __repr__(self) -> str:
         return f"<Sensitivity: {len(self.results)} results by {len(self.parameters)} parameters>"
@@ -203,6 +206,14 @@ class Sensitivity:
             rows += f"<tr><th>{escape(path)}</th><td>{value:.6g}</td>{cells}</tr>"
         notes = "".join(f"<p>{escape(text)}</p>" for text in self.one_sided)
         return f"<table><tr><th>result</th><th>value</th>{heads}</tr>{rows}</table>{notes}"
+
+
+def _place(what: str, path: str, paths: Iterable[str]) -> int:
+    """Index of a path among those that were asked for."""
+    known = list(paths)
+    if path not in known:
+        raise ValueError(f"{path!r} is no {what} of this sensitivity{nearest(path, known)}")
+    return known.index(path)
 
 
 def sensitivity(

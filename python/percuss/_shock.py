@@ -5,14 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from . import _percuss
-from ._columns import nearest
-from ._errors import InputError, MissingError, coded
+from ._errors import InputError, coded
+from ._nearest import nearest
+from ._tables import xarray_module
 from ._words import unit_words
 
 if TYPE_CHECKING:
     import xarray
 
-    from ._result import Result
+    from ._history import History
 
 _ANSWERS = {
     "acceleration": ("m/s^2", "Absolute acceleration of the oscillator"),
@@ -26,17 +27,17 @@ _SAMPLED = ("N", "N*m", "Pa", "m", "m/s", "rad", "rad/s")
 """Units of columns that are signals: forces, moments, stresses, displacements, velocities. Impulses are sums over output intervals."""
 
 
-def filtered(result: Result, column: str, cfc: int | None) -> xarray.DataArray:
+def filtered(history: History, column: str, cfc: int | None) -> xarray.DataArray:
     """An acceleration, a force or another signal over time."""
-    arrays = _xarray()
-    if result.units.get(column) in _SAMPLED:
-        native, unit = _percuss.samples(result.time.tolist(), result[column].tolist(), cfc), result.units[column]
+    arrays = xarray_module()
+    if history.units.get(column) in _SAMPLED:
+        native, unit = _percuss.samples(history.time.tolist(), history[column].tolist(), cfc), history.units[column]
         times = "Time"
-    elif column in result:
+    elif column in history:
         text = f"{column}: is no signal that can be filtered; expected an acceleration, force, moment, stress, displacement or velocity"
         raise coded(InputError, text, "E320")
     else:
-        native, unit = _percuss.acceleration(*_velocity(result, column), cfc), "m/s^2"
+        native, unit = _percuss.acceleration(*_velocity(history, column), cfc), "m/s^2"
         times = "Middle of the step"
     suffix = "" if cfc is None else f" (CFC {cfc})"
     about = {"units": unit_words(unit), "long_name": f"{column}{suffix}", "resampled": int(native["resampled"])}
@@ -46,11 +47,11 @@ def filtered(result: Result, column: str, cfc: int | None) -> xarray.DataArray:
 
 
 def shock_spectrum(
-    result: Result, column: str, damping: float, band: tuple[float, float | None, float], cfc: int | None
+    history: History, column: str, damping: float, band: tuple[float, float | None, float], cfc: int | None
 ) -> xarray.Dataset:
     """Answers over the natural frequency."""
-    arrays = _xarray()
-    native = _percuss.shock_spectrum(_velocity(result, column), damping, band, cfc)
+    arrays = xarray_module()
+    native = _percuss.shock_spectrum(_velocity(history, column), damping, band, cfc)
     variables: dict[str, Any] = {}
     for name, (unit, words) in _ANSWERS.items():
         for when, then in _WHEN.items():
@@ -64,22 +65,13 @@ def shock_spectrum(
     return data
 
 
-def _velocity(result: Result, column: str) -> tuple[list[float], list[float]]:
+def _velocity(history: History, column: str) -> tuple[list[float], list[float]]:
     """Times, and the velocity that an acceleration follows from."""
     known = {
-        name.replace(".velocity_", ".acceleration_"): name for name in result.columns if ".velocity_" in name
+        name.replace(".velocity_", ".acceleration_"): name for name in history.columns if ".velocity_" in name
     }
     if column not in known:
-        what = "is no acceleration" if column in result else "the run has no such column"
-        hint = nearest(column, known) if known else ""
-        expected = hint if hint.startswith("; did") else f"; expected one of {', '.join(known) or 'none: record points'}"
+        what = "is no acceleration" if column in history else "the run has no such column"
+        expected = nearest(column, known) if known else "; no velocities were recorded that one follows from: record points"
         raise coded(InputError, f"{column}: {what}{expected}", "E320")
-    return result.time.tolist(), result[known[column]].tolist()
-
-
-def _xarray() -> Any:
-    try:
-        import xarray
-    except ImportError as error:
-        raise MissingError.of("xarray", "a data set", "tables") from error
-    return xarray
+    return history.time.tolist(), history[known[column]].tolist()

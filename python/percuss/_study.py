@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any, Union
 import numpy as np
 
 from . import _arrow, _percuss, _toml
-from ._columns import Columns, nearest, read_only
-from ._options import OPTIONS
+from ._columns import Columns, read_only
+from ._nearest import LISTED, nearest
+from ._options import OF_STUDIES
 from ._points import Points, columns_of, name_of
 from ._scenario import Scenario
 
@@ -32,7 +33,20 @@ _PLURALS = {"parameters": "parameter", "correlations": "correlation"}
 def _refuse_unknown(tables: Mapping[str, Any]) -> None:
     for key in tables:
         if key not in _TABLES and key not in _PLURALS:
-            raise TypeError(f"{key!r} is no part of a study{nearest(key, (*_TABLES, *_PLURALS, *OPTIONS))}")
+            expected = f"; expected one of {', '.join((*_TABLES, *_PLURALS))}"
+            raise TypeError(f"{key!r} is no part of a study{nearest(key, (*_TABLES, *_PLURALS, *OF_STUDIES), expected)}")
+
+
+def _merged(study: Mapping[str, Any] | None, parts: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables of a study by their names in files; ``parts`` override those of ``study``."""
+    merged: dict[str, Any] = {}
+    for tables in (study or {}, parts):
+        _refuse_unknown(tables)
+        for plural, key in _PLURALS.items():
+            if plural in tables and key in tables:
+                raise TypeError(f"{plural} and {key}: one table in two spellings")
+        merged.update({_PLURALS.get(key, key): value for key, value in tables.items()})
+    return merged
 
 
 def study_of(study: StudySource | None, parts: Mapping[str, Any], allow_outside: bool = False) -> _percuss.Study:
@@ -41,11 +55,11 @@ def study_of(study: StudySource | None, parts: Mapping[str, Any], allow_outside:
     if isinstance(study, _percuss.Study) and not parts:
         return study
     if study is None:
-        return _percuss.Study(_text(parts), "study", allow_outside)
+        return _percuss.Study(_text(_merged(None, parts)), "study", allow_outside)
     if isinstance(study, _percuss.Study):
         raise TypeError("a study that has been read takes no further tables")
     if isinstance(study, Mapping):
-        return _percuss.Study(_text({**study, **parts}), "study", allow_outside)
+        return _percuss.Study(_text(_merged(study, parts)), "study", allow_outside)
     if parts:
         raise TypeError(f"{', '.join(parts)}: the study's file says this; give one or the other")
     path = Path(study)
@@ -54,25 +68,25 @@ def study_of(study: StudySource | None, parts: Mapping[str, Any], allow_outside:
 
 def study_at(points: Points, study: StudySource | None, parts: Mapping[str, Any], allow_outside: bool = False) -> _percuss.Study:
     """The study at points chosen elsewhere; a column with a path that no parameter has makes one."""
-    if "design" in parts:
-        raise TypeError("design and points: the points are the design; give one of the two")
+    for key in ("design", "correlation", "correlations"):
+        if key in parts:
+            raise TypeError(f"{key} and points: the points are the design; give one of the two")
     tables, name = _tables(study, parts)
-    given = tables.pop("parameters", None) or tables.pop("parameter", None) or {}
+    given = tables.pop("parameter", None) or {}
     declared = {key: str(table["path"]) for key, table in given.items()}
     listed = columns_of(points, declared)
     tables["parameter"] = {
         key if key in declared else name_of(key): {"path": declared.get(key, key), "values": values} for key, values in listed.items()
     }
     tables["design"] = {"kind": "points"}
-    for key in ("correlation", "correlations"):
-        tables.pop(key, None)
+    tables.pop("correlation", None)
     return _percuss.Study(_text(tables), name, allow_outside)
 
 
 def _tables(study: StudySource | None, parts: Mapping[str, Any]) -> tuple[dict[str, Any], str]:
     """The tables of a study, and its name in messages."""
     if study is None or isinstance(study, Mapping):
-        return {**(study or {}), **parts}, "study"
+        return _merged(study, parts), "study"
     if parts:
         raise TypeError(f"{', '.join(parts)}: the study says this; give one or the other")
     if isinstance(study, _percuss.Study):
@@ -88,13 +102,11 @@ def _tables(study: StudySource | None, parts: Mapping[str, Any]) -> tuple[dict[s
 
 def _text(tables: Mapping[str, Any]) -> str:
     """A study as a file."""
-    _refuse_unknown(tables)
     text = ""
     for key, value in sorted(tables.items(), key=lambda item: isinstance(item[1], Mapping)):
-        key = _PLURALS.get(key, key)
         if key == "scenario":
             value = value if isinstance(value, str) else _base(value)
-        if key in ("base",):
+        if key == "base":
             value = os.fspath(value)
         text += f"{key} = {_toml.value(value)}\n"
     return text
@@ -229,7 +241,7 @@ class Sweep(Columns[Any]):
         """
         roles = {own: role for own, _, role, _, _ in self._native}
         if name not in roles:
-            raise KeyError(f"no column {name!r}{nearest(name, roles)}")
+            raise KeyError(f"no column {name!r}{nearest(name, roles, LISTED)}")
         return roles[name]
 
     def __len__(self) -> int:

@@ -35,7 +35,7 @@ def sweep(
 ) -> Sweep:
     """Computes every run of a study and returns its table.
 
-    By default it runs on all cores of this machine; whoever runs it, the table has the same bytes.
+    By default it runs on all cores of this machine; the table has the same bytes wherever it is computed.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 def dataset(result: Result) -> xarray.Dataset:
     """The history over ``time``, and the frames over ``instant``."""
-    arrays = _xarray()
+    arrays = xarray_module()
     units, descriptions = result.units, result.descriptions
     variables: dict[str, Any] = {}
     for name, values in result.items():
@@ -38,7 +38,7 @@ def dataset(result: Result) -> xarray.Dataset:
 
 def study_dataset(sweep: Sweep) -> xarray.Dataset:
     """The table of a study over ``run``."""
-    arrays = _xarray()
+    arrays = xarray_module()
     variables: dict[str, Any] = {}
     coordinates: dict[str, Any] = {}
     inputs = sweep.names("input")
@@ -52,7 +52,8 @@ def study_dataset(sweep: Sweep) -> xarray.Dataset:
     return data
 
 
-def _xarray() -> Any:
+def xarray_module() -> Any:
+    """xarray, or a word on where to find it."""
     try:
         import xarray
     except ImportError as error:

@@ -30,7 +30,7 @@ def value(x: Any) -> str:
     if isinstance(x, str):
         return json.dumps(x, ensure_ascii=False).replace("\x7f", "\\u007F")
     if isinstance(x, Mapping):
-        return "{ " + ", ".join(f"{_key(k)} = {value(v)}" for k, v in x.items()) + " }" if x else "{}"
+        return "{ " + ", ".join(f"{key(k)} = {value(v)}" for k, v in x.items()) + " }" if x else "{}"
     if isinstance(x, (list, tuple, MutableSequence)):
         return "[" + ", ".join(value(v) for v in x) + "]"
     if hasattr(x, "tolist"):  # numbers and arrays of NumPy
@@ -38,8 +38,9 @@ def value(x: Any) -> str:
     raise TypeError(f"{x!r} has no place in a scenario: a {type(x).__name__} is neither number, text, list nor table")
 
 
-def _key(key: object) -> str:
-    text = str(key)
+def key(name: object) -> str:
+    """A TOML key."""
+    text = str(name)
     return text if _BARE.fullmatch(text) else json.dumps(text, ensure_ascii=False)
 
 

@@ -175,7 +175,7 @@ class ListView(MutableSequence[Any]):
 
 
 def view(scenario: Scenario, path: str, found: Any) -> Any:
-    """What is handed out for a value found at a path."""
+    """What is returned for a value found at a path."""
     if isinstance(found, dict):
         return TableView(scenario, path)
     return ListView(scenario, path) if isinstance(found, list) else found

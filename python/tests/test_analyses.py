@@ -68,9 +68,9 @@ def test_orders_are_those_of_the_command(elastic, tmp_path):
     places = ["contact.mass.peak_force.value", "point.girder.mid.displacement_2"]
     words = ["step", "mesh", "together"]
     command = [COMMAND, "converge", str(path), "--json", "--quiet", "-r", places[0], "-r", places[1]]
-    told = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    answer = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
     # Rows lie at the same instants on all levels where a column is asked for, which these results do not depend on.
-    for place, printed in zip(places, told["results"]):
+    for place, printed in zip(places, answer["results"]):
         found = percuss.converge(elastic, place, refine=words)
         for word in words:
             assert list(found[word].values) == [abs(x) * np.sign(found[word].limit) for x in printed[word]["values"]]

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from functools import cached_property
 from typing import Any
 
-import desk
+import book_files
 import numpy as np
 import pytest
 
@@ -27,6 +27,7 @@ CALLED = ("__call__", "__getitem__")
 SECTIONS = ("Parameters", "Attributes", "Returns", "Raises", "Examples")
 NUMBERS = re.compile(r"\b(ndarray|float|DataArray)\b")
 UNIT = re.compile(r"\[[^\[\]]+\]")
+FLAGS = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
 
 
 def sections(text: str) -> dict[str, str]:
@@ -142,17 +143,34 @@ def test_a_public_item_says_what_it_takes_gives_and_raises(name):
     assert not faults(ITEMS[name]), f"{name}: {faults(ITEMS[name])}"
 
 
+def example(text: str, names: dict[str, Any], title: str) -> doctest.DocTest:
+    """The examples of a docstring, which may use ``names``."""
+    return doctest.DocTestParser().get_doctest(text, {"percuss": percuss, "np": np, **names}, title, title, 0)
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory) -> percuss.Fit:
+    """``found`` in the examples of parts of a fit: the one of its class."""
+    folder = tmp_path_factory.mktemp("fit")
+    book_files.write(folder)
+    made = example(said_of(percuss.Fit), {}, "Fit")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.chdir(folder)
+        doctest.DocTestRunner(optionflags=FLAGS).run(made, out=lambda _: None, clear_globs=False)
+    return made.globs["found"]
+
+
 @pytest.mark.parametrize("name", ["percuss", *ITEMS])
-def test_examples_run(name, tmp_path, monkeypatch):
+def test_examples_run(name, tmp_path, monkeypatch, request):
     pyplot = pytest.importorskip("matplotlib.pyplot")
     if name == "openturns":
         pytest.importorskip("openturns")
-    desk.lay(tmp_path)
+    book_files.write(tmp_path)
     monkeypatch.chdir(tmp_path)
-    test = doctest.DocTestParser().get_doctest(said_of(ITEMS.get(name, percuss)), {"percuss": percuss, "np": np}, name, name, 0)
+    names = {"found": request.getfixturevalue("found")} if name.startswith("Fit") and name != "Fit" else {}
+    test = example(said_of(ITEMS.get(name, percuss)), names, name)
     said: list[str] = []
-    flags = doctest.ELLIPSIS | doctest.NORMALIZE_WHITESPACE
-    ran = doctest.DocTestRunner(optionflags=flags).run(test, out=said.append)
+    ran = doctest.DocTestRunner(optionflags=FLAGS).run(test, out=said.append)
     pyplot.close("all")
     assert ran.attempted > 0 and ran.failed == 0, "".join(said)
 

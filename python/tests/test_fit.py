@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import threading
+import time
 import warnings
 
 import numpy as np
@@ -10,6 +12,7 @@ import pytest
 from conftest import SCENARIOS
 
 import percuss
+from percuss._least_squares import side_by_side
 
 FITS = SCENARIOS / "fits"
 TRUTH = {"stiffness": 2e6, "dissipation": 0.2, "yield": 120e6}
@@ -73,13 +76,22 @@ def test_files_and_figures(found, tmp_path):
     assert names == ["curves.csv", "fit.html", "fit.json", "fit.txt", "fitted.toml"], place
     value = json.loads((tmp_path / "fit" / "fit.json").read_text())
     assert [one["value"] for one in value["parameters"]] == found.x.tolist()
-    assert len(found.plot()) == 4
+    axes = found.plot()
+    assert len(axes) == len(found.plot("test", ax=axes)) == 4
+    with pytest.raises(ValueError, match="found 3, expected two for each of 2 channels"):
+        found.plot(ax=axes[:3])
     pyplot.close("all")
     assert "[parameters]" in found.report() and "stiffness" in found._repr_html_()
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "notes.txt").write_text("precious")
     with pytest.raises(percuss.InputError, match="E203"):
         found.save(tmp_path / "mine")
+
+
+def test_an_unknown_test_is_refused(found):
+    for ask in (found.plot, found.to_scenario):
+        with pytest.raises(KeyError, match="'tset' is no test; did you mean 'test'"):
+            ask("tset")
 
 
 def test_a_test_kept_out_is_predicted():
@@ -112,6 +124,97 @@ def test_a_profile_agrees_with_the_standard_error(found):
     assert profile.interval == pytest.approx((low, high), abs=0.2 * (high - low))
     with pytest.raises(KeyError, match="did you mean 'stiffness'"):
         found.profile("stifness")
+    with pytest.raises(ValueError, match="points=0"):
+        found.profile("stiffness", points=0)
+
+
+def computed(**options) -> percuss.Measured:
+    """A record without noise."""
+    run = percuss.run(FITS / "hammer.toml")
+    record = {"t [s]": run.time, "F [N]": run["contact.hammer.force"]}
+    return percuss.Measured(record, {"F": "contact.hammer.force"}, time="t", **options)
+
+
+@pytest.mark.filterwarnings("ignore::percuss.PercussWarning")
+@pytest.mark.parametrize("solver", ["scipy", "basin"])
+def test_the_result_does_not_depend_on_the_number_of_threads(solver):
+    if solver == "scipy":
+        pytest.importorskip("scipy")
+    data = computed(sigma="10 N")
+    fits = [
+        percuss.fit(FITS / "hammer.toml", {"stiffness": PARAMETERS["stiffness"]}, data, starts=3, seed=7, solver=solver, jobs=jobs)
+        for jobs in (1, 2, -1)
+    ]
+    for other in fits[1:]:
+        assert other.report() == fits[0].report()
+        for one, same in zip(fits[0].starts, other.starts, strict=True):
+            assert one.pop("x").tolist() == same.pop("x").tolist() and one == same
+
+
+def test_work_side_by_side_keeps_its_order_and_its_number_of_threads():
+    lock, at_work, most = threading.Lock(), 0, 0
+
+    def work(item: int) -> int:
+        nonlocal at_work, most
+        with lock:
+            at_work += 1
+            most = max(most, at_work)
+        time.sleep(0.002 * (5 - item))
+        with lock:
+            at_work -= 1
+        return item * item
+
+    for threads in (1, 2, 9):
+        most = 0
+        assert side_by_side(work, range(5), threads, lambda: None) == [0, 1, 4, 9, 16]
+        assert 1 <= most <= threads
+
+
+@pytest.mark.parametrize("error", [RuntimeError, KeyboardInterrupt])
+def test_an_exception_of_one_ends_all(error):
+    stopped, begun = threading.Event(), []
+
+    def work(item: int) -> None:
+        begun.append(item)
+        if item == 1:
+            raise error("the second one")
+        # Ends when it is asked to, as a run does.
+        assert stopped.wait(60)
+        raise KeyboardInterrupt
+
+    with pytest.raises(error, match="the second one"):
+        side_by_side(work, range(50), 2, stopped.set)
+    assert stopped.is_set() and len(begun) < 50
+
+
+def test_standard_deviations_are_known_in_all_records_or_in_none():
+    force = {"k": "projectile.hammer.stiffness"}
+    some = percuss.Measured(FITS / "hammer-6.csv", CHANNELS, time="t", sigma={"F": "40 N"})
+    with pytest.raises(percuss.ScenarioError, match=r"test\.test\.channel\.u\.sigma.*every channel of all tests, or for none"):
+        percuss.fit(FITS / "hammer.toml", force, some, solver="basin")
+    with pytest.raises(percuss.ScenarioError, match=r"test\.test2\.channel\.F\.sigma.*every channel of all tests, or for none"):
+        percuss.fit(FITS / "hammer.toml", force, [computed(sigma="10 N"), computed()], solver="basin")
+
+
+def test_records_of_a_fit_have_names_of_their_own():
+    table = np.zeros(3, dtype=[("t", float), ("F", float)])
+    with pytest.raises(percuss.InputError, match="two records are named 'drop'"):
+        percuss.fit(FITS / "hammer.toml", {"k": "projectile.hammer.stiffness"}, [drop(name="drop"), drop(name="drop")])
+    assert repr(percuss.Measured(table, {"F": "contact.hammer.force"}, time="t")) == "<percuss.Measured: contact.hammer.force from F>"
+    with pytest.raises(TypeError, match="columns by their headers"):
+        percuss.Measured([1.0, 2.0], {"F": "contact.hammer.force"})
+    with pytest.raises(ValueError, match=r"F: found an array of shape \(1, 2\)"):
+        percuss.Measured({"F": [[1.0, 2.0]]}, {"F": "contact.hammer.force"})
+
+
+@pytest.mark.filterwarnings("ignore::percuss.PercussWarning")
+def test_parameters_whose_names_differ_in_signs_only_are_two():
+    parameters = {
+        "projectile.hammer.stiffness": {"start": "1.9 MN/m"},
+        "projectile_hammer_stiffness": {"path": "projectile.hammer.mass", "fixed": True},
+    }
+    found = percuss.fit(FITS / "hammer.toml", parameters, computed(sigma="10 N"), solver="basin")
+    assert set(found.params) == set(parameters) and found.names == ["projectile.hammer.stiffness"]
 
 
 def test_columns_of_programs_serve_as_records_and_doubts_are_warnings():
@@ -131,7 +234,9 @@ def test_columns_of_programs_serve_as_records_and_doubts_are_warnings():
         ({"k": {"path": "projectile.hammer.stiffness", "bound": (1, 2)}}, {}, TypeError, "did you mean 'bounds'"),
         ({"k": "projectile.hammer.stiffness"}, {"starts": 3}, percuss.ScenarioError, "no bounds with 3 starting points"),
         ({"k": "projectile.hammer.stiffness"}, {"align": "fitted"}, percuss.InputError, "did you mean 'fit'"),
-        ({"k": "projectile.hammer.stiffness"}, {"jobs": 0}, percuss.InputError, "-1 for one a core"),
+        ({"k": "projectile.hammer.stiffness"}, {"jobs": 2.0}, TypeError, "-1 for one a core"),
+        ({"k": {"path": "projectile.hammer.stiffness", "bounds": "1 MN/m"}}, {}, TypeError, "expected a pair"),
+        (["projectile.hammer.stiffness"], {}, TypeError, "tables by names"),
         ({"k": "projectile.hammer.stiffness"}, {"loss": "cubic"}, percuss.ScenarioError, "soft_l1"),
     ],
 )

@@ -59,11 +59,11 @@ def test_columns_are_matched_by_their_names_or_refused():
     assert np.array_equal(f({"young": 2e9, "mass": [500, 400], "speed": [20, 25]}), many)
     assert np.array_equal(f(pandas.DataFrame([[20, 500, 2e9]])), [right])  # columns without names
     assert np.array_equal(f.jacobian({"young": 2e9, "mass": 500, "speed": 20}), f.jacobian([20, 500, 2e9]))
-    for names, told in (
+    for names, message in (
         ({"mass": "mas"}, "`mas` is no parameter of the study, expected one of .*did you mean `mass`"),
         ({"mass": "peak_force"}, "`peak_force` is no parameter"),
     ):
-        with pytest.raises(percuss.InputError, match=told):
+        with pytest.raises(percuss.InputError, match=message):
             f(table.rename(columns=names))
     with pytest.raises(percuss.InputError, match="no value for `mass`"):
         f(table.drop(columns="mass"))
@@ -125,21 +125,21 @@ def test_distributions_and_correlations_reach_openturns(two):
     assert np.array_equal(f._points(sample), np.array(sample)[:, ::-1])
 
 
-def test_points_without_a_value_are_told_or_nan(two):
+def test_points_without_a_value_are_errors_or_nan(two):
     f = percuss.function(two)
     with pytest.raises(ValueError, match=r"2 numbers a point \(speed, mass\)"):
         f([1, 2, 3])
-    with pytest.raises(percuss.PercussError, match="point 1: projectile.mass.mass") as told:
+    with pytest.raises(percuss.PercussError, match="point 1: projectile.mass.mass") as caught:
         f([[20, 500], [20, -1]])
-    assert told.value.code == "E016"
+    assert caught.value.code == "E016"
     with pytest.raises(percuss.PercussError, match="a number is needed"):
         f([20, np.nan])
     y = percuss.function(two, failed="nan")([[20, 500], [20, -1]])
     assert np.isfinite(y[0]).all() and np.isnan(y[1]).all()
     words = {**two, "design": {"kind": "grid"}, "parameters": {"law": {"path": "projectile.mass.kind", "values": ["elastic"]}}}
-    with pytest.raises(percuss.InputError) as told:
+    with pytest.raises(percuss.InputError) as caught:
         percuss.function(words)
-    assert told.value.code == "E318"
+    assert caught.value.code == "E318"
 
 
 def test_openturns_takes_values_and_gradients(two):
@@ -211,9 +211,9 @@ def test_the_wheel_brings_the_command(two, tmp_path):
     file = file_of(two, tmp_path / "two.toml")
     done = run("eval", file, "-", "--gradients", input='{"speed": 20, "mass": 500}')
     assert done.returncode == 0, done.stderr
-    told, f = json.loads(done.stdout), percuss.function(two)
-    assert list(told["results"].values()) == pytest.approx(f([20, 500]), rel=1e-12)
-    assert told["derivatives"]["exit"]["mass"] == pytest.approx(f.jacobian([20, 500])[1, 1], rel=1e-12)
+    answer, f = json.loads(done.stdout), percuss.function(two)
+    assert list(answer["results"].values()) == pytest.approx(f([20, 500]), rel=1e-12)
+    assert answer["derivatives"]["exit"]["mass"] == pytest.approx(f.jacobian([20, 500])[1, 1], rel=1e-12)
 
 
 def test_the_command_of_the_wheel_finds_the_book_of_the_wheel(tmp_path):

@@ -102,7 +102,7 @@ def test_an_exception_of_a_function_of_time_comes_out_of_every_call(elastic):
             CALLS[call](elastic)
 
 
-def test_a_law_that_gives_no_number_is_told_as_such(elastic):
+def test_a_law_that_gives_no_number_is_refused(elastic):
     elastic["projectile.mass.law"] = percuss.Potential(lambda p: "much", lambda p: p)
     with pytest.raises(TypeError):
         percuss.run(elastic)

@@ -115,6 +115,7 @@ def arrays(value):
 
 def test_no_array_of_results_can_be_written_to(elastic, speeds):
     objects = [percuss.run(elastic), percuss.sweep(speeds), percuss.modes(elastic, 2), percuss.static(elastic)]
+    objects.append(percuss.sensitivity(elastic, ["projectile.mass.mass"]))
     objects += [pickle.loads(pickle.dumps(one)) for one in objects]
     for one in objects:
         own = list(arrays(one._native))

@@ -6,7 +6,7 @@ import percuss
 import pytest
 
 POSITIONAL = {
-    "run": 1, "converge": 2, "sensitivity": 3, "modes": 2, "static": 1, "check": 1, "load": 1, "sweep": 1, "function": 1, "openturns": 1,
+    "run": 1, "converge": 2, "sensitivity": 3, "modes": 2, "static": 1, "check": 1, "load": 1, "sweep": 1, "function": 1, "openturns": 1, "fit": 3,
 }  # fmt: skip
 """Arguments that have a place: what is computed, and of what."""
 
@@ -70,11 +70,19 @@ def test_an_unknown_keyword_names_the_nearest_option(elastic, study):
         (lambda: percuss.sweep(study, desing={}), "design"),
         (lambda: percuss.function(study, fail="nan"), "failed"),
         (lambda: percuss.load("a.toml", allow_outsde=True), "allow_outside"),
+        (lambda: percuss.fit(elastic, {}, [], start=2), "starts"),
         (lambda: percuss.run(elastic, shapes=10).plot(scael=2), "scale"),
         (lambda: percuss.run(elastic, shapes=10).animate(frame=2), "frames"),
     ):
         with pytest.raises(TypeError, match=f"did you mean '{near}'"):
             call()
+    # Options of other functions are not suggested.
+    with pytest.raises(TypeError, match="'jobs' is no option of this function"):
+        percuss.run(elastic, jobs=2)
+    with pytest.raises(TypeError, match="'failed' is no part of a study; expected one of title, base, scenario"):
+        percuss.sweep(study, failed="nan")
+    with pytest.raises(TypeError, match="parameters and parameter: one table in two spellings"):
+        percuss.sweep({**study, "parameter": {}})
     # What is a key of scenarios is none of an option.
     with pytest.raises(percuss.ScenarioError, match="instead of a table"):
         percuss.run(elastic, time=1)

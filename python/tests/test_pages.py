@@ -13,9 +13,9 @@ from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import Any
 
-import desk
+import book_files
 import pytest
-from desk import ROOT, Block
+from book_files import ROOT, Block
 
 BOOK = ROOT / "docs" / "book"
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md")), *sorted((BOOK / "src").rglob("*.md"))]
@@ -25,7 +25,7 @@ PORT = "4242"
 
 
 def python_of(page: Path) -> list[Block]:
-    return [block for block in desk.blocks(page) if block.language == "python"]
+    return [block for block in book_files.blocks(page) if block.language == "python"]
 
 
 BLOCKS = {page: found for page in PAGES if (found := python_of(page))}
@@ -48,7 +48,7 @@ def served(study: str) -> Iterator[str]:
 @pytest.mark.parametrize("page", BLOCKS, ids=lambda page: str(page.relative_to(ROOT)))
 def test_the_blocks_of_a_page_run(page, tmp_path, monkeypatch):
     pyplot = pytest.importorskip("matplotlib.pyplot")
-    desk.lay(tmp_path)
+    book_files.write(tmp_path)
     for example in (BOOK / "examples").iterdir():
         shutil.copy(example, tmp_path)
     shutil.copytree(ROOT / "scenarios", tmp_path / "scenarios")

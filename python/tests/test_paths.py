@@ -134,32 +134,32 @@ def test_paths_that_lead_somewhere_are_taken_by_every_door(doors, door):
 @pytest.mark.parametrize("door", DOORS)
 def test_paths_that_lead_nowhere_are_refused_by_every_door_in_the_same_words(doors, door):
     for path, (found, expected) in BAD.items():
-        told = getattr(doors, door)(path, 1)
+        message = getattr(doors, door)(path, 1)
         if door == "setting" and path in ADDED:
-            assert told == "", path
+            assert message == "", path
             continue
-        assert f"found {found}" in told and expected in told, f"{path}: {told}"
+        assert f"found {found}" in message and expected in message, f"{path}: {message}"
 
 
 def test_um_bridge_and_openturns_refuse_them_too(doors):
     for path, (found, expected) in BAD.items():
-        told = doors._said("serve", doors._study(path, 1), "--port", "0")
-        assert f"found {found}" in told and expected in told, f"{path}: {told}"
+        message = doors._said("serve", doors._study(path, 1), "--port", "0")
+        assert f"found {found}" in message and expected in message, f"{path}: {message}"
     pytest.importorskip("openturns")
     for path, (found, expected) in BAD.items():
-        with pytest.raises(percuss.ScenarioError) as told:
+        with pytest.raises(percuss.ScenarioError) as caught:
             percuss.openturns(study_of(path))
-        assert f"found {found}" in str(told.value) and expected in str(told.value), path
+        assert f"found {found}" in str(caught.value) and expected in str(caught.value), path
 
 
 def test_paths_of_results_have_the_same_grammar(doors):
     indexed = "projectile.my__mass.velocity_final"
     for path, found in ((f"{indexed}[-1]", "the index `[-1]`"), (f"{indexed}[1", "the index `[1`"), ("energy..final", "an empty name")):
         study = {**study_of("time.step", 1e-4), "results": {"r": path}}
-        told = doors._raised(percuss.function, study)
-        assert f"found {found}" in told, told
-        told = doors._said("converge", "base.toml", "--quiet", "--result", path)
-        assert f"found {found}" in told, told
+        message = doors._raised(percuss.function, study)
+        assert f"found {found}" in message, message
+        message = doors._said("converge", "base.toml", "--quiet", "--result", path)
+        assert f"found {found}" in message, message
     for path in (f"{indexed}[1]", f"{indexed}.1"):
         assert percuss.function({**study_of("time.step", 1e-4), "results": {"r": path}}).results == ("r",)
 
@@ -202,9 +202,9 @@ def test_a_table_that_is_set_takes_the_place_of_the_table_before(doors):
     assert one == scenario.check()
 
 
-def test_every_key_that_no_scenario_can_have_is_told_when_a_table_is_set():
+def test_every_key_that_no_scenario_can_have_is_named_when_a_table_is_set():
     tables = {**BASE, "support": {"left": {"att": "girder.start", "kind": "clamp"}}, "tme": {"end": 1}}
-    with pytest.raises(percuss.PathError) as told:
+    with pytest.raises(percuss.PathError) as caught:
         percuss.Scenario.from_dict(tables)
-    assert [fault.field for fault in told.value.faults] == ["support.left.att", "tme"]
-    assert isinstance(told.value, (KeyError, ValueError)) and told.value.code == "E011"
+    assert [fault.field for fault in caught.value.faults] == ["support.left.att", "tme"]
+    assert isinstance(caught.value, (KeyError, ValueError)) and caught.value.code == "E011"

@@ -59,7 +59,7 @@ def test_a_path_makes_a_parameter(two):
 
 
 @pytest.mark.parametrize(
-    "points, told",
+    "points, message",
     [
         ([[1.0, 2.0, 3.0]], r"shape \(1, 3\), expected \(n_point, 2\).*speed, mass"),
         ([1.0, 2.0], r"shape \(2,\)"),
@@ -70,12 +70,14 @@ def test_a_path_makes_a_parameter(two):
         (np.zeros((0, 2)), "points: none"),
     ],
 )
-def test_points_that_do_not_fit_are_refused(two, points, told):
-    with pytest.raises(ValueError, match=told):
+def test_points_that_do_not_fit_are_refused(two, points, message):
+    with pytest.raises(ValueError, match=message):
         percuss.sweep(two, points=points)
 
 
 def test_points_and_a_design_or_a_text_are_one_too_many(two):
+    with pytest.raises(TypeError, match="correlations and points"):
+        percuss.sweep(**without_design(two), points=POINTS, correlations=[])
     with pytest.raises(TypeError, match="design and points"):
         percuss.sweep(**two, points=POINTS)
     with pytest.raises(TypeError, match="points is a text"):

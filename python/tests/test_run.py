@@ -108,7 +108,7 @@ def test_other_threads_run_while_the_solver_steps(elastic):
     assert len(within) >= 3  # a held lock would let none through
 
 
-def test_progress_is_told_and_an_exception_in_it_ends_the_run(elastic):
+def test_progress_is_reported_and_an_exception_in_it_ends_the_run(elastic):
     seen = []
 
     def listen(reached: float, end: float) -> None:

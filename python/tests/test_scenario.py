@@ -69,7 +69,7 @@ def test_a_copy_is_of_its_own(elastic):
     assert elastic["time.end"] == "40 ms" and other["time.end"] == 1.0 and elastic != other
 
 
-def test_every_fault_is_told_with_its_place():
+def test_every_fault_is_reported_with_its_place():
     text = (SCENARIOS / "paper" / "elastic-clamped.toml").read_text()
     text = text.replace('young = "0.2e10 Pa"', 'young = "0.2e10 m"').replace("elements = 6", "elemnts = 6")
     with pytest.raises(percuss.ScenarioError) as caught:

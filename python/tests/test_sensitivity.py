@@ -37,6 +37,8 @@ def test_derivatives_are_those_of_central_differences(elastic):
 def test_usual_results_are_differentiated_unless_named(elastic):
     found = percuss.sensitivity(elastic, ["projectile.mass.mass"])
     assert "contact.mass.peak_force.value" in found.results
+    with pytest.raises(ValueError, match="'contact.mass.peak_forc.value' is no result of this sensitivity; did you mean"):
+        found["contact.mass.peak_forc.value", "projectile.mass.mass"]
     assert np.isfinite(found.derivatives).all()
 
 
@@ -49,7 +51,7 @@ def test_results_without_derivatives_are_named(elastic):
     assert found.horizon is None
 
 
-def test_paths_that_lead_nowhere_are_told(elastic):
+def test_paths_that_lead_nowhere_are_refused(elastic):
     with pytest.raises(percuss.ScenarioError, match="stiffness"):
         percuss.sensitivity(elastic, ["projectile.mass.stifness"])
     with pytest.raises(percuss.ScenarioError, match="peak_force"):

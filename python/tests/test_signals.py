@@ -38,6 +38,8 @@ study = {{
     "results": {{"peak": "contact.mass.peak_force.value"}},
 }}
 f = percuss.function(study)
+mass = {{"mass": {{"path": "projectile.mass.mass", "bounds": ("400 kg", "600 kg")}}}}
+record = percuss.Measured({{"t": [0, 1, 2], "F": [0, 1, 2]}}, {{"F": "contact.mass.force"}}, time="t", sigma="1 N")
 law = percuss.Potential(lambda p: 3e5 * p**2, lambda p: 6e5 * p)
 timer = threading.Timer(0.3, send)
 timer.start()
@@ -61,6 +63,9 @@ CALLS = {
     "modes": "percuss.modes(fine, 1000, beam__girder__elements=2000)",
     "static": "percuss.static(fine)",
     "path": "percuss.static(fine, path=True)",
+    "fit": "percuss.fit(slow, mass, record, jobs=2)",
+    "fit from several starting points": "percuss.fit(slow, mass, record, starts=3, jobs=2)",
+    "fit without SciPy": 'percuss.fit(slow, mass, record, starts=3, jobs=2, solver="basin")',
     "converge": "percuss.converge(path, 'contact.mass.peak_force.value', time__end='20 s')",
 }
 

@@ -102,7 +102,7 @@ def test_a_location_of_fsspec_holds_a_partitioned_dataset(study, tmp_path):
         percuss.sweep(study, out="memory://studies/speed")
 
 
-def test_faults_of_a_study_are_told(study):
+def test_faults_of_a_study_are_reported(study):
     study["parameters"]["speed"]["path"] = "projectile.mass.velocty[1]"
     with pytest.raises(percuss.ScenarioError, match="velocity"):
         percuss.sweep(study)
@@ -198,7 +198,7 @@ def test_the_command_runs_a_study_on_a_cluster(study, tmp_path, cluster):
     assert table(tmp_path / "there") == table(tmp_path / "here")
 
 
-def test_a_scheduler_that_does_not_answer_is_told_within_ten_seconds(study, tmp_path):
+def test_a_scheduler_that_does_not_answer_is_reported_within_ten_seconds(study, tmp_path):
     path = write_study(study, tmp_path)
     begun = time.monotonic()
     done = command("sweep", str(path), "--scheduler", "tcp://127.0.0.1:1", "--out", str(tmp_path / "there"), timeout=60)

@@ -24,7 +24,7 @@ def test_the_package_is_typed_strictly():
     assert checked.returncode == 0, checked.stdout
 
 
-def test_users_are_told_of_wrong_types(tmp_path):
+def test_users_are_warned_of_wrong_types(tmp_path):
     (tmp_path / "good.py").write_text(GOOD)
     (tmp_path / "bad.py").write_text(BAD)
     assert mypy(str(tmp_path / "good.py")).returncode == 0

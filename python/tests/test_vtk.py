@@ -112,8 +112,8 @@ def test_section_forces_and_stresses_are_those_of_a_cantilever(tmp_path):
     assert lower == pytest.approx(tension / area - bending, rel=5e-3)
     assert axis == pytest.approx(tension / area, rel=1e-3)
     assert beam["largest_stress"][root] == pytest.approx(upper, rel=1e-5)
-    told = result.summary["section_forces"]["arm"]["stress"]["max"]["value"]
-    assert beam["largest_stress"].max() == pytest.approx(told, rel=1e-3)
+    stress = result.summary["section_forces"]["arm"]["stress"]["max"]["value"]
+    assert beam["largest_stress"].max() == pytest.approx(stress, rel=1e-3)
 
 
 def test_velocities_of_the_surface_are_those_of_a_rigid_motion(tmp_path):
@@ -159,7 +159,7 @@ def test_impulses_and_forces_have_arrays_of_their_own(name, tmp_path):
     result = percuss.run(SCENARIOS / "paper" / f"{name}.toml", time__end="2 ms")
     result.export(tmp_path / "out")
     contacts = Reader(tmp_path / "out" / "contacts.vtkhdf")
-    told = result.summary["contact"]["hammer"]["impacts"][0]["impulse"]
+    impulse = result.summary["contact"]["hammer"]["impacts"][0]["impulse"]
     forces, impulses = 0.0, 0.0
     for frame, t in enumerate(result.fields.time):
         here = result.fields.contacts(frame)
@@ -171,9 +171,9 @@ def test_impulses_and_forces_have_arrays_of_their_own(name, tmp_path):
             assert contacts[key][:, :2] == pytest.approx(np.array(expected), rel=1e-6)
         forces = max(forces, float(np.abs(contacts["force"]).max()))
         impulses = max(impulses, float(np.abs(contacts["impulse"]).max()))
-    assert impulses == pytest.approx(told, rel=1e-6)
+    assert impulses == pytest.approx(impulse, rel=1e-6)
     # Persistent contact follows a plastic impact: its force is that of the deceleration, far below impulse over step.
-    assert (forces > 0) == (name == "rigid-clamped-e0") and forces < 0.1 * told / 1e-5
+    assert (forces > 0) == (name == "rigid-clamped-e0") and forces < 0.1 * impulse / 1e-5
 
 
 def test_lists_of_files_say_the_same(tmp_path):

@@ -153,7 +153,7 @@ fn exception(py: Python<'_>, quantity: Option<&str>, error: ConvergeError) -> Py
             Refusal::Request(RequestCode::Levels, reason).exception(py)
         }
         ConvergeError::Run(code, reason) => {
-            let text = format!("a refined run did not complete: {reason}");
+            let text = format!("a run did not complete: {reason}");
             Refusal::Analysis(code, text).exception(py)
         }
         ConvergeError::Interrupted => Refusal::Stopped.exception(py),

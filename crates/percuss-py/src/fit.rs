@@ -45,7 +45,11 @@ type GoesOn<'a> = dyn Fn() -> bool + Sync + 'a;
 
 /// Parameters to be found and the tests that they are found from.
 #[pyclass(frozen, module = "percuss._percuss")]
-pub struct FitProblem(Arc<Problem>);
+pub struct FitProblem {
+    problem: Arc<Problem>,
+    /// Ends work on all threads: signals are seen on the main thread only.
+    stopped: Stop,
+}
 
 /// The result of a fit.
 #[pyclass(frozen, module = "percuss._percuss")]
@@ -91,22 +95,22 @@ impl FitProblem {
             let file = FitFile::read_with(&text, "fit", FileAccess::Anywhere)?;
             Ok(Problem::new(&file, &supplied, jobs, &|| !stop.is_wanted())?)
         })?;
-        Ok(Self(Arc::new(problem)))
+        Ok(Self { problem: Arc::new(problem), stopped: Stop::default() })
     }
 
     /// Coordinates of the starting points.
     fn starts(&self) -> Vec<Vec<f64>> {
-        self.0.starts()
+        self.problem.starts()
     }
 
     /// Smallest and largest coordinates.
     fn bounds(&self) -> Vec<[f64; 2]> {
-        self.0.bounds()
+        self.problem.bounds()
     }
 
     /// Values of all parameters at coordinates.
     fn values(&self, coordinates: Vec<f64>) -> Vec<f64> {
-        self.0.values(&coordinates)
+        self.problem.values(&coordinates)
     }
 
     /// Residuals at coordinates, NaN where there is no run; and why.
@@ -119,18 +123,23 @@ impl FitProblem {
             Ok(residuals) => Ok((array(py, residuals), None)),
             Err(Ended::Interrupted) => Err(PyKeyboardInterrupt::new_err(())),
             Err(Ended::Failed(why)) => {
-                Ok((array(py, vec![f64::NAN; self.0.residual_count()]), Some(why)))
+                Ok((array(py, vec![f64::NAN; self.problem.residual_count()]), Some(why)))
             }
         }
     }
 
     /// Derivatives of the residuals by the coordinates.
     fn jacobian<'py>(&self, py: Python<'py>, coordinates: Vec<f64>) -> PyResult<Bound<'py, PyAny>> {
-        let shape = [self.0.residual_count(), coordinates.len()];
+        let shape = [self.problem.residual_count(), coordinates.len()];
         let found =
             self.work(py, move |problem, goes_on| problem.jacobian(&coordinates, goes_on))?;
         let rows = found.map_err(|ended| refused(py, ended.into()))?;
         shaped(py, rows.concat(), &shape)
+    }
+
+    /// Ends what other threads compute, and refuses what they ask for later: their calls raise `KeyboardInterrupt`.
+    fn stop(&self) {
+        self.stopped.want();
     }
 
     /// Minima by the optimiser of the command.
@@ -183,8 +192,14 @@ impl FitProblem {
         py: Python<'_>,
         work: impl FnOnce(&Problem, &GoesOn<'_>) -> T + Send + 'static,
     ) -> PyResult<T> {
-        let problem = Arc::clone(&self.0);
-        Watch::default().run(py, move |stop: &Stop| work(&problem, &|| !stop.is_wanted()))
+        let (problem, stopped) = (Arc::clone(&self.problem), self.stopped.clone());
+        let ends = move |_: Python<'_>| match stopped.is_wanted() {
+            true => Err(PyKeyboardInterrupt::new_err(())),
+            false => Ok(()),
+        };
+        ends(py)?;
+        let done = move |stop: &Stop| work(&problem, &|| !stop.is_wanted());
+        Watch::default().run_reporting(py, done, ends)
     }
 }
 

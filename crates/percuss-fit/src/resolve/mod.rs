@@ -9,7 +9,7 @@ use std::sync::Mutex;
 use std::sync::atomic::AtomicU64;
 
 use percuss::{Channel as HistoryColumn, Fault, MemoryRecorder, simulate};
-use percuss_scenario::fit::{Alignment, FitContent, FitTest, Record};
+use percuss_scenario::fit::{Alignment, FitChannel, FitContent, FitTest, Record};
 use percuss_scenario::{Diagnostics, FitFile, Named, Scenario, load_whole, read_whole};
 use percuss_study::Workers;
 
@@ -82,6 +82,9 @@ impl Problem {
         }
         let given = content.test.iter().flat_map(|test| &test.table.channel);
         let sigma_unknown = given.clone().all(|channel| channel.table.sigma.is_none());
+        if !sigma_unknown {
+            faults.extend(content.test.iter().flat_map(without_sigma));
+        }
         file.settle(faults)?;
         let mut problem = Self {
             title: content.title.clone(),
@@ -118,6 +121,17 @@ impl Problem {
             Fault::new("test", found, "as many measured values as parameters, or more")
         })
     }
+}
+
+/// Channels without a standard deviation beside others that have one: the residuals give one common factor, which would contradict those.
+fn without_sigma(test: &Named<FitTest>) -> Vec<Fault> {
+    let without = test.table.channel.iter().filter(|one| one.table.sigma.is_none());
+    let fault = |one: &Named<FitChannel>| {
+        let path = format!("test.{}.channel.{}.sigma", test.name, one.name);
+        let expected = "`sigma` for every channel of all tests, or for none";
+        Fault::new(path, "no `sigma` beside channels that have one", expected)
+    };
+    without.map(fault).collect()
 }
 
 /// What the file lacks as a whole.

@@ -61,17 +61,9 @@ pub(super) fn record(
         tell("channel", ("no channel".into(), expected));
         return None;
     }
-    let given = table.channel.iter().filter(|one| one.table.sigma.is_some()).count();
     let mut channels = Vec::new();
     for one in &table.channel {
         let key = format!("channel.{}", one.name);
-        if one.table.sigma.is_none() && given > 0 {
-            let expected = "`sigma` for every channel, or for none".to_owned();
-            tell(
-                &format!("{key}.sigma"),
-                ("no `sigma` beside channels that have one".into(), expected),
-            );
-        }
         match channel(one, &time, &record, columns) {
             Ok(channel) => channels.push(channel),
             Err((inner, fault)) => tell(&format!("{key}.{inner}"), fault),

@@ -161,6 +161,25 @@ fn starting_points_need_bounds_and_a_number_is_set_once() {
 }
 
 #[test]
+fn standard_deviations_are_known_in_all_tests_or_in_none() {
+    let second = "[test.second]\ndata = \"drop.csv\"\ntime = \"t\"\nalign = \"onset\"\n\
+                  [test.second.channel.F]\ncolumn = \"contact.hammer.force\"\n";
+    for hold_out in ["", "hold_out = true\n"] {
+        let mixed = format!(
+            "{FIT}{}",
+            second.replace("[test.second.", &format!("{hold_out}[test.second."))
+        );
+        let reported = reported(&mixed);
+        assert_eq!(reported.lines().count(), 1, "{reported}");
+        assert!(
+            reported.contains("test.second.channel.F.sigma: ")
+                && reported.contains("every channel of all tests"),
+            "{reported}"
+        );
+    }
+}
+
+#[test]
 fn what_follows_from_another_fault_is_not_reported_besides() {
     let window = FIT.replace("align = \"fit\"", "align = \"none\"\nfrom = \"1 s\"");
     assert_eq!(reported(&window).lines().count(), 1, "{}", reported(&window));

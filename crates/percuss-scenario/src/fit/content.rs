@@ -217,7 +217,7 @@ table! {
         data: Option<String> as Maybe<Text> = None,
         /// Factor on the measured values, such as -1 for the other direction.
         factor: f64 as Quantity<Ratio> = 1.0,
-        /// Standard deviation of the measured values; if it is left out it follows from the residuals.
+        /// Standard deviation of the measured values; if it is left out, in all channels of all tests, it follows from the residuals.
         sigma: Option<Given> as Maybe<Anything> = None,
         /// Channel frequency class, 60, 180, 600 or 1000, in which both curves are filtered.
         cfc: Option<usize> as Maybe<Count> = None,

@@ -37,7 +37,7 @@ def blocks(page: Path) -> list[Block]:
     return out
 
 
-def lay(folder: Path) -> None:
+def write(folder: Path) -> None:
     """``plank.toml`` and ``speed.toml`` of the book's first hour, and ``speed-and-mass.toml`` with the scenario that it varies."""
     for block in blocks(FIRST_HOUR):
         name = block.value("file")
