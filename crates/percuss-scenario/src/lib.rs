@@ -24,6 +24,7 @@ pub mod content;
 mod csv;
 mod diagnostic;
 mod edit;
+mod file_faults;
 mod file_kind;
 mod files;
 pub mod fit;
@@ -31,7 +32,6 @@ mod foreign;
 mod format;
 mod given;
 mod header;
-
 mod known_path;
 mod layout;
 mod load;

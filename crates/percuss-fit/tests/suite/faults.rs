@@ -15,127 +15,49 @@ fn reported(text: &str) -> String {
     }
 }
 
+/// Changes of the file, and what is reported of each: `from | to | place | found`, with `; ` between lines.
+const FAULTS: &str = r#"
+path = "projectile.hammer.stiffness" | path = "projectile.hammer.stifness" | parameter.stiffness.path | stifness
+start = "1.5 MN/m" | start = "15 kg" | parameter.stiffness.start | a mass
+start = "1.5 MN/m" | start = "15 MN/m" | parameter.stiffness.start | outside the bounds
+["0.5 MN/m", "8 MN/m"] | ["8 MN/m", "0.5 MN/m"] | parameter.stiffness.bounds | from
+bounds = [0, "1 s/m"] | bounds = [0, "1 s/m"]; spacing = "log" | parameter.dissipation.spacing | above zero
+data = "drop.csv" | data = "drip.csv" | test.drop.data | where there is no file
+time = "t" | time = "tt" | test.drop.time | no column of the record
+contact.hammer.force | contact.hamer.force | test.drop.channel.F.column | contact.hammer.force
+sigma = "30 N" | sigma = "30 m" | test.drop.channel.F.sigma | a length
+sigma = "30 N" | sigma = 0 | test.drop.channel.F.sigma | above zero
+sigma = "30 N" |  | test.drop.channel.F.sigma | every channel
+sigma = "30 N" | sigma = "30 N"; cfc = 700 | test.drop.channel.F.cfc | 60, 180, 600 or 1000
+sigma = "30 N" | sigma = "30 N"; cfc = 1000 | test.drop.channel.F.cfc | too coarse
+[fit] | [fit]; loss = "quadratic" | fit.loss | soft_l1
+align = "fit" | align = "fit"; hold_out = true | test | hold_out
+align = "fit" | align = "none"; from = "1 s" | test.drop.data | of which 0 times
+align = "fit" | align = "none"; set = ["projectile.hammer.mass"] | test.drop.set | without `=`
+align = "fit" | align = "none"; set = ["projectile.hammer.mas=3"] | test.drop.set | `mas`
+[fit] | [fit]; starts = 0 | fit.starts | 0
+[fit] | [fit]; starts = 100000000000 | fit.starts | from 1 to 100000
+[fit] | [fit]; iterations = 0 | fit.iterations | 0
+path = "projectile.hammer.stiffness"; start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | path = "beam.bar.elements"; bounds = [2, 8] | parameter.stiffness.path | a whole number
+path = "projectile.hammer.stiffness" | paths = ["projectile.hammer.stiffness", "projectile.hammer.mass"] | parameter.stiffness.paths | (kg)
+path = "projectile.hammer.stiffness" | paths = ["projectile.hammer.stiffness", "projectile.hammer.stiffness"] | parameter.stiffness.paths | twice
+spacing = "log" | tests = [] | parameter.stiffness.tests | an empty list
+sigma = "30 N" | sigma = "30 N"; factor = 0 | test.drop.channel.F.factor | 0
+align = "fit" | align = "fit"; from = "3 ms"; to = "2 ms" | test.drop.to | a window from
+align = "fit" | align = "none"; offset = "1 s" | test.drop.data | of which 0 times lie within the run
+align = "fit" | align = "none"; offset_bounds = [0, 1] | test.drop.offset_bounds | no effect
+align = "fit" | align = "onset"; offset = 0 | test.drop.offset | no effect
+"#;
+
 #[test]
 fn each_fault_names_its_place() {
-    for (from, to, place, found) in [
-        (
-            "path = \"projectile.hammer.stiffness\"",
-            "path = \"projectile.hammer.stifness\"",
-            "parameter.stiffness.path",
-            "stifness",
-        ),
-        ("start = \"1.5 MN/m\"", "start = \"15 kg\"", "parameter.stiffness.start", "a mass"),
-        (
-            "start = \"1.5 MN/m\"",
-            "start = \"15 MN/m\"",
-            "parameter.stiffness.start",
-            "outside the bounds",
-        ),
-        (
-            "[\"0.5 MN/m\", \"8 MN/m\"]",
-            "[\"8 MN/m\", \"0.5 MN/m\"]",
-            "parameter.stiffness.bounds",
-            "from",
-        ),
-        (
-            "bounds = [0, \"1 s/m\"]",
-            "bounds = [0, \"1 s/m\"]\nspacing = \"log\"",
-            "parameter.dissipation.spacing",
-            "above zero",
-        ),
-        ("data = \"drop.csv\"", "data = \"drip.csv\"", "test.drop.data", "where there is no file"),
-        ("time = \"t\"", "time = \"tt\"", "test.drop.time", "no column of the record"),
-        (
-            "contact.hammer.force",
-            "contact.hamer.force",
-            "test.drop.channel.F.column",
-            "contact.hammer.force",
-        ),
-        ("sigma = \"30 N\"", "sigma = \"30 m\"", "test.drop.channel.F.sigma", "a length"),
-        ("sigma = \"30 N\"", "sigma = 0", "test.drop.channel.F.sigma", "above zero"),
-        ("sigma = \"30 N\"\n", "", "test.drop.channel.F.sigma", "every channel"),
-        (
-            "sigma = \"30 N\"",
-            "sigma = \"30 N\"\ncfc = 700",
-            "test.drop.channel.F.cfc",
-            "60, 180, 600 or 1000",
-        ),
-        (
-            "sigma = \"30 N\"",
-            "sigma = \"30 N\"\ncfc = 1000",
-            "test.drop.channel.F.cfc",
-            "too coarse",
-        ),
-        ("[fit]", "[fit]\nloss = \"quadratic\"", "fit.loss", "soft_l1"),
-        ("align = \"fit\"", "align = \"fit\"\nhold_out = true", "test", "hold_out"),
-        (
-            "align = \"fit\"",
-            "align = \"none\"\nfrom = \"1 s\"",
-            "test.drop.data",
-            "of which 0 times",
-        ),
-        (
-            "align = \"fit\"",
-            "align = \"none\"\nset = [\"projectile.hammer.mass\"]",
-            "test.drop.set",
-            "without `=`",
-        ),
-        (
-            "align = \"fit\"",
-            "align = \"none\"\nset = [\"projectile.hammer.mas=3\"]",
-            "test.drop.set",
-            "`mas`",
-        ),
-        ("[fit]", "[fit]\nstarts = 0", "fit.starts", "0"),
-        ("[fit]", "[fit]\nstarts = 100000000000", "fit.starts", "from 1 to 100000"),
-        ("[fit]", "[fit]\niterations = 0", "fit.iterations", "0"),
-        (
-            "path = \"projectile.hammer.stiffness\"\nstart = \"1.5 MN/m\"\nbounds = [\"0.5 MN/m\", \"8 MN/m\"]\nspacing = \"log\"",
-            "path = \"beam.bar.elements\"\nbounds = [2, 8]",
-            "parameter.stiffness.path",
-            "a whole number",
-        ),
-        (
-            "path = \"projectile.hammer.stiffness\"",
-            "paths = [\"projectile.hammer.stiffness\", \"projectile.hammer.mass\"]",
-            "parameter.stiffness.paths",
-            "(kg)",
-        ),
-        (
-            "path = \"projectile.hammer.stiffness\"",
-            "paths = [\"projectile.hammer.stiffness\", \"projectile.hammer.stiffness\"]",
-            "parameter.stiffness.paths",
-            "twice",
-        ),
-        ("spacing = \"log\"", "tests = []", "parameter.stiffness.tests", "an empty list"),
-        ("sigma = \"30 N\"", "sigma = \"30 N\"\nfactor = 0", "test.drop.channel.F.factor", "0"),
-        (
-            "align = \"fit\"",
-            "align = \"fit\"\nfrom = \"3 ms\"\nto = \"2 ms\"",
-            "test.drop.to",
-            "a window from",
-        ),
-        // A record that ends before its run starts.
-        (
-            "align = \"fit\"",
-            "align = \"none\"\noffset = \"1 s\"",
-            "test.drop.data",
-            "of which 0 times lie within the run",
-        ),
-        (
-            "align = \"fit\"",
-            "align = \"none\"\noffset_bounds = [0, 1]",
-            "test.drop.offset_bounds",
-            "no effect",
-        ),
-        ("align = \"fit\"", "align = \"onset\"\noffset = 0", "test.drop.offset", "no effect"),
-    ] {
-        assert!(FIT.contains(from), "{from}");
-        let reported = reported(&FIT.replacen(from, to, 1));
-        assert!(
-            reported.contains(&format!("{place}: ")) && reported.contains(found),
-            "{to}: {reported}"
-        );
+    for row in FAULTS.trim().lines() {
+        let parts: Vec<String> = row.split(" | ").map(|part| part.replace("; ", "\n")).collect();
+        let [from, to, place, found] = parts.as_slice() else { panic!("{row}") };
+        assert!(FIT.contains(from.as_str()), "{from}");
+        let reported = reported(&FIT.replacen(from.as_str(), to, 1));
+        let named = reported.contains(&format!("{place}: ")) && reported.contains(found.as_str());
+        assert!(named, "{to}: {reported}");
     }
 }
 
