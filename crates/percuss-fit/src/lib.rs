@@ -24,6 +24,7 @@ mod profile;
 mod resolve;
 mod run;
 mod solve;
+mod spikes;
 mod text;
 mod write;
 

@@ -2,10 +2,16 @@
 
 use percuss_fit::FitError;
 
-use crate::common::{FIT, SCENARIO, desk, problem, record};
+use crate::common::{FIT, SCENARIO, desk, problem, put, record};
 
 fn reported(text: &str) -> String {
-    let desk = desk(&record(SCENARIO, 0, 1.0));
+    reported_with(SCENARIO, text)
+}
+
+/// The same with another scenario.
+fn reported_with(scenario: &str, text: &str) -> String {
+    let desk = desk(&record(scenario, 0, 1.0));
+    put(desk.path(), "drop.toml", scenario);
     match problem(desk.path(), text) {
         Err(FitError::Faults(faults)) => {
             faults.all().iter().map(|one| format!("{one}\n")).collect()
@@ -38,7 +44,9 @@ align = "fit" | align = "none"; set = ["projectile.hammer.mas=3"] | test.drop.se
 [fit] | [fit]; starts = 0 | fit.starts | 0
 [fit] | [fit]; starts = 100000000000 | fit.starts | from 1 to 100000
 [fit] | [fit]; iterations = 0 | fit.iterations | 0
-path = "projectile.hammer.stiffness"; start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | path = "beam.bar.elements"; bounds = [2, 8] | parameter.stiffness.path | a whole number
+path = "projectile.hammer.stiffness"; start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | path = "beam.bar.elements" | parameter.stiffness.path | a setting of the computation
+path = "projectile.hammer.stiffness"; start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | path = "time.step" | parameter.stiffness.path | a setting of the computation
+path = "projectile.hammer.stiffness"; start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | path = "time.end" | parameter.stiffness.path | a setting of the computation
 path = "projectile.hammer.stiffness" | paths = ["projectile.hammer.stiffness", "projectile.hammer.mass"] | parameter.stiffness.paths | (kg)
 path = "projectile.hammer.stiffness" | paths = ["projectile.hammer.stiffness", "projectile.hammer.stiffness"] | parameter.stiffness.paths | twice
 spacing = "log" | tests = [] | parameter.stiffness.tests | an empty list
@@ -59,6 +67,19 @@ fn each_fault_names_its_place() {
         let named = reported.contains(&format!("{place}: ")) && reported.contains(found.as_str());
         assert!(named, "{to}: {reported}");
     }
+}
+
+#[test]
+fn a_count_and_the_size_of_elements_are_no_parameters() {
+    let given = "start = \"1.5 MN/m\"\nbounds = [\"0.5 MN/m\", \"8 MN/m\"]\nspacing = \"log\"\n";
+    assert!(FIT.contains(given));
+    let of = |path: &str| FIT.replace(given, "").replace("projectile.hammer.stiffness", path);
+    let damped = format!("{SCENARIO}[damping]\nmodal = 0.01\nmodes = 3\n");
+    let reported = reported_with(&damped, &of("damping.modes"));
+    assert!(reported.contains("parameter.stiffness.path: found `damping.modes`, a whole number"));
+    let sized = SCENARIO.replace("elements = 4", "element_length = \"0.2 m\"");
+    let reported = reported_with(&sized, &of("beam.bar.element_length"));
+    assert!(reported.contains("`beam.bar.element_length`, a setting of the computation"));
 }
 
 #[test]

@@ -125,6 +125,31 @@ fn faults_of_column_results_name_their_place() {
     assert!(window.contains("its start, then its end"), "{window}");
     let nothing = refused("F = { column = \"contact.p.force\" }");
     assert!(nothing.contains("no time"), "{nothing}");
+    // The run lasts 20 ms.
+    for (times, place, found, expected) in [
+        ("at = \"-1 ms\"", "at", "the time -0.001 s before the run", "times from zero on"),
+        ("at = [0.01, 0.005]", "at", "the time 0.005 s behind 0.01 s", "in increasing order"),
+        ("at = [0.01, 0.01]", "at", "the time 0.01 s behind 0.01 s", "in increasing order"),
+        ("at = [0.01, 0.03]", "at", "the time 0.03 s, when the run has ended", "`time.end`"),
+        ("max = [0.03, 0.04]", "max", "the time 0.03 s, when the run has ended", "0.02 s"),
+        ("min = [-0.02, -0.01]", "min", "a window that ends before the run", "from zero on"),
+    ] {
+        let text = refused(&format!("F = {{ column = \"contact.p.force\", {times} }}"));
+        assert!(text.contains(&format!("results.F.{place}: ")), "{times}: {text}");
+        assert!(text.contains(found) && text.contains(expected), "{times}: {text}");
+    }
+    // At the end there is a last row.
+    assert!(with_results("F = { column = \"contact.p.force\", at = [0, 0.02] }").is_ok());
+}
+
+#[test]
+fn an_end_that_varies_bounds_no_times() {
+    let head = STUDY.split("[results]").next().expect("a study");
+    let varies = head.replace("projectile.p.mass", "time.end").replace("50 kg", "30 ms");
+    let varies = varies.replace("200 kg", "40 ms");
+    let late = "[results]\nF = { column = \"contact.p.force\", at = 0.03 }";
+    let study = Study::from_toml(&format!("{varies}{late}"), "study.toml");
+    assert!(study.is_ok(), "{:?}", study.err().map(|faults| faults.to_string()));
 }
 
 #[test]
