@@ -87,6 +87,6 @@ pub use study::{StudyFile, study_schema};
 pub use suggest::one_of;
 pub use table::Named;
 pub use tabulated::TableFile;
-pub use template::{Template, study_templates, templates};
+pub use template::{Template, fit_templates, study_templates, templates};
 pub use vary::Field;
 pub use visible::{visible, visible_line};
