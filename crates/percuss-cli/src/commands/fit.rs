@@ -101,9 +101,9 @@ fn found(file: &FitFile, arguments: &FitArguments) -> Result<Fit, FitError> {
 
 /// What is wrong with the name of a parameter whose profile is wanted.
 fn not_free(problem: &Problem, name: &str) -> Option<Fault> {
-    let free = || problem.free().map(|one| one.name.as_str());
-    (!free().any(|one| one == name)).then(|| {
+    let free: Vec<&str> = problem.free().map(|one| one.name.as_str()).collect();
+    (!free.contains(&name)).then(|| {
         let found = format!("no free parameter `{name}` for --profile");
-        Fault::new("parameter", found, one_of(name, free()))
+        Fault::new("parameter", found, one_of(name, free.iter().copied()))
     })
 }
