@@ -10,11 +10,13 @@ use clap::{Args, Parser, Subcommand, ValueEnum, ValueHint};
 use percuss_codes::Code;
 
 use self::closing::{
-    BEGIN, BOOK, COMPLETIONS, CONVERGE, EXIT_STATUS, EXPORT, FIT, MODES, SENSITIVITY, STATIC,
-    SWEEP, VERIFY,
+    BEGIN, BOOK, COMPLETIONS, CONVERGE, EXIT_STATUS, EXPORT, MODES, SENSITIVITY, STATIC, SWEEP,
+    VERIFY,
 };
+use crate::all_templates::all_templates;
 use crate::commands::explain::topic::{Topic, topic};
 use crate::coupling_arguments::{Completions, EVAL, Eval, Man, SERVE, Serve};
+use crate::fit_arguments::{FIT, FitArguments};
 use crate::picture_arguments::{ANIMATE, Animate, PLOT, Plot, SPECTRUM, Spectrum};
 use crate::run_arguments::{EXTEND, Extend, RUN, Run, code};
 
@@ -47,7 +49,7 @@ pub enum Command {
     /// Natural frequencies and mode shapes (projectiles are ignored)
     #[command(after_help = format!("{MODES}\n\n{EXIT_STATUS}"))]
     Modes(Modes),
-    /// Print a commented scenario or study to start from; without a template, list them
+    /// Print a commented scenario, study or fit to start from; without a template, list them
     New(New),
     /// Run a study: many runs of one scenario with varied parameters
     #[command(after_help = format!("{SWEEP}\n\n{EXIT_STATUS}"))]
@@ -59,7 +61,7 @@ pub enum Command {
     #[command(after_help = format!("{CONVERGE}\n\n{EXIT_STATUS}"))]
     Converge(Converge),
     /// Find parameters of a scenario from measured curves, with standard errors and warnings
-    #[command(after_help = format!("{FIT}\n\n{EXIT_STATUS}"))]
+    #[command(after_help = FIT)]
     Fit(FitArguments),
     /// Explain the code of a warning (W002) or an error (E006), or a table, key or word of scenario and study files; without a topic,
     /// list codes and tables
@@ -136,26 +138,6 @@ pub struct Sweep {
     #[arg(long, value_name = "N", conflicts_with_all = ["shard", "scheduler"])]
     pub keep_run: Vec<u64>,
     /// Print counts and ranges of the results as JSON to standard output instead of a table
-    #[arg(long)]
-    pub json: bool,
-    /// Print nothing unless something is wrong
-    #[arg(long, short)]
-    pub quiet: bool,
-}
-
-/// Arguments of `fit`.
-#[derive(Args, Debug)]
-pub struct FitArguments {
-    /// File of the fit, with [fit], parameters and tests
-    #[arg(value_hint = ValueHint::FilePath)]
-    pub file: PathBuf,
-    /// Output directory; an earlier fit in it is replaced [default: runs/ and the name of FILE with -fit]
-    #[arg(long, value_name = "DIR", value_hint = ValueHint::DirPath)]
-    pub out: Option<PathBuf>,
-    /// Threads [default: one per core]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=4096))]
-    pub jobs: Option<u32>,
-    /// Print fit.json to standard output instead of the report
     #[arg(long)]
     pub json: bool,
     /// Print nothing unless something is wrong
@@ -325,7 +307,7 @@ pub struct New {
     /// Template to print
     #[arg(value_parser = templates())]
     pub template: Option<String>,
-    /// Write the template to a new file
+    /// Write the template to a new file, and files that it names beside it where there are none
     #[arg(long, value_name = "FILE", value_hint = ValueHint::FilePath, requires = "template")]
     pub out: Option<PathBuf>,
 }
@@ -391,9 +373,7 @@ pub struct Verify {
 }
 
 fn templates() -> PossibleValuesParser {
-    let (scenarios, studies) = (percuss_scenario::templates(), percuss_scenario::study_templates());
-    let templates = scenarios.iter().chain(studies);
-    templates.map(|t| PossibleValue::new(t.name).help(t.summary)).collect::<Vec<_>>().into()
+    all_templates().map(|t| PossibleValue::new(t.name).help(t.summary)).collect::<Vec<_>>().into()
 }
 
 fn cases() -> PossibleValuesParser {

@@ -1,12 +1,14 @@
 //! The `percuss` command as a function: the binary calls it, and so does the Python package, whose wheel brings the command along.
 
 mod advisor;
+mod all_templates;
 mod arguments;
 mod browser;
 mod commands;
 mod coupling_arguments;
 mod effective_mass;
 mod failure;
+mod fit_arguments;
 mod interrupt;
 mod json;
 mod memory;

@@ -28,11 +28,12 @@ pub(crate) fn onset(curve: &Curve, origin: Origin) -> Option<f64> {
     first.sort_by(f64::total_cmp);
     let initial = *first.get(first.len() / 2)?;
     let distance: Vec<f64> = curve.values.iter().map(|v| (v - initial).abs()).collect();
-    let largest = distance.iter().copied().fold(0.0, f64::max);
+    // The first row has the initial value, unless it is wrong.
+    let largest = distance.iter().skip(1).copied().fold(0.0, f64::max);
     if largest.is_nan() || largest <= 0.0 {
         return None;
     }
-    let risen = distance.iter().position(|d| *d >= RISE * largest)?;
+    let risen = 1 + distance.iter().skip(1).position(|d| *d >= RISE * largest)?;
     let Some(below) = distance[..risen].iter().rposition(|d| *d < ONSET * largest) else {
         return curve.time.first().copied();
     };
@@ -44,6 +45,7 @@ pub(crate) fn onset(curve: &Curve, origin: Origin) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::spikes::without_spikes;
 
     #[test]
     fn the_onset_is_where_a_curve_rises_whatever_lies_before() {
@@ -56,6 +58,14 @@ mod tests {
         let found = onset(&curve, Origin::Measured).expect("an onset");
         // A tenth of the height; the noise shifts the initial value by half of one tenth at most.
         assert!((found - 1.1).abs() < 0.05, "{found}");
+        // A single value of thirty times the height, before the onset or first of all.
+        for spike in [0, 60] {
+            let mut values = curve.values.clone();
+            values[spike] = 33.0;
+            let curve = Curve { values: without_spikes(&values), time: curve.time.clone() };
+            let found = onset(&curve, Origin::Measured).expect("an onset");
+            assert!((found - 1.1).abs() < 0.05, "{spike}: {found}");
+        }
         let level = Curve { time: vec![0.0, 1.0], values: vec![2.0, 2.0] };
         assert_eq!(onset(&level, Origin::Computed), None);
         let at_once = Curve { time: vec![0.0, 1.0, 2.0], values: vec![0.0, 10.0, 0.0] };

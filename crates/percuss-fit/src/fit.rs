@@ -7,6 +7,7 @@ use crate::covariance::{Covariance, covariance};
 use crate::doubts::{Doubt, Evidence, doubts};
 use crate::error::{FitError, Stop};
 use crate::goodness::{Goodness, goodness};
+use crate::least_costs::Profile;
 use crate::loss::Loss;
 use crate::problem::{Computed, Problem};
 use crate::run::{GoesOn, Share};
@@ -107,6 +108,8 @@ pub struct Fit {
     pub reached: Vec<Vec<f64>>,
     /// What speaks against the result, shape (doubts).
     pub doubts: Vec<Doubt>,
+    /// Profiles of parameters, as far as they were asked for, shape (profiles).
+    pub profiles: Vec<Profile>,
     /// Scenarios with the values found: file name and text, shape (scenarios).
     pub scenarios: Vec<(String, String)>,
 }
@@ -194,6 +197,7 @@ impl Problem {
             reached: minima.iter().map(|one| self.values(&one.coordinates)).collect(),
             minima,
             doubts,
+            profiles: Vec::new(),
             scenarios: self.scenarios(&values)?,
         })
     }

@@ -48,6 +48,15 @@ pub fn fit_value(fit: &Fit) -> Value {
         })
     };
     let doubt = |one: &crate::doubts::Doubt| json!({ "kind": one.kind.name(), "text": one.text });
+    let profile = |one: &crate::least_costs::Profile| {
+        json!({
+            "name": one.name,
+            "unit": one.unit,
+            "values": one.values,
+            "costs": one.costs.iter().copied().map(bound).collect::<Vec<_>>(),
+            "interval": one.interval.map(bound),
+        })
+    };
     let free: Vec<&str> = fit.free.iter().map(|k| fit.parameters[*k].name.as_str()).collect();
     json!({
         "title": fit.title,
@@ -67,6 +76,7 @@ pub fn fit_value(fit: &Fit) -> Value {
         "correlation": fit.correlation,
         "channels": fit.channels.iter().map(channel).collect::<Vec<_>>(),
         "starts": fit.minima.iter().zip(&fit.reached).map(minimum).collect::<Vec<_>>(),
+        "profiles": fit.profiles.iter().map(profile).collect::<Vec<_>>(),
         "warnings": fit.doubts.iter().map(doubt).collect::<Vec<_>>(),
     })
 }

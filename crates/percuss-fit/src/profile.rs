@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use crate::error::Stop;
 use crate::fit::Fit;
+use crate::least_costs::Profile;
 use crate::problem::Problem;
 use crate::run::GoesOn;
 
@@ -11,22 +12,6 @@ use crate::run::GoesOn;
 const REACH: f64 = 3.0;
 /// Increase of the sum of squares at the ends of the interval of 95 %: the quantile of chi-square with one degree of freedom.
 const NINETY_FIVE: f64 = 3.841_458_820_694_124;
-
-/// The least cost at given values of one parameter.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Profile {
-    /// Name of the parameter.
-    pub name: String,
-    /// SI unit of the parameter.
-    pub unit: String,
-    /// Values, increasing, shape (n_point) \[unit of the parameter\].
-    pub values: Vec<f64>,
-    /// Least costs, NaN where no run succeeds, shape (n_point) \[-\].
-    pub costs: Vec<f64>,
-    /// Interval in which twice the cost lies less than 3.84 above its minimum: 95 %; NaN at an end that the profile does not reach,
-    /// shape (2) \[unit of the parameter\].
-    pub interval: [f64; 2],
-}
 
 impl Problem {
     /// The profile of a free parameter of a fit, at `points` values to either side within three standard errors; none if there is no such

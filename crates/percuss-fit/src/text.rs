@@ -13,6 +13,7 @@ pub fn fit_text(fit: &Fit) -> String {
     // Writing to a String never fails.
     let _ = statistics(fit, &mut out)
         .and_then(|()| parameters(fit, &mut out))
+        .and_then(|()| profiles(fit, &mut out))
         .and_then(|()| correlations(fit, &mut out))
         .and_then(|()| channels(fit, &mut out))
         .and_then(|()| starts(fit, &mut out))
@@ -74,6 +75,15 @@ fn parameters(fit: &Fit, out: &mut String) -> std::fmt::Result {
         writeln!(out, "  {:<width$}  {reported}", one.name)?;
     }
     Ok(())
+}
+
+fn profiles(fit: &Fit, out: &mut String) -> std::fmt::Result {
+    if fit.profiles.is_empty() {
+        return Ok(());
+    }
+    writeln!(out, "[profiles]")?;
+    let width = fit.profiles.iter().map(|one| one.name.len()).max().unwrap_or(0);
+    fit.profiles.iter().try_for_each(|one| writeln!(out, "  {:<width$}  {}", one.name, one.words()))
 }
 
 fn correlations(fit: &Fit, out: &mut String) -> std::fmt::Result {

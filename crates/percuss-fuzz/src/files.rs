@@ -6,6 +6,7 @@ use std::sync::Once;
 
 use percuss_output::report::{ReportData, story, write};
 use percuss_output::{HistoryReader, fields as fields_of, read_history};
+use percuss_scenario::fit::Record;
 use percuss_scenario::load;
 
 /// Directories are created in memory if possible.
@@ -57,6 +58,24 @@ step = 0.001
         let _ = answer(b"0,0\n1,1\n").unwrap_or_else(|faults| panic!("{faults}"));
     });
     let _ = answer(data);
+}
+
+/// A record of measured curves that a fit names.
+pub fn record(data: &[u8]) {
+    let dir = folder();
+    let path = dir.path().join("record.csv");
+    fs::write(&path, data).expect("written");
+    match Record::read(&path) {
+        Err((found, expected)) => assert!(!found.is_empty() && !expected.is_empty()),
+        Ok(record) => {
+            let rows = record.columns.first().map_or(0, |column| column.values.len());
+            assert!(record.columns.iter().all(|column| column.values.len() == rows));
+            for column in &record.columns {
+                let _ = record.column(&column.name);
+                let _ = column.in_unit("s");
+            }
+        }
+    }
 }
 
 /// `summary.json`: the summary text and the page made from it.

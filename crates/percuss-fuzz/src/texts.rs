@@ -1,6 +1,6 @@
-//! Texts written by people: scenarios, studies, units, changes by `--set`.
+//! Texts written by people: scenarios, studies, fits, units, changes by `--set`.
 
-use percuss_scenario::{StudyFile, apply_overrides, read, templates, units};
+use percuss_scenario::{FileAccess, FitFile, StudyFile, apply_overrides, read, templates, units};
 
 use super::input::text;
 
@@ -28,6 +28,20 @@ pub fn study(data: &[u8]) {
         Err(faults) => assert!(!faults.to_string().is_empty(), "a fault without words"),
         Ok(study) => {
             let _ = study.content.to_toml();
+        }
+    }
+}
+
+/// A fit: one without faults is written and read again, with the same content.
+pub fn fit(data: &[u8]) {
+    let Some(text) = text(data) else { return };
+    let read = |text: &str| FitFile::read_with(text, "fuzz.toml", FileAccess::OwnFolder);
+    let whole = read(text).and_then(|file| file.settle(Vec::new()).map(|()| file.content));
+    match whole {
+        Err(faults) => assert!(!faults.to_string().is_empty(), "a fault without words"),
+        Ok(content) => {
+            let again = read(&content.to_toml()).expect("what was written is read");
+            assert_eq!(again.content, content, "written out and read again");
         }
     }
 }

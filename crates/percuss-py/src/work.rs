@@ -79,11 +79,30 @@ pub fn columns<'py>(
     to_python(py, table)
 }
 
+/// Columns of a table that has been kept: (name, unit, role, what it is, values).
+///
+/// # Errors
+/// If the table is damaged, or that of another study.
+pub fn table(py: Python<'_>, study: Arc<Study>, bytes: Vec<u8>) -> PyResult<Bound<'_, PyList>> {
+    let table = Watch::default().run(py, move |_| percuss_study::read_table(&bytes, &study))?;
+    to_python(py, table.map_err(|error| study_error(&error))?)
+}
+
+/// The report of the results in a directory: HTML.
+///
+/// # Errors
+/// Results that are not there or cannot be read.
+pub fn report(py: Python<'_>, study: Arc<Study>, folder: Folder) -> PyResult<String> {
+    let work =
+        move |_: &Stop| Ok(percuss_study::report(&study, &folder.results(&study)?, &folder.kept()));
+    Watch::default().run(py, work)?.map_err(|error: percuss_study::Error| study_error(&error))
+}
+
 /// Columns of a table that has been read: (name, unit, role, what it is, values); arrays cannot be written to.
 ///
 /// # Errors
 /// If Python has no memory for them.
-pub fn to_python(py: Python<'_>, table: Table) -> PyResult<Bound<'_, PyList>> {
+fn to_python(py: Python<'_>, table: Table) -> PyResult<Bound<'_, PyList>> {
     let out = PyList::empty(py);
     for (column, values) in table.columns.into_iter().zip(table.values) {
         let values = match values {

@@ -5,8 +5,7 @@ use std::sync::Arc;
 use crate::content::{Content, ProjectileKind};
 use crate::given::Given;
 use crate::source::{Places, Source};
-use crate::table::Part;
-use crate::write::Writer;
+use crate::table::to_toml;
 
 /// A scenario without reading faults, with every default filled in.
 #[derive(Clone, Debug)]
@@ -27,9 +26,7 @@ impl Scenario {
 
     /// The scenario as a file with every default written out, in SI units.
     pub fn to_toml(&self) -> String {
-        let mut out = Writer::default();
-        self.content.write(&mut out);
-        out.finish()
+        to_toml(&self.content)
     }
 
     /// The same scenario with functions for the places where it says `"given"`.

@@ -28,6 +28,13 @@ pub(crate) trait Part: Sized + 'static {
     fn reach<'c>(&'c mut self, path: &[String]) -> Reached<'c>;
 }
 
+/// A part as the text of a file.
+pub(crate) fn to_toml(part: &impl Part) -> String {
+    let mut out = Writer::default();
+    part.write(&mut out);
+    out.finish()
+}
+
 /// A part that is declared by itself, as it stands in the source.
 pub(crate) trait Declared: Part {
     /// The same as [`Part::layout`], made once: whoever reads a table looks at it.

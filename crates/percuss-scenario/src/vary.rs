@@ -40,6 +40,19 @@ impl Field {
     pub fn needs_reread(&self) -> bool {
         self.reread
     }
+
+    /// Whether it is a setting of the computation, such as a time step, the size of elements or what is recorded, and no number of the
+    /// model: its effect on a result is an error, or the part of the motion that is computed.
+    pub fn is_setting(&self) -> bool {
+        const TABLES: [&str; 5] = ["time", "integrator", "record", "path", "report"];
+        const MESH: [&str; 3] = ["elements", "element_length", "grading"];
+        match self.steps.as_slice() {
+            [table, _, key, ..] if table == "beam" => MESH.contains(&key.as_str()),
+            [table, _, key] if table == "section" => key == "fibres",
+            [table, ..] => TABLES.contains(&table.as_str()),
+            [] => false,
+        }
+    }
 }
 
 impl Scenario {

@@ -1,41 +1,24 @@
-//! A study as a function: numbers for its parameters in, its results out, with their derivatives.
+//! A study as a function: numbers for its parameters in, its results out.
 //!
 //! What programs for uncertainty and optimisation ask for. They choose the points; the design of the study plays no part.
 
-use percuss::Settings;
 use percuss_codes::{Code, RequestCode};
-
 use percuss_scenario::one_of;
 
 use crate::detail::detail_for;
 use crate::error::Error;
-use crate::means::{Means, SHARE};
 use crate::parameter::{Input, Parameter, Variation};
 use crate::prepare::Preparer;
-use crate::result_path::{ResultPath, merged, samples};
-use crate::sensitivity::{
-    DifferentiatedRun, SensitivityError, Without, beyond, differentiate, unknown_derivatives,
-};
+use crate::result_path::{ResultPath, samples};
 use crate::shard::{GROUP_RUNS, simulate};
 use crate::study::{ResultColumn, Study};
 
 /// A study as a function of the numbers that vary in it.
 pub struct Function<'s> {
     study: &'s Study,
-    preparer: Preparer<'s>,
+    pub(crate) preparer: Preparer<'s>,
     /// Of the results, shape (results).
-    paths: Vec<ResultPath>,
-}
-
-/// Results at a point and their derivatives.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Jacobian {
-    /// Results, shape (n_result) \[SI unit of the result\].
-    pub values: Vec<f64>,
-    /// Derivatives, shape (n_result, n_parameter) \[SI unit of the result by that of the parameter\].
-    pub derivatives: Vec<Vec<f64>>,
-    /// How they were found.
-    pub means: Means,
+    pub(crate) paths: Vec<ResultPath>,
 }
 
 impl Study {
@@ -161,114 +144,14 @@ impl<'s> Function<'s> {
         all
     }
 
-    /// Results at a point of shape (n_parameter) and their derivatives: exact ones of the steps of the run where they are known, else central
-    /// differences of runs; the answer says which.
-    ///
-    /// # Errors
-    /// What is wrong with the point, why its run does not complete, or what has no derivative and why; in one line with its code.
-    pub fn jacobian(&mut self, point: &[f64]) -> Result<Jacobian, String> {
-        let inputs = self.inputs(point)?;
-        let parameters: Vec<String> =
-            self.parameters().iter().map(|p| p.field.path().to_string()).collect();
-        let of_summary = self.paths.iter().filter_map(ResultPath::summary);
-        let results: Vec<String> = of_summary.map(|path| path.path().to_string()).collect();
-        let samples = samples(&self.paths);
-        let scenario = self.preparer.scenario(&inputs)?;
-        match differentiate(scenario, &parameters, &results, &samples) {
-            Ok(found) => self.complete(point, &found),
-            Err(SensitivityError::Refused(why)) => self.differences(point, why),
-            // A value that cannot change to one side may be differenced to the other.
-            Err(SensitivityError::Faults(faults)) => {
-                let why = crate::prepare::in_one_line(&faults);
-                self.differences(point, why.clone()).map_err(|_| why)
-            }
-            Err(why) => Err(in_one_line(&why)),
-        }
-    }
-
-    /// Exact derivatives, and differences of those results that have none.
-    fn complete(&mut self, point: &[f64], found: &DifferentiatedRun) -> Result<Jacobian, String> {
-        let (own, columns) = (found.derivatives(), found.columns());
-        let values = self.known(merged(&self.paths, &found.values(), &columns.values))?;
-        let without = found.without(&own);
-        if let Some(Without { result, parameter, why, .. }) = without.iter().find(|w| w.never) {
-            return Err(Code::from(percuss_codes::AnalysisCode::NoDerivative)
-                .behind(format!("`{result}` has no derivative by `{parameter}`: {why}")));
-        }
-        let mut derivatives = merged(&self.paths, &own, &columns.derivatives);
-        let lacks = |row: &Vec<f64>| row.iter().any(|slope| slope.is_nan());
-        let Some(first) = derivatives.iter().position(lacks) else {
-            return Ok(Jacobian { values, derivatives, means: Means::Exact });
-        };
-        let result = &self.results()[first];
-        let why = match (without.first(), columns.horizon) {
-            (Some(without), _) => without.why.clone(),
-            (None, Some(horizon)) => beyond(&horizon),
-            (None, None) => unknown_derivatives(result.path.path()),
-        };
-        let why = format!("`{}`: {why}", result.name);
-        let other = self.differences(point, why)?;
-        for (row, other) in derivatives.iter_mut().zip(other.derivatives) {
-            if lacks(row) {
-                *row = other;
-            }
-        }
-        Ok(Jacobian { values, derivatives, means: other.means })
-    }
-
-    /// Central differences of runs; where a parameter cannot change to one side, differences to the other.
-    fn differences(&mut self, point: &[f64], why: String) -> Result<Jacobian, String> {
-        let change = |x: f64| SHARE * if x == 0.0 { 1.0 } else { x.abs() };
-        let mut points = vec![point.to_vec()];
-        for (k, x) in point.iter().enumerate() {
-            for sign in [-1.0, 1.0] {
-                let mut moved = point.to_vec();
-                moved[k] = x + sign * change(*x);
-                points.push(moved);
-            }
-        }
-        self.refuse_settings(&points)?;
-        let mut found = self.values(&points).into_iter();
-        let values = found.next().unwrap_or_else(|| Err(unfit("no run".into())))?;
-        let sides: Vec<_> = found.collect();
-        let mut derivatives = vec![Vec::new(); values.len()];
-        for (both, x) in sides.chunks(2).zip(point) {
-            let [below, above] = both else { continue };
-            let (below, above, count) = match (below, above) {
-                (Ok(below), Ok(above)) => (below, above, 2.0),
-                (Err(_), Ok(above)) => (&values, above, 1.0),
-                (Ok(below), Err(_)) => (below, &values, 1.0),
-                (Err(why), Err(_)) => return Err(why.clone()),
-            };
-            for (row, (low, high)) in derivatives.iter_mut().zip(below.iter().zip(above)) {
-                row.push((high - low) / (count * change(*x)));
-            }
-        }
-        Ok(Jacobian { values, derivatives, means: Means::Differences { why } })
-    }
-
-    /// Refuses parameters that are settings of the computation, given the point and points beside it: their effect on a result is its error.
-    fn refuse_settings(&mut self, points: &[Vec<f64>]) -> Result<(), String> {
-        let own = self.prepare(&points[0])?.settings;
-        for (k, point) in points[1..].iter().enumerate() {
-            let Ok(other) = self.prepare(point) else { continue };
-            if (Settings { end: own.end, ..other.settings }) != own {
-                let path = self.parameters()[k / 2].field.path();
-                return Err(Code::from(percuss_codes::AnalysisCode::NoDerivative).behind(format!(
-                    "`{path}` is a setting of the computation, whose effect on a result is an error"
-                )));
-            }
-        }
-        Ok(())
-    }
-
-    fn prepare(&mut self, point: &[f64]) -> Result<percuss_scenario::Compiled, String> {
+    /// The run at a point.
+    pub(crate) fn prepare(&mut self, point: &[f64]) -> Result<percuss_scenario::Compiled, String> {
         let inputs = self.inputs(point)?;
         self.preparer.prepare(&inputs)
     }
 
     /// The inputs of a run at a point.
-    fn inputs(&self, point: &[f64]) -> Result<Vec<Input<'s>>, String> {
+    pub(crate) fn inputs(&self, point: &[f64]) -> Result<Vec<Input<'s>>, String> {
         let (given, wanted) = (point.len(), self.parameters().len());
         if given != wanted {
             let names: Vec<&str> = self.parameters().iter().map(|p| p.name.as_str()).collect();
@@ -279,7 +162,7 @@ impl<'s> Function<'s> {
     }
 
     /// Results of a run, if it has all of them.
-    fn known(&self, values: Vec<f64>) -> Result<Vec<f64>, String> {
+    pub(crate) fn known(&self, values: Vec<f64>) -> Result<Vec<f64>, String> {
         match values.iter().position(|x| x.is_nan()) {
             None => Ok(values),
             Some(k) => {
@@ -292,208 +175,6 @@ impl<'s> Function<'s> {
 }
 
 /// A point at which the function has no value.
-fn unfit(text: String) -> String {
+pub(crate) fn unfit(text: String) -> String {
     Code::from(RequestCode::NoValue).behind(text)
-}
-
-fn in_one_line(why: &SensitivityError) -> String {
-    match why {
-        SensitivityError::Faults(faults) => crate::prepare::in_one_line(faults),
-        SensitivityError::Refused(text) => {
-            Code::from(percuss_codes::AnalysisCode::NoDerivative).behind(text)
-        }
-        SensitivityError::Run(code, text) => Code::from(*code).behind(text),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const STUDY: &str = r#"
-        scenario = """
-[material.m]
-young = 2e9
-density = 3e3
-[section.s]
-area = 0.1
-inertia = 8e-5
-[beam.b]
-points = [[0, 0], [3, 0]]
-elements = 4
-material = "m"
-section = "s"
-[support.left]
-at = "b.start"
-kind = "clamp"
-[projectile.p]
-kind = "elastic"
-mass = 100
-stiffness = 1e6
-velocity = [0, 10]
-strikes = "b.end"
-[time]
-end = 0.02
-step = 2e-4
-"""
-        [parameter.speed]
-        path = "projectile.p.velocity[1]"
-        range = { from = "5 m/s", to = "20 m/s" }
-        [parameter.mass]
-        path = "projectile.p.mass"
-        range = { from = "50 kg", to = "200 kg" }
-        [design]
-        kind = "sobol"
-        runs = 4
-        [results]
-        force = "contact.p.peak_force.value"
-        exit = "projectile.p.velocity_final[1]"
-    "#;
-
-    fn study() -> Study {
-        Study::from_toml(STUDY, "study.toml").unwrap_or_else(|faults| panic!("{faults}"))
-    }
-
-    #[test]
-    fn values_are_those_of_the_runs_of_a_design() {
-        let study = study();
-        let shard = study.run_shard(0);
-        let column = |name| shard.table.numbers(name).unwrap_or_default();
-        let points: Vec<Vec<f64>> =
-            column("speed").iter().zip(column("mass")).map(|(v, m)| vec![*v, m]).collect();
-        let mut function = study.function().expect("numbers");
-        for (k, values) in function.values(&points).into_iter().enumerate() {
-            assert_eq!(values, Ok(vec![column("force")[k], column("exit")[k]]));
-        }
-    }
-
-    #[test]
-    fn a_jacobian_is_what_differences_tend_to() {
-        let study = study();
-        let mut function = study.function().expect("numbers");
-        let at = [12.0, 90.0];
-        let jacobian = function.jacobian(&at).expect("derivatives");
-        for k in 0..2 {
-            let moved = |sign: f64| {
-                let mut point = at.to_vec();
-                point[k] += sign * 1e-4 * at[k];
-                point
-            };
-            let ends = function.values(&[moved(-1.0), moved(1.0)]);
-            let [Ok(low), Ok(high)] = &ends[..] else { panic!("{ends:?}") };
-            for (row, (a, b)) in jacobian.derivatives.iter().zip(low.iter().zip(high)) {
-                let difference = (b - a) / (2e-4 * at[k]);
-                assert!((row[k] / difference - 1.0).abs() < 1e-4, "{} {difference}", row[k]);
-            }
-        }
-    }
-
-    /// A result each for the times of a column, with derivatives; those without exact ones are differenced, and the answer says so.
-    #[test]
-    fn columns_are_results_with_derivatives() {
-        let of = |results: &str| {
-            let head = STUDY.split("[results]").next().expect("a study");
-            let text = format!("{head}[results]\n{results}");
-            Study::from_toml(&text, "study.toml").unwrap_or_else(|faults| panic!("{faults}"))
-        };
-        let column = "{ column = \"contact.p.force\", at = [\"5 ms\", \"7.3 ms\"] }";
-        let study = of(&format!("F = {column}\nexit = \"projectile.p.velocity_final[1]\""));
-        let names: Vec<&str> = study.results().iter().map(|r| r.name.as_str()).collect();
-        assert_eq!(names, ["F[0]", "F[1]", "exit"]);
-        assert_eq!(study.results()[0].path.unit(), "N");
-        let again = Study::from_toml(&study.to_toml(), "study.toml").expect("the same study");
-        assert_eq!(again.fingerprint(), study.fingerprint());
-        let at = [12.0, 90.0];
-        let found = study.function().expect("numbers").jacobian(&at).expect("derivatives");
-        assert_eq!(found.means, Means::Exact);
-        let run = study.function().expect("numbers").values(&[at.to_vec()]);
-        assert_eq!(run[0].as_ref(), Ok(&found.values));
-
-        let moment = "M = { column = \"section.b.end.moment\", max = [0, \"20 ms\"] }\n";
-        let both = of(&format!("{moment}F = {column}\nexit = \"projectile.p.velocity_final[1]\""));
-        let mixed = both.function().expect("numbers").jacobian(&at).expect("derivatives");
-        let Means::Differences { why } = &mixed.means else { panic!("{:?}", mixed.means) };
-        assert!(why.contains("section.b.end.moment"), "{why}");
-        assert_eq!(mixed.derivatives[1..], found.derivatives[..], "exact where they are known");
-        assert!(mixed.derivatives[0].iter().all(|slope| slope.is_finite()));
-    }
-
-    #[test]
-    fn faults_of_column_results_name_their_place() {
-        let refused = |results: &str| {
-            let head = STUDY.split("[results]").next().expect("a study");
-            let text = format!("{head}[results]\n{results}");
-            Study::from_toml(&text, "study.toml").expect_err("a fault").to_string()
-        };
-        let unknown = refused("F = { column = \"contact.p.forces\", at = 0.01 }");
-        assert!(unknown.contains("contact.p.force"), "{unknown}");
-        let both = refused("F = { column = \"contact.p.force\", at = 0.01, max = [0, 0.01] }");
-        assert!(both.contains("one of the two"), "{both}");
-        let window = refused("F = { column = \"contact.p.force\", max = [0.02, 0.01] }");
-        assert!(window.contains("its start, then its end"), "{window}");
-        let nothing = refused("F = { column = \"contact.p.force\" }");
-        assert!(nothing.contains("no time"), "{nothing}");
-    }
-
-    #[test]
-    fn names_of_parameters_are_matched_or_refused() {
-        let study = study();
-        let function = study.function().expect("numbers");
-        assert_eq!(function.places(&["mass", "speed"]), Ok(vec![1, 0]));
-        for (names, evaluated) in [
-            (["sped", "mass"], "expected one of `speed`, `mass` (did you mean `speed`?)"),
-            (["mass", "mass"], "no value for `speed`; the study's parameters are speed, mass"),
-        ] {
-            let found = function.places(&names).expect_err(evaluated);
-            assert!(found.ends_with(evaluated), "{found}");
-        }
-        let twice = function.places(&["mass", "speed", "mass"]);
-        assert_eq!(twice, Err("two values for `mass`".to_owned()));
-    }
-
-    #[test]
-    fn shares_become_values_of_the_distributions_and_their_copula() {
-        let study = study();
-        let function = study.function().expect("numbers");
-        assert_eq!(function.at(&[0.0, 1.0]), Ok(vec![5.0, 200.0]));
-        assert!(function.at(&[0.5, 1.5]).is_err_and(|why| why.contains("a share from 0 to 1")));
-        assert_eq!(function.correlation(), None);
-        let text = STUDY.replace(
-            "[design]",
-            "[[correlation]]\nbetween = [\"speed\", \"mass\"]\ncoefficient = 0.6\n[design]",
-        );
-        let study = Study::from_toml(&text, "study.toml").unwrap_or_else(|e| panic!("{e}"));
-        let function = study.function().expect("numbers");
-        let matrix = function.correlation().expect("a matrix");
-        assert!((matrix[0][1] - 0.6).abs() < 1e-12 && (matrix[1][1] - 1.0).abs() < 1e-12);
-        // The median of the speed, and a standard score of z1 = 1: the mass at a score of 0.6 * 0 + 0.8 * 1.
-        let share = |z| crate::distribution::standard_share(z);
-        let point = function.at(&[0.5, share(1.0)]).expect("a point");
-        // Quantiles are inverses to some ten digits.
-        assert!((point[0] - 12.5).abs() < 1e-6, "{point:?}");
-        assert!((point[1] - (50.0 + 150.0 * share(0.8))).abs() < 1e-6, "{point:?}");
-    }
-
-    #[test]
-    fn points_outside_a_study_are_refused() {
-        let study = study();
-        let mut function = study.function().expect("numbers");
-        let evaluated =
-            function.values(&[vec![1.0], vec![1.0, f64::NAN], vec![10.0, -1.0], vec![12.0, 90.0]]);
-        let reason = |k: usize| evaluated[k].as_ref().err().map_or("", String::as_str);
-        assert_eq!(reason(0), "1 numbers for 2 parameters (speed, mass) [E319]");
-        assert_eq!(reason(1), "`mass` is NaN: a number is needed [E319]");
-        assert!(reason(2).contains("projectile.p.mass"), "{}", reason(2));
-        assert!(evaluated[3].is_ok(), "faults of one point leave the others alone");
-        let lists =
-            STUDY.replace("range = { from = \"50 kg\", to = \"200 kg\" }", "values = [\"a\"]");
-        let lists = lists
-            .replace("projectile.p.mass", "projectile.p.kind")
-            .replace("[\"a\"]", "[\"elastic\"]");
-        let lists = lists
-            .replace("kind = \"sobol\"\n        runs = 4", "kind = \"latin-hypercube\"\n runs = 4");
-        let study =
-            Study::from_toml(&lists, "study.toml").unwrap_or_else(|faults| panic!("{faults}"));
-        assert!(study.function().is_err_and(|error| error.code().to_string() == "E318"));
-    }
 }

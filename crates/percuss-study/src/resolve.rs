@@ -77,6 +77,7 @@ fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
         return Err(Diagnostics::of_file(file.name(), "no base scenario", "`base`"));
     };
     let compiled = scenario.compile()?;
+    let end = compiled.settings.end;
     let channels = columns_of(&compiled).map_err(|faults| scenario.diagnostics(faults))?;
     let mut settings = compiled.settings;
     settings.end = settings.step;
@@ -92,6 +93,8 @@ fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
             Err(fault) => faults.push(Fault { path: format!("{header}.{}", fault.path), ..fault }),
         }
     }
+    let varies_end = parameters.iter().any(|one| one.field.steps() == ["time", "end"]);
+    let last = if varies_end { f64::INFINITY } else { end };
     let mut results = Vec::new();
     for named in &file.content.results {
         let header = format!("results.{}", named.name);
@@ -104,7 +107,13 @@ fn resolve(file: StudyFile) -> Result<Study, Diagnostics> {
                 Err((found, expected)) => faults.push(Fault::new(header, found, expected)),
             },
             WantedResult::Column(column) => match of_column(&named.name, column, &channels) {
-                Ok(all) => results.extend(all),
+                Ok(all) => {
+                    results.extend(all);
+                    let late = beyond_end(column, last);
+                    faults.extend(
+                        late.map(|late| Fault { path: format!("{header}.{}", late.path), ..late }),
+                    );
+                }
                 Err(fault) => faults.push(Fault { path: format!("{header}.column"), ..fault }),
             },
         }
@@ -142,6 +151,16 @@ fn of_column(
         ResultColumn { name, path }
     };
     Ok(taken.into_iter().enumerate().map(one).collect())
+}
+
+/// A time, or the start of a window, that lies beyond the end of the run.
+fn beyond_end(wanted: &ColumnResult, end: f64) -> Option<Fault> {
+    let last = wanted.at.iter().flatten().copied().reduce(f64::max);
+    let starts =
+        [("at", last), ("max", wanted.max.map(|w| w[0])), ("min", wanted.min.map(|w| w[0]))];
+    let (key, time) = starts.into_iter().find(|(_, time)| time.is_some_and(|time| time > end))?;
+    let found = format!("the time {} s, when the run has ended", time.unwrap_or(f64::NAN));
+    Some(Fault::new(key, found, format!("times up to `time.end` of the scenario, {end} s")))
 }
 
 /// Parameters that set the same value, or one a part of what the other sets: the last would win.

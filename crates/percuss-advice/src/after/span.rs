@@ -69,21 +69,16 @@ fn hangs(
     assumptions.and(what, 2.0 * sag.abs() < LIGHT * deflection)
 }
 
-/// The deflection beside that of the run; `sag` comes on top where the run starts with it.
-fn deflection(
-    observed: &ObservedContact<'_>,
-    struck: &Struck<'_>,
-    by_hand: f64,
-    sag: f64,
-) -> Quantity {
-    let hung = if observed.settings.start == Start::Static { sag } else { 0.0 };
-    Quantity {
-        name: "largest deflection of the struck point",
-        unit: "m",
-        by_hand: by_hand + hung,
-        simulated: observed.deflection(struck).map_or(f64::NAN, |[value, _]| value),
-        of_run: true,
-    }
+/// What the sag adds to the deflections of the run: it comes on top where the run starts with it \[m\].
+fn hung(observed: &ObservedContact<'_>, sag: f64) -> f64 {
+    if observed.settings.start == Start::Static { sag } else { 0.0 }
+}
+
+/// The deflection beside that of the run.
+fn deflection(observed: &ObservedContact<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
+    let name = "largest deflection of the struck point";
+    let simulated = observed.deflection(struck).map_or(f64::NAN, |[value, _]| value);
+    Quantity { name, unit: "m", by_hand, simulated, of_run: true }
 }
 
 fn moment(observed: &ObservedContact<'_>, struck: &Struck<'_>, by_hand: f64) -> Quantity {
@@ -125,7 +120,10 @@ pub fn two_masses(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Co
     // The run tells the largest deflection of all its time.
     let first = formula.assumptions.and(WITHIN, stays(observed, struck));
     let formula = Formula { assumptions: first, ..formula };
-    all.extend(observed.rows(&formula, vec![deflection(observed, struck, impact.deflection, sag)]));
+    all.extend(observed.rows(
+        &formula,
+        vec![deflection(observed, struck, impact.deflection + hung(observed, sag))],
+    ));
     all
 }
 
@@ -152,8 +150,10 @@ pub fn cox(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Compariso
         let hangs = hangs(observed, small, sag, cox.deflection);
         weightless(observed, struck, stiff_in_shear(struck, &span, hangs), force)
     };
-    let mut all = observed
-        .rows(&formula(assumptions()), vec![deflection(observed, struck, cox.deflection, sag)]);
+    let mut all = observed.rows(
+        &formula(assumptions()),
+        vec![deflection(observed, struck, cox.deflection + hung(observed, sag))],
+    );
     let bent = assumptions().and(STATIC_SHAPE, false);
     all.extend(observed.rows(&formula(bent), vec![moment(observed, struck, cox.moment)]));
     all
@@ -206,7 +206,7 @@ pub fn impact_factor(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec
         };
         let formula = |assumptions| Formula { name, source, assumptions };
         let bent = assumptions().and(STATIC_SHAPE, false);
-        let bending = vec![deflection(observed, struck, by_hand, sag)];
+        let bending = vec![deflection(observed, struck, by_hand + hung(observed, sag))];
         let mut all = observed.rows(&formula(assumptions()), bending);
         let by_hand = span.moment(own * by_hand);
         all.extend(observed.rows(&formula(bent), vec![moment(observed, struck, by_hand)]));

@@ -51,15 +51,6 @@ Examples:
   percuss converge plank.toml --accuracy \"1 %\" --result contact.mass.peak_force.value
   percuss converge plank.toml --levels 5 --json | jq '.results[].limit'";
 
-pub(super) const FIT: &str = "\
-The file names a scenario, parameters and tests with their records (CSV). Minima of the weighted residuals are found by a trust-region \
-method from one or several starting points. Results: fit.json, fit.txt, fit.html with measured and computed curves, curves.csv, and \
-fitted.toml, the scenario with the values found.
-
-Examples:
-  percuss fit drop-test.toml
-  percuss fit drop-test.toml --json | jq '.parameters[] | [.name, .value, .stderr]'";
-
 pub(super) const MODES: &str = "\
 A mode of zero frequency is a rigid-body mode or a mechanism. About a static equilibrium the geometric stiffness is included; a \
 growing mode means that the equilibrium is unstable.

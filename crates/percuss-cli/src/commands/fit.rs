@@ -2,12 +2,13 @@
 
 use std::path::Path;
 
+use percuss::Fault;
 use percuss_codes::Caution;
 use percuss_fit::{Fit, FitError, Problem, Supplied, fit_text, fit_value, write_fit};
 use percuss_output::{Extent, Results};
-use percuss_scenario::FitFile;
+use percuss_scenario::{FitFile, one_of};
 
-use crate::arguments::FitArguments;
+use crate::fit_arguments::FitArguments;
 use crate::interrupt;
 use crate::number::count;
 use crate::outcome::{Failure, Status};
@@ -19,8 +20,7 @@ pub fn run(arguments: &FitArguments) -> Result<Status, Failure> {
     let file = FitFile::load_with(&arguments.file, scenario::access())?;
     let out = arguments.out.clone().unwrap_or_else(|| scenario::results(&arguments.file, "-fit"));
     let directory = interrupt::directory(Results::Fit, &out)?;
-    let jobs = arguments.jobs.map_or(0, |jobs| jobs as usize);
-    let fit = match found(&file, jobs, arguments.quiet) {
+    let fit = match found(&file, arguments) {
         Ok(fit) => fit,
         Err(error) => return refused(error),
     };
@@ -74,14 +74,36 @@ fn refused(error: FitError) -> Result<Status, Failure> {
     }
 }
 
-fn found(file: &FitFile, jobs: usize, quiet: bool) -> Result<Fit, FitError> {
+/// Values on either side of a profile.
+const POINTS: usize = 8;
+
+fn found(file: &FitFile, arguments: &FitArguments) -> Result<Fit, FitError> {
     interrupt::end_between_steps();
     let goes_on = || !interrupt::requested();
-    let saying = (!quiet).then(|| StageMessages::of("fitting", "runs at the starting values"));
+    let saying =
+        (!arguments.quiet).then(|| StageMessages::of("fitting", "runs at the starting values"));
     let stage = |stage| saying.iter().for_each(|one| one.stage(stage));
+    let jobs = arguments.jobs.map_or(0, |jobs| jobs as usize);
     let problem = Problem::new(file, &Supplied::default(), jobs, &goes_on)?;
+    file.settle(arguments.profile.iter().filter_map(|name| not_free(&problem, name)).collect())?;
     stage("minima from the starting points");
     let minima = problem.minima(&goes_on)?;
     stage("runs for the diagnosis");
-    problem.diagnose(minima, &goes_on)
+    let mut fit = problem.diagnose(minima, &goes_on)?;
+    for name in &arguments.profile {
+        stage("runs for a profile");
+        let profile = problem.profile(&fit, name, POINTS, &goes_on)?;
+        fit.profiles.extend(profile);
+    }
+    fit.runs = problem.runs();
+    Ok(fit)
+}
+
+/// What is wrong with the name of a parameter whose profile is wanted.
+fn not_free(problem: &Problem, name: &str) -> Option<Fault> {
+    let free: Vec<&str> = problem.free().map(|one| one.name.as_str()).collect();
+    (!free.contains(&name)).then(|| {
+        let found = format!("no free parameter `{name}` for --profile");
+        Fault::new("parameter", found, one_of(name, free.iter().copied()))
+    })
 }

@@ -26,7 +26,6 @@ fn every_template_can_be_written_and_is_valid() {
     let sandbox = Sandbox::empty();
     let list = sandbox.percuss(&["new"]);
     list.ends_with(0);
-    sandbox.percuss(&["new", "elastic", "--out", "my.toml"]).ends_with(0); // the base of the study
     for line in list.stdout.lines() {
         let name = line.split_whitespace().next().expect("a name");
         let file = format!("{name}.toml");
@@ -36,6 +35,19 @@ fn every_template_can_be_written_and_is_valid() {
         assert_eq!(printed.stdout.as_bytes(), std::fs::read(sandbox.path(&file)).expect("a file"));
     }
     assert!(sandbox.names().len() >= 5);
+    for name in ["study", "fit"] {
+        assert!(list.stdout.contains(&format!("\n{name} ")), "{}", list.stdout);
+    }
+    // Files that are there already are kept.
+    let kept = Sandbox::empty();
+    kept.put("my.csv", "t [ms],F [kN],u [mm]\n8,0,0\n20,200,50\n40,300,80\n60,100,90\n");
+    let written = kept.percuss(&["new", "fit", "--out", "fit.toml"]);
+    written.ends_with(0).tells("my.toml written").tells("percuss fit fit.toml");
+    assert!(!written.stderr.contains("my.csv"), "{}", written.stderr);
+    assert_eq!(kept.names(), ["fit.toml", "my.csv", "my.toml"]);
+    kept.percuss(&["check", "fit.toml"])
+        .ends_with(0)
+        .tells("3 free parameters, 1 test, 8 residuals");
 }
 
 #[test]
@@ -49,6 +61,9 @@ fn a_template_overwrites_nothing() {
         .ends_with(1)
         .tells("place.toml");
     sandbox.percuss(&["new", "--out", "mine.toml"]).ends_with(2).tells("TEMPLATE");
+    // The base of a fit has that name.
+    sandbox.percuss(&["new", "fit", "--out", "my.toml"]).ends_with(2).tells("give another --out");
+    assert_eq!(sandbox.names(), ["mine.toml"]);
 }
 
 #[test]

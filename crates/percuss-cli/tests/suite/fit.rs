@@ -36,8 +36,19 @@ fn the_modulus_behind_a_published_row_is_found_and_written() {
     }
     sandbox.percuss(&["check", "out/fitted.toml"]).ends_with(0);
     // Earlier results of a fit make room, what is not of one stays.
-    let again = sandbox.percuss(&["fit", "fit.toml", "--out", "out"]);
+    let again = sandbox.percuss(&["fit", "fit.toml", "--out", "out", "--profile", "young"]);
     assert!(again.ends_with(0).stdout.contains("[parameters]"), "{}", again.stdout);
+    assert!(again.stdout.contains("[profiles]\n  young  95 %: "), "{}", again.stdout);
+    let text = std::fs::read_to_string(sandbox.path("out/fit.json")).expect("fit.json");
+    let again: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    let profile = &again["profiles"][0];
+    assert_eq!(profile["values"].as_array().map(Vec::len), Some(17));
+    for k in [0, 1] {
+        // Curves are nearly linear in the modulus within the interval.
+        let [found, first] = [&profile["interval"][k], &young["interval"][k]].map(|v| v.as_f64());
+        let (found, first) = (found.expect("a number"), first.expect("a number"));
+        assert!((found / first - 1.0).abs() < 2e-5, "{found} {first}");
+    }
     std::fs::create_dir(sandbox.path("mine")).expect("a directory");
     sandbox.put("mine/notes.txt", "precious");
     sandbox.percuss(&["fit", "fit.toml", "--out", "mine"]).ends_with(2).tells("[E203]");
@@ -65,6 +76,12 @@ fn faults_of_a_fit_are_reported_with_their_places_and_nothing_is_written() {
     refused.ends_with(2).tells("a scenario, which").tells("`percuss run`");
     let changed = sandbox.percuss(&["check", "fit.toml", "--set", "time.step=1e-5"]);
     changed.ends_with(2).tells("[E317]").tells("give the values in the fit");
+    let unknown = sandbox.percuss(&["fit", "fit.toml", "--profile", "yung", "--out", "out"]);
+    unknown.ends_with(2).tells("no free parameter `yung` for --profile").tells("`young`");
+    assert!(!sandbox.path("out").exists());
+    let help = sandbox.percuss(&["fit", "--help"]);
+    let status = "130  interrupted; nothing is written";
+    assert!(help.ends_with(0).stdout.contains(status), "{}", help.stdout);
     let schema = sandbox.percuss(&["schema", "--fit"]);
     let schema: serde_json::Value =
         serde_json::from_str(&schema.ends_with(0).stdout).expect("JSON alone");

@@ -65,6 +65,11 @@ fn places(
         let before = places.len();
         for test in &tests {
             match scenarios[*test].field(path) {
+                Ok(field) if field.is_setting() => {
+                    let found = format!("`{path}`, a setting of the computation");
+                    let expected = "a number of the model, such as a stiffness; a setting is given in the scenario, or by `set` of a test";
+                    return Err(Fault::new(key, found, expected));
+                }
                 Ok(field) if field.needs_reread() => {
                     let found = format!("`{path}`, which is no number in the scenario");
                     return Err(Fault::new(key, found, "a number there to start from"));

@@ -9,6 +9,7 @@ use percuss_scenario::{Named, one_of};
 
 use crate::channel::{Channel, Column};
 use crate::curve::Curve;
+use crate::spikes::without_spikes;
 
 /// Share of the range of a channel that stands for its standard deviation while that is not known.
 const UNKNOWN: f64 = 0.01;
@@ -20,7 +21,7 @@ pub(super) struct Read {
     pub all: Vec<f64>,
     /// The same, as they are compared at first, shape (n_row) \[s\].
     pub time: Vec<f64>,
-    /// Values of its first channel, shape (n_row) \[unit of the channel\].
+    /// Values of its first channel without spikes, filtered, shape (n_row) \[unit of the channel\].
     pub first: Vec<f64>,
 }
 
@@ -62,14 +63,18 @@ pub(super) fn record(
         return None;
     }
     let mut channels = Vec::new();
+    let mut first = None;
     for one in &table.channel {
         let key = format!("channel.{}", one.name);
         match channel(one, &time, &record, columns) {
-            Ok(channel) => channels.push(channel),
+            Ok((channel, robust)) => {
+                channels.push(channel);
+                first.get_or_insert(robust);
+            }
             Err((inner, fault)) => tell(&format!("{key}.{inner}"), fault),
         }
     }
-    let first = channels.first()?.measured.clone();
+    let first = first?;
     let complete = channels.len() == table.channel.len();
     complete.then(|| (Read { all: time.clone(), time, first }, channels))
 }
@@ -77,12 +82,13 @@ pub(super) fn record(
 /// Key at fault, what was found and what would be right.
 type Wrong = (&'static str, (String, String));
 
+/// A channel, and its values without spikes.
 fn channel(
     named: &Named<FitChannel>,
     time: &[f64],
     record: &Record,
     columns: &[HistoryColumn],
-) -> Result<Channel, Wrong> {
+) -> Result<(Channel, Vec<f64>), Wrong> {
     let given = &named.table;
     let column = Column::of(&given.column);
     let Some(recorded) = columns.iter().find(|one| one.name == column.recorded) else {
@@ -100,20 +106,14 @@ fn channel(
     let data = given.data.as_deref().unwrap_or(&named.name);
     let measured = record.column(data).and_then(|column| column.in_unit(unit));
     let measured = measured.map_err(|fault| ("data", fault))?;
-    let mut values: Vec<f64> = measured.iter().map(|x| given.factor * x).collect();
+    let values: Vec<f64> = measured.iter().map(|x| given.factor * x).collect();
     let class = given.cfc.map(|number| {
         let class = u32::try_from(number).ok().and_then(Cfc::of);
         class.ok_or_else(|| ("cfc", (number.to_string(), "60, 180, 600 or 1000".to_owned())))
     });
     let class = class.transpose()?;
-    if let Some(class) = class {
-        let curve = Curve { time: time.to_vec(), values };
-        let coarse = |error: percuss_output::shock::ShockError| {
-            let expected = "a record with more samples per second, or a lower class".to_owned();
-            ("cfc", (format!("a record too coarse for it ({error})"), expected))
-        };
-        values = curve.filtered(class).map_err(coarse)?.sampled(time, 0.0);
-    }
+    let robust = shaped(time, without_spikes(&values), class)?;
+    let values = shaped(time, values, class)?;
     let sigma = match &given.sigma {
         Some(sigma) => sigma.in_unit(unit).map_err(|fault| ("sigma", fault))?,
         None => {
@@ -126,7 +126,7 @@ fn channel(
         let expected = "a standard deviation above zero".to_owned();
         return Err(("sigma", (sigma.to_string(), expected)));
     }
-    Ok(Channel {
+    let channel = Channel {
         name: named.name.clone(),
         column_name: given.column.clone(),
         column,
@@ -134,5 +134,17 @@ fn channel(
         sigma,
         class,
         measured: values,
-    })
+    };
+    Ok((channel, robust))
+}
+
+/// Measured values in a channel frequency class, if there is one.
+fn shaped(time: &[f64], values: Vec<f64>, class: Option<Cfc>) -> Result<Vec<f64>, Wrong> {
+    let Some(class) = class else { return Ok(values) };
+    let curve = Curve { time: time.to_vec(), values };
+    let filtered = curve.filtered(class).map_err(|error| {
+        let expected = "a record with more samples per second, or a lower class".to_owned();
+        ("cfc", (format!("a record too coarse for it ({error})"), expected))
+    })?;
+    Ok(filtered.sampled(time, 0.0))
 }

@@ -2,10 +2,16 @@
 
 use percuss_fit::FitError;
 
-use crate::common::{FIT, SCENARIO, desk, problem, record};
+use crate::common::{FIT, SCENARIO, desk, problem, put, record};
 
 fn reported(text: &str) -> String {
-    let desk = desk(&record(SCENARIO, 0, 1.0));
+    reported_with(SCENARIO, text)
+}
+
+/// The same with another scenario.
+fn reported_with(scenario: &str, text: &str) -> String {
+    let desk = desk(&record(scenario, 0, 1.0));
+    put(desk.path(), "drop.toml", scenario);
     match problem(desk.path(), text) {
         Err(FitError::Faults(faults)) => {
             faults.all().iter().map(|one| format!("{one}\n")).collect()
@@ -15,128 +21,65 @@ fn reported(text: &str) -> String {
     }
 }
 
+/// Changes of the file, and what is reported of each: `from | to | place | found`, with `; ` between lines.
+const FAULTS: &str = r#"
+path = "projectile.hammer.stiffness" | path = "projectile.hammer.stifness" | parameter.stiffness.path | stifness
+start = "1.5 MN/m" | start = "15 kg" | parameter.stiffness.start | a mass
+start = "1.5 MN/m" | start = "15 MN/m" | parameter.stiffness.start | outside the bounds
+["0.5 MN/m", "8 MN/m"] | ["8 MN/m", "0.5 MN/m"] | parameter.stiffness.bounds | from
+bounds = [0, "1 s/m"] | bounds = [0, "1 s/m"]; spacing = "log" | parameter.dissipation.spacing | above zero
+data = "drop.csv" | data = "drip.csv" | test.drop.data | where there is no file
+time = "t" | time = "tt" | test.drop.time | no column of the record
+contact.hammer.force | contact.hamer.force | test.drop.channel.F.column | contact.hammer.force
+sigma = "30 N" | sigma = "30 m" | test.drop.channel.F.sigma | a length
+sigma = "30 N" | sigma = 0 | test.drop.channel.F.sigma | above zero
+sigma = "30 N" |  | test.drop.channel.F.sigma | every channel
+sigma = "30 N" | sigma = "30 N"; cfc = 700 | test.drop.channel.F.cfc | 60, 180, 600 or 1000
+sigma = "30 N" | sigma = "30 N"; cfc = 1000 | test.drop.channel.F.cfc | too coarse
+[fit] | [fit]; loss = "quadratic" | fit.loss | soft_l1
+align = "fit" | align = "fit"; hold_out = true | test | hold_out
+align = "fit" | align = "none"; from = "1 s" | test.drop.data | of which 0 times
+align = "fit" | align = "none"; set = ["projectile.hammer.mass"] | test.drop.set | without `=`
+align = "fit" | align = "none"; set = ["projectile.hammer.mas=3"] | test.drop.set | `mas`
+[fit] | [fit]; starts = 0 | fit.starts | 0
+[fit] | [fit]; starts = 100000000000 | fit.starts | from 1 to 100000
+[fit] | [fit]; iterations = 0 | fit.iterations | 0
+path = "projectile.hammer.stiffness"; start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | path = "beam.bar.elements" | parameter.stiffness.path | a setting of the computation
+path = "projectile.hammer.stiffness"; start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | path = "time.step" | parameter.stiffness.path | a setting of the computation
+path = "projectile.hammer.stiffness"; start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | path = "time.end" | parameter.stiffness.path | a setting of the computation
+path = "projectile.hammer.stiffness" | paths = ["projectile.hammer.stiffness", "projectile.hammer.mass"] | parameter.stiffness.paths | (kg)
+path = "projectile.hammer.stiffness" | paths = ["projectile.hammer.stiffness", "projectile.hammer.stiffness"] | parameter.stiffness.paths | twice
+spacing = "log" | tests = [] | parameter.stiffness.tests | an empty list
+sigma = "30 N" | sigma = "30 N"; factor = 0 | test.drop.channel.F.factor | 0
+align = "fit" | align = "fit"; from = "3 ms"; to = "2 ms" | test.drop.to | a window from
+align = "fit" | align = "none"; offset = "1 s" | test.drop.data | of which 0 times lie within the run
+align = "fit" | align = "none"; offset_bounds = [0, 1] | test.drop.offset_bounds | no effect
+align = "fit" | align = "onset"; offset = 0 | test.drop.offset | no effect
+"#;
+
 #[test]
 fn each_fault_names_its_place() {
-    for (from, to, place, found) in [
-        (
-            "path = \"projectile.hammer.stiffness\"",
-            "path = \"projectile.hammer.stifness\"",
-            "parameter.stiffness.path",
-            "stifness",
-        ),
-        ("start = \"1.5 MN/m\"", "start = \"15 kg\"", "parameter.stiffness.start", "a mass"),
-        (
-            "start = \"1.5 MN/m\"",
-            "start = \"15 MN/m\"",
-            "parameter.stiffness.start",
-            "outside the bounds",
-        ),
-        (
-            "[\"0.5 MN/m\", \"8 MN/m\"]",
-            "[\"8 MN/m\", \"0.5 MN/m\"]",
-            "parameter.stiffness.bounds",
-            "from",
-        ),
-        (
-            "bounds = [0, \"1 s/m\"]",
-            "bounds = [0, \"1 s/m\"]\nspacing = \"log\"",
-            "parameter.dissipation.spacing",
-            "above zero",
-        ),
-        ("data = \"drop.csv\"", "data = \"drip.csv\"", "test.drop.data", "where there is no file"),
-        ("time = \"t\"", "time = \"tt\"", "test.drop.time", "no column of the record"),
-        (
-            "contact.hammer.force",
-            "contact.hamer.force",
-            "test.drop.channel.F.column",
-            "contact.hammer.force",
-        ),
-        ("sigma = \"30 N\"", "sigma = \"30 m\"", "test.drop.channel.F.sigma", "a length"),
-        ("sigma = \"30 N\"", "sigma = 0", "test.drop.channel.F.sigma", "above zero"),
-        ("sigma = \"30 N\"\n", "", "test.drop.channel.F.sigma", "every channel"),
-        (
-            "sigma = \"30 N\"",
-            "sigma = \"30 N\"\ncfc = 700",
-            "test.drop.channel.F.cfc",
-            "60, 180, 600 or 1000",
-        ),
-        (
-            "sigma = \"30 N\"",
-            "sigma = \"30 N\"\ncfc = 1000",
-            "test.drop.channel.F.cfc",
-            "too coarse",
-        ),
-        ("[fit]", "[fit]\nloss = \"quadratic\"", "fit.loss", "soft_l1"),
-        ("align = \"fit\"", "align = \"fit\"\nhold_out = true", "test", "hold_out"),
-        (
-            "align = \"fit\"",
-            "align = \"none\"\nfrom = \"1 s\"",
-            "test.drop.data",
-            "of which 0 times",
-        ),
-        (
-            "align = \"fit\"",
-            "align = \"none\"\nset = [\"projectile.hammer.mass\"]",
-            "test.drop.set",
-            "without `=`",
-        ),
-        (
-            "align = \"fit\"",
-            "align = \"none\"\nset = [\"projectile.hammer.mas=3\"]",
-            "test.drop.set",
-            "`mas`",
-        ),
-        ("[fit]", "[fit]\nstarts = 0", "fit.starts", "0"),
-        ("[fit]", "[fit]\nstarts = 100000000000", "fit.starts", "from 1 to 100000"),
-        ("[fit]", "[fit]\niterations = 0", "fit.iterations", "0"),
-        (
-            "path = \"projectile.hammer.stiffness\"\nstart = \"1.5 MN/m\"\nbounds = [\"0.5 MN/m\", \"8 MN/m\"]\nspacing = \"log\"",
-            "path = \"beam.bar.elements\"\nbounds = [2, 8]",
-            "parameter.stiffness.path",
-            "a whole number",
-        ),
-        (
-            "path = \"projectile.hammer.stiffness\"",
-            "paths = [\"projectile.hammer.stiffness\", \"projectile.hammer.mass\"]",
-            "parameter.stiffness.paths",
-            "(kg)",
-        ),
-        (
-            "path = \"projectile.hammer.stiffness\"",
-            "paths = [\"projectile.hammer.stiffness\", \"projectile.hammer.stiffness\"]",
-            "parameter.stiffness.paths",
-            "twice",
-        ),
-        ("spacing = \"log\"", "tests = []", "parameter.stiffness.tests", "an empty list"),
-        ("sigma = \"30 N\"", "sigma = \"30 N\"\nfactor = 0", "test.drop.channel.F.factor", "0"),
-        (
-            "align = \"fit\"",
-            "align = \"fit\"\nfrom = \"3 ms\"\nto = \"2 ms\"",
-            "test.drop.to",
-            "a window from",
-        ),
-        // A record that ends before its run starts.
-        (
-            "align = \"fit\"",
-            "align = \"none\"\noffset = \"1 s\"",
-            "test.drop.data",
-            "of which 0 times lie within the run",
-        ),
-        (
-            "align = \"fit\"",
-            "align = \"none\"\noffset_bounds = [0, 1]",
-            "test.drop.offset_bounds",
-            "no effect",
-        ),
-        ("align = \"fit\"", "align = \"onset\"\noffset = 0", "test.drop.offset", "no effect"),
-    ] {
-        assert!(FIT.contains(from), "{from}");
-        let reported = reported(&FIT.replacen(from, to, 1));
-        assert!(
-            reported.contains(&format!("{place}: ")) && reported.contains(found),
-            "{to}: {reported}"
-        );
+    for row in FAULTS.trim().lines() {
+        let parts: Vec<String> = row.split(" | ").map(|part| part.replace("; ", "\n")).collect();
+        let [from, to, place, found] = parts.as_slice() else { panic!("{row}") };
+        assert!(FIT.contains(from.as_str()), "{from}");
+        let reported = reported(&FIT.replacen(from.as_str(), to, 1));
+        let named = reported.contains(&format!("{place}: ")) && reported.contains(found.as_str());
+        assert!(named, "{to}: {reported}");
     }
+}
+
+#[test]
+fn a_count_and_the_size_of_elements_are_no_parameters() {
+    let given = "start = \"1.5 MN/m\"\nbounds = [\"0.5 MN/m\", \"8 MN/m\"]\nspacing = \"log\"\n";
+    assert!(FIT.contains(given));
+    let of = |path: &str| FIT.replace(given, "").replace("projectile.hammer.stiffness", path);
+    let damped = format!("{SCENARIO}[damping]\nmodal = 0.01\nmodes = 3\n");
+    let reported = reported_with(&damped, &of("damping.modes"));
+    assert!(reported.contains("parameter.stiffness.path: found `damping.modes`, a whole number"));
+    let sized = SCENARIO.replace("elements = 4", "element_length = \"0.2 m\"");
+    let reported = reported_with(&sized, &of("beam.bar.element_length"));
+    assert!(reported.contains("`beam.bar.element_length`, a setting of the computation"));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! A published row.
+//! A published row, and the template.
 
 use std::path::Path;
 
@@ -19,4 +19,22 @@ fn the_published_displacements_of_a_swinging_beam_need_their_modulus() {
     assert!((young.value / 67e9 - 1.0).abs() < 2e-3, "{}", young.value);
     assert!(young.interval[0] < 67e9 && 67e9 < young.interval[1]);
     assert!((young.stderr / young.value / 1.24e-3 - 1.0).abs() < 0.05, "{}", young.stderr);
+}
+
+/// Its record was made with 0.9 MN/m and 2.2 GPa, 8 ms of the run before it, and noise of 2 kN and 0.5 mm.
+#[test]
+fn the_template_finds_the_values_behind_its_record() {
+    let template = &percuss_scenario::fit_templates()[0];
+    let desk = tempfile::tempdir().expect("a folder");
+    template.files.iter().for_each(|(name, text)| put(desk.path(), name, text));
+    let fit = fitted(desk.path(), template.text).expect("a fit");
+    // As `percuss fit` gives them: each within two standard errors of what made the record.
+    for (name, truth, error) in
+        [("stiffness", 9e5, 1.37e3), ("young", 2.2e9, 1.79e6), ("first.offset", -8e-3, 1.66e-5)]
+    {
+        let found = parameter(&fit, name);
+        assert!((found.value - truth).abs() < 2.0 * found.stderr, "{name}: {found:?}");
+        assert!((found.stderr / error - 1.0).abs() < 0.02, "{name}: {found:?}");
+    }
+    assert!((fit.reduced_chi_square - 0.9596).abs() < 1e-3, "{}", fit.reduced_chi_square);
 }

@@ -19,7 +19,9 @@ pub(super) fn definitions(content: &Content, given: Option<&Given>) -> (ModelBui
     let beams = Beams::add(content, &mut builder, &mut faults);
     supports(content, given, &beams, &mut builder, &mut faults);
     connections(content, &beams, &mut builder, &mut faults);
-    foundation::add(content, &beams, &mut builder, &mut faults);
+    for Named { name, table } in &content.foundation {
+        builder.foundation(foundation::definition(name, table, &beams, &mut faults));
+    }
     guided(content, given, &beams, &mut builder, &mut faults);
     contact::add(content, given, &beams, &mut builder, &mut faults);
     loads(content, given, &beams, &mut builder, &mut faults);

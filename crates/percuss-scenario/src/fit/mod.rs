@@ -7,7 +7,6 @@ mod content;
 mod dimension;
 mod record;
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use percuss::Fault;
@@ -19,16 +18,15 @@ pub use content::{
 };
 pub use record::{Record, RecordColumn};
 
-use crate::code::{FaultCode, of_path};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::Diagnostics;
+use crate::file_faults::FileFaults;
 use crate::file_kind::FileKind;
-use crate::files::{FileAccess, Files, WITHIN, is_within};
-use crate::parse::{folder, parse, place};
-use crate::source::{Places, Source};
+use crate::files::{FileAccess, Files};
+use crate::parse::{folder, parse};
+use crate::source::Source;
 use crate::study::Given;
-use crate::table::Part;
+use crate::table::{Named, Part, to_toml};
 use crate::units;
-use crate::write::Writer;
 use dimension::dimension;
 
 /// A file of a fit that has been read, with the faults found so far.
@@ -36,13 +34,9 @@ use dimension::dimension;
 pub struct FitFile {
     /// What the file contains; harmless values stand in for those at fault.
     pub content: FitContent,
-    source: Source,
-    places: Places,
     folder: PathBuf,
     access: FileAccess,
-    /// Faults found by reading, shape (faults).
-    faults: Vec<Diagnostic>,
-    tainted: BTreeSet<String>,
+    faults: FileFaults,
 }
 
 impl FitFile {
@@ -67,37 +61,19 @@ impl FitFile {
         FileKind::Fit.expect(&source.text, &source.name)?;
         let expected = "a fit, with `base`, [fit], [parameter.NAME] and [test.NAME]";
         let parsed = parse::<FitContent>(&source, Files::taken_in(folder, access), expected)?;
-        let faults = parsed.faults.into_iter().map(|raw| place(&source, raw)).collect();
-        let (content, places, tainted) = (parsed.content, parsed.places, parsed.tainted);
-        let mut file =
-            Self { content, places, folder: folder.into(), access, faults, tainted, source };
-        if access == FileAccess::OwnFolder {
-            file.refuse_outside();
+        let (content, mut faults) = FileFaults::of(source, parsed);
+        if let Some(base) = &content.base {
+            faults.refuse_outside("base", base, folder, access);
         }
-        Ok(file)
-    }
-
-    /// Files that it names outside its folder are not looked at.
-    fn refuse_outside(&mut self) {
-        let base = self.content.base.iter().map(|base| ("base".to_owned(), base.clone()));
-        let tests = self.content.test.iter();
-        let data = tests.map(|one| (format!("test.{}.data", one.name), one.table.data.clone()));
-        let named: Vec<(String, String)> = base.chain(data).collect();
-        for (key, name) in named {
-            if is_within(&self.folder, &name) {
-                continue;
-            }
-            let span = self.places.find(&key).unwrap_or(0..0);
-            let found = format!("{name:?}, which lies outside the folder of this file");
-            let code = FaultCode::File;
-            self.faults.push(Diagnostic::at(code, &self.source, span, &key, found, WITHIN));
-            self.tainted.insert(key);
+        for Named { name, table } in &content.test {
+            faults.refuse_outside(&format!("test.{name}.data"), &table.data, folder, access);
         }
+        Ok(Self { content, folder: folder.into(), access, faults })
     }
 
     /// Name of the file, as given.
     pub fn name(&self) -> &str {
-        &self.source.name
+        self.faults.name()
     }
 
     /// Folder that paths of its files start from.
@@ -112,8 +88,7 @@ impl FitFile {
 
     /// Whether a value at this path could not be read, so that nothing more is to be said of it.
     pub fn is_tainted(&self, path: &str) -> bool {
-        let within = |t: &String| t == path || path.starts_with(&format!("{t}."));
-        self.tainted.iter().any(within)
+        self.faults.is_tainted(path)
     }
 
     /// All faults together: those of reading, and further ones at their places in the file.
@@ -121,22 +96,14 @@ impl FitFile {
     /// # Errors
     /// If there are any.
     pub fn settle(&self, more: Vec<Fault>) -> Result<(), Diagnostics> {
-        let mut all = self.faults.clone();
-        let more = more.into_iter().filter(|fault| !self.is_tainted(&fault.path));
-        all.extend(more.map(|Fault { path, found, expected, .. }| {
-            let span = self.places.find(&path).unwrap_or(0..0);
-            Diagnostic::at(of_path(&path), &self.source, span, path, found, expected)
-        }));
-        if all.is_empty() { Ok(()) } else { Err(Diagnostics::new(self.source.clone(), all)) }
+        self.faults.settle(more)
     }
 }
 
 impl FitContent {
     /// The fit as a file.
     pub fn to_toml(&self) -> String {
-        let mut out = Writer::default();
-        self.write(&mut out);
-        out.finish()
+        to_toml(self)
     }
 }
 

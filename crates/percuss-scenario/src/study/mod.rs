@@ -8,7 +8,6 @@ mod given;
 mod points;
 mod wanted;
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use percuss::Fault;
@@ -22,27 +21,22 @@ pub use given::Given;
 pub(crate) use given::{Anything, Whole};
 pub use wanted::{ColumnResult, WantedResult};
 
-use crate::code::{FaultCode, of_path};
-use crate::diagnostic::{Diagnostic, Diagnostics};
+use crate::diagnostic::Diagnostics;
+use crate::file_faults::FileFaults;
 use crate::file_kind::FileKind;
-use crate::files::{FileAccess, Files, WITHIN, is_within};
-use crate::parse::{folder, parse, place};
-use crate::source::{Places, Source};
-use crate::table::Part;
-use crate::write::Writer;
+use crate::files::{FileAccess, Files};
+use crate::parse::{folder, parse};
+use crate::source::Source;
+use crate::table::{Part, to_toml};
 
 /// A study file that has been read, with the faults found so far.
 #[derive(Clone, Debug)]
 pub struct StudyFile {
     /// What the file contains; harmless values stand in for those at fault.
     pub content: StudyContent,
-    source: Source,
-    places: Places,
     folder: PathBuf,
     access: FileAccess,
-    /// Faults of the study found by reading, shape (faults).
-    faults: Vec<Diagnostic>,
-    tainted: BTreeSet<String>,
+    faults: FileFaults,
 }
 
 impl StudyFile {
@@ -88,31 +82,22 @@ impl StudyFile {
         FileKind::Study.expect(&source.text, &source.name)?;
         let expected = "a study, with `base`, [parameter.NAME], [design] and [results]";
         let parsed = parse::<StudyContent>(&source, Files::taken_in(folder, access), expected)?;
-        let mut faults: Vec<_> = parsed.faults.into_iter().map(|raw| place(&source, raw)).collect();
-        let (mut content, places, mut tainted) = (parsed.content, parsed.places, parsed.tainted);
-        if access == FileAccess::OwnFolder
-            && let Some(base) = content.base.as_deref()
-            && !is_within(folder, base)
-        {
-            let span = places.find("base").unwrap_or(0..0);
-            let found = format!("{base:?}, which lies outside the folder of this file");
-            let code = FaultCode::File;
-            faults.push(Diagnostic::at(code, &source, span, "base", found, WITHIN));
-            tainted.insert("base".into());
+        let (mut content, mut faults) = FileFaults::of(source, parsed);
+        if let Some(base) = &content.base {
+            faults.refuse_outside("base", base, folder, access);
         }
         if let Err(points::Unread { code, found, expected }) =
             points::take_in(&mut content, folder, access)
         {
-            let span = places.find("design.file").unwrap_or(0..0);
-            faults.push(Diagnostic::at(code, &source, span, "design.file", found, expected));
-            tainted.insert("parameter".into());
+            faults.add(code, "design.file", found, &expected);
+            faults.taint("parameter");
         }
-        Ok(Self { content, places, folder: folder.into(), access, faults, tainted, source })
+        Ok(Self { content, folder: folder.into(), access, faults })
     }
 
     /// Name of the file, as given.
     pub fn name(&self) -> &str {
-        &self.source.name
+        self.faults.name()
     }
 
     /// Folder that the path of the base scenario starts from.
@@ -122,8 +107,7 @@ impl StudyFile {
 
     /// Whether a value at this path could not be read, so that nothing more is to be said of it.
     pub fn is_tainted(&self, path: &str) -> bool {
-        let within = |t: &String| t == path || path.starts_with(&format!("{t}."));
-        self.tainted.iter().any(within)
+        self.faults.is_tainted(path)
     }
 
     /// All faults together: those of reading, and further ones at their places in the file.
@@ -131,29 +115,14 @@ impl StudyFile {
     /// # Errors
     /// If there are any.
     pub fn settle(&self, more: Vec<Fault>) -> Result<(), Diagnostics> {
-        let mut all = self.faults.clone();
-        let more = more.into_iter().filter(|fault| !self.is_tainted(&fault.path));
-        all.extend(more.map(|fault| {
-            let span = self.places.find(&fault.path).unwrap_or(0..0);
-            Diagnostic::at(
-                of_path(&fault.path),
-                &self.source,
-                span,
-                fault.path,
-                fault.found,
-                fault.expected,
-            )
-        }));
-        if all.is_empty() { Ok(()) } else { Err(Diagnostics::new(self.source.clone(), all)) }
+        self.faults.settle(more)
     }
 }
 
 impl StudyContent {
     /// The study as a file.
     pub fn to_toml(&self) -> String {
-        let mut out = Writer::default();
-        self.write(&mut out);
-        out.finish()
+        to_toml(self)
     }
 }
 

@@ -50,8 +50,25 @@ fn settle_column(own: &mut ColumnResult, body: &Body<'_>, reader: &mut Reader<'_
         let (Some([from, to]), Some(node)) = (window, body.get(key)) else { continue };
         if from > to {
             reader.wrong(&node, "a window that ends before it begins", "its start, then its end");
+        } else if to < 0.0 {
+            reader.wrong(&node, "a window that ends before the run", "times from zero on");
         }
     }
+    if let (Some(times), Some(node)) = (&own.at, body.get("at"))
+        && let Some((found, expected)) = at_fault(times)
+    {
+        reader.wrong(&node, found, expected);
+    }
+}
+
+/// What is wrong with the times of values, and what would be right.
+fn at_fault(times: &[f64]) -> Option<(String, &'static str)> {
+    if let Some(time) = times.iter().find(|time| **time < 0.0) {
+        return Some((format!("the time {time} s before the run"), "times from zero on"));
+    }
+    let pair = times.windows(2).find(|pair| pair[1] <= pair[0])?;
+    let found = format!("the time {} s behind {} s", pair[1], pair[0]);
+    Some((found, "times in increasing order"))
 }
 
 /// A time, or several.

@@ -1,6 +1,9 @@
 //! The templates and the two files of the paper.
 
-use percuss_scenario::{Compiled, Scenario, is_fit, load, read, templates};
+use percuss_scenario::{
+    Compiled, FileAccess, FitFile, Scenario, StudyFile, fit_templates, is_fit, load, read,
+    study_templates, templates,
+};
 
 const ELASTIC: &str = include_str!("../files/elastic.toml");
 const RIGID: &str = include_str!("../files/rigid.toml");
@@ -12,6 +15,26 @@ fn every_template_reads_and_compiles_without_faults() {
         let scenario = read(template.text, &name).unwrap_or_else(|e| panic!("{e}"));
         assert!(!scenario.content().title.is_empty() && !template.summary.is_empty());
         compile(&scenario);
+    }
+}
+
+#[test]
+fn studies_and_fits_to_start_from_are_read_without_faults() {
+    for template in study_templates() {
+        let file = StudyFile::read(template.text, "study.toml").unwrap_or_else(|e| panic!("{e}"));
+        file.settle(Vec::new()).unwrap_or_else(|e| panic!("{e}"));
+        let base = file.content.base.expect("a base");
+        assert!(template.files.iter().any(|(name, _)| *name == base));
+    }
+    for template in fit_templates() {
+        let file = FitFile::read_with(template.text, "fit.toml", FileAccess::OwnFolder);
+        let file = file.unwrap_or_else(|e| panic!("{e}"));
+        file.settle(Vec::new()).unwrap_or_else(|e| panic!("{e}"));
+        let base = file.content.base.expect("a base");
+        let data = file.content.test.iter().map(|test| &test.table.data);
+        for named in data.chain([&base]) {
+            assert!(template.files.iter().any(|(name, _)| name == named), "{named}");
+        }
     }
 }
 

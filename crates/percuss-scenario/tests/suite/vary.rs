@@ -144,3 +144,15 @@ fn tables_take_the_place_of_whole_tables() {
     );
     assert!(set("support.c={ at = \"b.end\" }").is_err(), "tables with names have to exist");
 }
+
+#[test]
+fn settings_of_the_computation_are_known_by_their_paths() {
+    let scenario = read(templates()[0].text, "elastic").expect("valid");
+    let is_setting = |path: &str| scenario.field(path).expect(path).is_setting();
+    for path in ["time.step", "time.end", "beam.girder.elements", "record.every"] {
+        assert!(is_setting(path), "{path}");
+    }
+    for path in ["projectile.mass.mass", "material.composite.young", "beam.girder.points[1][0]"] {
+        assert!(!is_setting(path), "{path}");
+    }
+}

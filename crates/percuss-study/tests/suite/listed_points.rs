@@ -3,32 +3,7 @@
 use percuss_scenario::FileAccess;
 use percuss_study::{Input, Study};
 
-/// A cantilever struck at its end by a mass behind a spring.
-const BASE: &str = r#"
-[material.m]
-preset = "steel"
-[section.s]
-shape = "rectangle"
-width = "10 cm"
-depth = "10 cm"
-[beam.b]
-points = [[0, 0], [1, 0]]
-elements = 4
-material = "m"
-section = "s"
-[support.left]
-at = "b.start"
-kind = "clamp"
-[projectile.p]
-kind = "elastic"
-mass = 10
-stiffness = 1e6
-velocity = [0, 1]
-strikes = "b.end"
-[time]
-end = 5e-3
-step = 5e-5
-"#;
+use crate::common::CANTILEVER;
 
 const RESULTS: &str = "[results]\nforce = \"contact.p.peak_force.value\"\n";
 
@@ -47,7 +22,7 @@ kind = "points"
 "#;
 
 fn read(rest: &str) -> Result<Study, percuss_scenario::Diagnostics> {
-    Study::from_toml(&format!("scenario = '''{BASE}'''\n{rest}{RESULTS}"), "study.toml")
+    Study::from_toml(&format!("scenario = '''{CANTILEVER}'''\n{rest}{RESULTS}"), "study.toml")
 }
 
 fn study(rest: &str) -> Study {
@@ -58,7 +33,7 @@ fn study(rest: &str) -> Study {
 fn from_file(folder: &std::path::Path, rest: &str, csv: &str) -> Result<Study, String> {
     std::fs::write(folder.join("points.csv"), csv).expect("written");
     let design = "[design]\nkind = \"points\"\nfile = \"points.csv\"\n";
-    let text = format!("scenario = '''{BASE}'''\n{rest}{design}{RESULTS}");
+    let text = format!("scenario = '''{CANTILEVER}'''\n{rest}{design}{RESULTS}");
     let name = folder.join("study.toml");
     let name = name.to_str().expect("a name");
     Study::from_toml_with(&text, name, FileAccess::OwnFolder).map_err(|faults| faults.to_string())
@@ -144,7 +119,7 @@ fn what_is_wrong_with_points_is_reported_with_what_would_be_right() {
     let misspelt = LISTED.replace("values = [1.0", "valeus = [1.0");
     assert_eq!(read(&misspelt).err().map(|faults| faults.all().len()), Some(1));
     let outside = format!(
-        "scenario = '''{BASE}'''\n[design]\nkind = \"points\"\nfile = \"../points.csv\"\n{RESULTS}"
+        "scenario = '''{CANTILEVER}'''\n[design]\nkind = \"points\"\nfile = \"../points.csv\"\n{RESULTS}"
     );
     let reported = Study::from_toml(&outside, "study.toml").err().map(|f| f.to_string());
     assert!(reported.unwrap_or_default().contains("outside the folder"));

@@ -2,39 +2,14 @@
 
 use percuss_study::{Folder, Input, RESULTS, Shard, Study, merge, sweep};
 
-/// A cantilever struck at its end by a mass behind a spring; a run takes some hundred steps.
-const BASE: &str = r#"
-[material.m]
-preset = "steel"
-[section.s]
-shape = "rectangle"
-width = "10 cm"
-depth = "10 cm"
-[beam.b]
-points = [[0, 0], [1, 0]]
-elements = 4
-material = "m"
-section = "s"
-[support.left]
-at = "b.start"
-kind = "clamp"
-[projectile.p]
-kind = "elastic"
-mass = 10
-stiffness = 1e6
-velocity = [0, 1]
-strikes = "b.end"
-[time]
-end = 5e-3
-step = 5e-5
-"#;
+use crate::common::CANTILEVER;
 
 fn study(rest: &str) -> Study {
     read(rest).unwrap_or_else(|faults| panic!("{faults}"))
 }
 
 fn read(rest: &str) -> Result<Study, percuss_scenario::Diagnostics> {
-    Study::from_toml(&format!("scenario = '''{BASE}'''\n{rest}"), "study.toml")
+    Study::from_toml(&format!("scenario = '''{CANTILEVER}'''\n{rest}"), "study.toml")
 }
 
 const SAMPLED: &str = r#"
@@ -102,7 +77,7 @@ fn a_run_of_a_study_is_the_run_of_the_changed_file() {
     };
     let changes =
         [format!("projectile.p.velocity=[0, {speed:?}]"), format!("projectile.p.mass={mass:?}")];
-    let text = percuss_scenario::apply_overrides(BASE, "base", &changes).expect("valid");
+    let text = percuss_scenario::apply_overrides(CANTILEVER, "base", &changes).expect("valid");
     let compiled = percuss_scenario::read(&text, "base").and_then(|s| s.compile()).expect("valid");
     let detail = percuss_batch::Detail::Motion;
     let alone = percuss_batch::simulate_batch(&[(&compiled.model, &compiled.settings)], detail);
@@ -121,7 +96,7 @@ fn a_run_of_a_study_is_the_run_of_the_changed_file() {
 #[test]
 fn runs_side_by_side_tell_what_each_tells_alone() {
     // Long enough that the first ones are far away while the last ones still touch.
-    let base = BASE.replace("end = 5e-3", "end = 40e-3");
+    let base = CANTILEVER.replace("end = 5e-3", "end = 40e-3");
     let speed = r#"
         [parameter.speed]
         path = "projectile.p.velocity[1]"
@@ -179,7 +154,7 @@ fn studies_count_what_single_runs_count() {
     assert_eq!(few, single);
     let masses = [1.0, 8.25, 15.5, 22.75, 30.0];
     for (k, mass) in masses.iter().enumerate() {
-        let text = BASE.replace("mass = 10", &format!("mass = {mass}"));
+        let text = CANTILEVER.replace("mass = 10", &format!("mass = {mass}"));
         let compiled = percuss_scenario::read(&text, "base").and_then(|s| s.compile());
         let compiled = compiled.unwrap_or_else(|faults| panic!("{faults}"));
         let run = percuss::simulate(&compiled.model, &compiled.settings, &mut percuss::NoRecorder);
@@ -454,7 +429,7 @@ fn a_correlation_reported_twice_is_refused() {
 
 #[test]
 fn points_with_a_dot_in_their_name_have_results() {
-    let base = BASE.replace("[time]", "[record]\npoints = [\"b@0.5\", \"b@0.25m\"]\n[time]");
+    let base = CANTILEVER.replace("[time]", "[record]\npoints = [\"b@0.5\", \"b@0.25m\"]\n[time]");
     let with = |path: &str| {
         let text = SAMPLED.replace("contact.p.intervals[7].end", path);
         Study::from_toml(&format!("scenario = \'\'\'{base}\'\'\'\n{text}"), "study.toml")
@@ -483,7 +458,7 @@ fn shares_are_of_the_completed_runs_and_the_three_counts_are_reported() {
     );
     let far =
         far.replace("runs = 600", "runs = 8").replace("intervals[0].end", "intervals[0].start");
-    let base = BASE.replace("mass = 10\n", "mass = 10\nstandoff = 0\n");
+    let base = CANTILEVER.replace("mass = 10\n", "mass = 10\nstandoff = 0\n");
     let study = Study::from_toml(&format!("scenario = \'\'\'{base}\'\'\'\n{far}"), "study.toml");
     let study = study.unwrap_or_else(|faults| panic!("{faults}"));
     let table = study.run_shard(0).table;

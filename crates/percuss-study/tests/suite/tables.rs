@@ -2,35 +2,12 @@
 
 use percuss_study::{Study, Values, merge, read_table};
 
-const BASE: &str = r#"
-[material.m]
-preset = "steel"
-[section.s]
-shape = "rectangle"
-width = "10 cm"
-depth = "10 cm"
-[beam.b]
-points = [[0, 0], [1, 0]]
-elements = 4
-material = "m"
-section = "s"
-[support.left]
-at = "b.start"
-kind = "clamp"
-[projectile.p]
-kind = "elastic"
-mass = 10
-stiffness = 1e6
-velocity = [0, 1]
-strikes = "b.end"
-[time]
-end = 1e-3
-step = 5e-5
-"#;
+use crate::common::CANTILEVER;
 
 fn study(results: &str) -> Study {
+    let base = CANTILEVER.replace("end = 5e-3", "end = 1e-3");
     let text = format!(
-        "scenario = '''{BASE}'''
+        "scenario = '''{base}'''
         [parameter.speed]
         path = \"projectile.p.velocity[1]\"
         values = [1, 2, 3]
