@@ -103,7 +103,9 @@ fn obstacle(item: &Obstacle, model: &mut Model) {
     };
     let support = model.supports.len();
     let (name, until) = (item.name.clone(), f64::INFINITY);
-    model.supports.push(SupportData { name, point: None, until, motion, stops: false });
+    // Its contacts follow.
+    let (stops, rigid) = (false, false);
+    model.supports.push(SupportData { name, point: None, until, motion, stops, rigid });
     model.obstacles.push(ObstacleData { body, support, position });
 }
 

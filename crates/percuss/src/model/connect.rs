@@ -18,7 +18,9 @@ pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
         });
         let (name, until) = (support.name.clone(), support.until);
         let stops = matches!(support.kind, SupportKind::Stop { .. });
-        model.supports.push(SupportData { name, point: Some(point.clone()), until, motion, stops });
+        let rigid = !matches!(support.kind, SupportKind::Elastic { .. } | SupportKind::Stop { .. });
+        let own = Some(point.clone());
+        model.supports.push(SupportData { name, point: own, until, motion, stops, rigid });
         match support.kind {
             SupportKind::Elastic {
                 direction,

@@ -23,8 +23,12 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) -> Result<(), Vec
         let mut pairs = Pairs { builder, model, contact: model.contacts.len(), found: Vec::new() };
         pairs.between(contact);
         let mut found = pairs.found;
+        let obstacle = obstacle_of(contact);
         for pair in &mut found {
-            pair.obstacle = obstacle_of(contact);
+            pair.obstacle = obstacle;
+        }
+        if let Some(obstacle) = obstacle.filter(|_| contact.law.is_rigid()) {
+            model.supports[model.obstacles[obstacle].support].rigid = true;
         }
         model.pairs.extend(found);
         let (name, law) = (contact.name.clone(), contact.law.clone());

@@ -80,6 +80,9 @@ pub struct SupportData {
     pub motion: Option<usize>,
     /// Whether it is a stop, which presses only when its gap is closed.
     pub stops: bool,
+    /// Whether it fixes displacements or is an obstacle with a rigid contact: its reactions can be impulses. Springs, stops and compliant contacts
+    /// have forces only.
+    pub rigid: bool,
 }
 
 /// Load of a joint, a mean over a step.

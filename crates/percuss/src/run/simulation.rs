@@ -261,7 +261,7 @@ impl<'m> Simulation<'m> {
             return Ok(());
         }
         let iterations = rows.begin(state.time, solver.counts.effort.iterations);
-        monitor.settle(state);
+        monitor.settle(model, state);
         monitor.reactions.close();
         recorder.state(state);
         let [force, impulse] = frames.contact();

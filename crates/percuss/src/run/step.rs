@@ -57,7 +57,7 @@ impl Simulation<'_> {
             }
         }
         let closed = self.close_step(&decider);
-        self.monitor.settle(&self.state);
+        self.monitor.settle(self.model, &self.state);
         closed?;
         Ok(recorder.progress(self.state.time))
     }

@@ -120,7 +120,8 @@ impl Range {
     }
 }
 
-/// Reactions of a support on the structure, each the mean over a step; steps as short as an impact are left out.
+/// Reactions of a support on the structure, each the mean over a step. Steps as short as an impact are omitted; and, for a support that fixes
+/// displacements or is an obstacle with a rigid contact, steps of time-stepping with an impact: its reactions in them are impulses.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SupportSummary {
     /// The user's name for it.
@@ -130,7 +131,7 @@ pub struct SupportSummary {
     /// Moment about the support's point \[N m\].
     pub moment: Range,
     /// Sums of its impulses, beyond those of forces, in impacts and where prescribed velocities jump: components, and moment about its
-    /// point, shape (3) \[N s, N m s\].
+    /// point, shape (3) \[N s, N m s\]. In a step of time-stepping with an impact the force is that of the step before.
     pub impulse: [f64; 3],
     /// Intervals of contact, in the order of time, shape (touches); of a stop only.
     pub touches: Option<Vec<StopTouch>>,

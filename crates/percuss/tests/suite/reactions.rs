@@ -129,3 +129,119 @@ fn a_resting_contact_parts_with_the_velocity_of_its_gap() {
     }
     assert!(compared > 2, "{compared} of {}", intervals.len());
 }
+
+/// A run in time-stepping as in the paper, or with located impacts.
+fn settings(end: f64, step: f64, located: bool) -> Settings {
+    let impacts = match located {
+        true => ImpactResolution::Event,
+        false => ImpactResolution::TimeStepping { closed_tolerance: 1e-9 },
+    };
+    Settings { impacts, ..Settings::new(end, step) }
+}
+
+/// Component 2 of a support: magnitude of its largest force, and its impulse.
+fn reaction(summary: &RunSummary, support: usize) -> [f64; 2] {
+    let own = &summary.supports[support];
+    let Range { min, max } = own.force[1];
+    [max.value.max(-min.value), own.impulse[1]]
+}
+
+/// The paper's rigid projectile on a clamped beam, section 3.5.
+fn clamped() -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("stiff", 0.2e12, 3e3));
+    let section = b.section(Section::new("plank", 0.1, 8.33e-5));
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+    for (name, fraction) in [("left", 0.0), ("right", 1.0)] {
+        b.support(Support::new(name, at(name, girder, fraction), SupportKind::Clamp));
+    }
+    b.projectile(common::rigid("hammer", at("girder.mid", girder, 0.5), [0.0, -40.0], 0.5));
+    b.build().unwrap()
+}
+
+/// The beam is struck after 0.5 ms; 0.2 ms later it has vibrated, and nothing has struck again. Divided by the step the impulse of a clamp would be
+/// 3.1 MN at 10 microseconds and 13 MN at 2.5.
+#[test]
+fn forces_of_clamps_in_time_stepping_do_not_grow_as_steps_become_shorter() {
+    let model = clamped();
+    let found = [(1e-5, 0.1), (2.5e-6, 0.01)].map(|(step, close)| {
+        let [located, paper] = [true, false].map(|located| {
+            let (rows, summary) = Rows::of(&model, &settings(0.7e-3, step, located));
+            let [force, impulse] = reaction(&summary, 0);
+            let forces = rows.column("support.left.force_2");
+            let largest = forces.into_iter().fold(0.0, |most: f64, force| most.max(force.abs()));
+            assert!((largest - force).abs() < 1e-6 * force, "{step} {located}: {largest} {force}");
+            let sum: f64 = rows.column("support.left.impulse_2").iter().sum();
+            assert!((sum - impulse).abs() < 1e-9 * impulse.abs(), "{step} {located}: {sum}");
+            [force, impulse]
+        });
+        // The impulse acts over a step: its distribution over the beam is that of an instant up to an error of the step.
+        assert!((paper[1] / located[1] - 1.0).abs() < close, "{step}: {paper:?} {located:?}");
+        assert!((paper[0] / located[0] - 1.0).abs() < 0.02, "{step}: {paper:?} {located:?}");
+        paper[0]
+    });
+    assert!((found[0] / found[1] - 1.0).abs() < 0.05, "{found:?}");
+}
+
+/// A cantilever is struck at its tip, under which a stop is closed without force.
+#[test]
+fn a_stop_has_the_force_of_its_compression_in_impacts_too() {
+    let stiffness = 1e6;
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("m", 2e11, 8e3));
+    let section = b.section(Section::rectangle("s", 0.02, 0.04));
+    let strip = b.beam(beam("b", [0.0, 0.0], [0.5, 0.0], 2, material, section));
+    b.support(Support::new("root", at("root", strip, 0.0), SupportKind::Clamp));
+    let tip = at("tip", strip, 1.0);
+    let kind = SupportKind::Stop { direction: [0.0, -1.0], gap: 0.0, stiffness, two_sided: false };
+    b.support(Support::new("stop", tip.clone(), kind));
+    let hammer = common::rigid("hammer", tip, [0.0, -5.0], 0.5);
+    b.projectile(Projectile { mass: 1.0, standoff: 0.0, ..hammer });
+    let (model, step) = (b.build().unwrap(), 1e-5);
+    for located in [true, false] {
+        let (rows, summary) = Rows::of(&model, &settings(5e-4, step, located));
+        let [time, tip, force] =
+            ["time", "point.tip.displacement_2", "support.stop.force_2"].map(|c| rows.column(c));
+        let mut compared = 0;
+        for k in 1..time.len() {
+            // Rows on both sides of an impact are closer to each other.
+            if time[k] - time[k - 1] > 0.5 * step && tip[k - 1] <= 0.0 && tip[k] < 0.0 {
+                // The mean force over a step does the work that the stop stores.
+                let expected = -0.5 * stiffness * (tip[k - 1] + tip[k]);
+                let error = (force[k] - expected).abs();
+                assert!(error < 1e-6 * expected, "{located} {}: {} {expected}", time[k], force[k]);
+                compared += 1;
+            }
+        }
+        assert!(compared > 10, "{located}: {compared}");
+        let [largest, impulse] = reaction(&summary, 1);
+        let most = force.into_iter().fold(0.0, f64::max);
+        assert!((largest - most).abs() < 1e-6 * most, "{located}: {largest} {most}");
+        assert!(impulse.abs() < 1e-6, "{located}: {impulse}");
+        assert!(reaction(&summary, 0)[1] != 0.0, "{located}: the clamp transmits an impulse");
+    }
+}
+
+/// A ball of 3 kg at 2 m/s bounces on a floor with restitution 0.5 in time-stepping: an impulse of 9 N s, and no force.
+#[test]
+fn an_obstacle_struck_in_time_stepping_has_an_impulse_and_no_force() {
+    for step in [1e-3, 2.5e-4] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("stuff", 1e9, 1e3));
+        let section = b.section(Section::new("bar", 0.01, 1e-5));
+        b.beam(beam("far", [0.0, 9.0], [1.0, 9.0], 1, material, section));
+        let ball = common::disc("ball", 3.0, 0.1, [0.0, 0.1 + 2.5 * step], [0.0, -2.0]);
+        let ball = b.disc(ball);
+        let shape = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] };
+        let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
+        let between = [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)];
+        let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
+        b.contact(Contact::new("c", between, law));
+        let model = b.build().unwrap();
+        let summary =
+            simulate(&model, &settings(10.0 * step, step, false), &mut NoRecorder).unwrap();
+        let [force, impulse] = reaction(&summary, 0);
+        assert_eq!(force, 0.0, "{step}");
+        assert!((impulse.abs() - 9.0).abs() < 1e-9, "{step}: {impulse}");
+    }
+}

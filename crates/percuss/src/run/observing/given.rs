@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::geometry::row::Row;
+use crate::model::Model;
 use crate::run::solving::trial::Accepted;
 use crate::state::State;
 use crate::summary::SupportSummary;
@@ -11,13 +12,11 @@ use crate::summary::SupportSummary;
 /// over a row of the history as over the run.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct RowReactions {
-    /// Impulses and angular impulse since the last instant settled, of the parts longer than an impact, shape (supports, 3)
+    /// Impulses and angular impulse since the last instant settled, of the parts in which they are those of forces, shape (supports, 3)
     /// \[N s, N m s\].
     sum: Vec<[f64; 3]>,
-    /// Duration \[s\].
-    time: f64,
-    /// Whether a part was as short as an impact: a mean over it is an impulse in disguise.
-    carries_impulses: bool,
+    /// These parts for compliant and for rigid supports, shape (2).
+    unsettled: [Unsettled; 2],
     /// Mean reactions over the time before the last instant settled, shape (supports, 3) \[N, N m\].
     mean: Vec<[f64; 3]>,
     /// Impulses of supports up to the last settled instant, shape (supports, 3) \[N s, N m s\].
@@ -32,14 +31,22 @@ pub struct RowReactions {
     last_row: [Vec<[f64; 3]>; 2],
 }
 
+/// Parts since the last instant settled, for supports of one kind.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+struct Unsettled {
+    /// Duration of those in which reactions are forces \[s\].
+    time: f64,
+    /// Whether reactions were impulses in any: a mean over it is an impulse in disguise.
+    carries_impulses: bool,
+}
+
 impl RowReactions {
     /// Before the first row, with the reactions at the start.
     pub fn new(state: &State, mean: &[[f64; 3]]) -> Self {
         let (mean, none) = (mean.to_vec(), vec![[0.0; 3]; mean.len()]);
         Self {
             sum: none.clone(),
-            time: 0.0,
-            carries_impulses: false,
+            unsettled: Default::default(),
             last_row: [mean.clone(), none.clone()],
             mean,
             before: state.reactions.clone(),
@@ -65,39 +72,44 @@ impl RowReactions {
         &self.last_row[1]
     }
 
-    /// Enters a part of a step; reactions in one as short as an impact interval are no forces.
+    /// Enters a part of a step.
     pub fn take(&mut self, part: &Accepted<'_>) {
-        if part.solved.impulsive {
-            self.carries_impulses = true;
-            return;
+        let (state, solved) = (part.after, part.solved);
+        for (own, rigid) in self.unsettled.iter_mut().zip([false, true]) {
+            if solved.reacts_by_impulses(rigid) {
+                own.carries_impulses = true;
+            } else {
+                own.time += solved.trial.h;
+            }
         }
-        let state = part.after;
-        self.time += part.solved.trial.h;
         for (support, before) in state.reacting.list() {
-            let now = &state.reactions[*support];
-            (0..3).for_each(|i| self.sum[*support][i] += now[i] - before[i]);
+            if !solved.reacts_by_impulses(part.model.supports[*support].rigid) {
+                let now = &state.reactions[*support];
+                (0..3).for_each(|i| self.sum[*support][i] += now[i] - before[i]);
+            }
         }
     }
 
     /// Separates forces and impulses at the end of a step, or at an impact within it, and adds the impulses to the summary. The force is the mean
-    /// over the parts longer than an impact interval; without such parts it is the previous one.
-    pub fn settle(&mut self, state: &State, summary: &mut [SupportSummary]) {
+    /// over the parts in which reactions are forces; without such parts it is the previous one.
+    pub fn settle(&mut self, model: &Model, state: &State, summary: &mut [SupportSummary]) {
         let since = state.time - self.settled;
         if since <= 0.0 {
             return;
         }
-        if self.time > 0.0 {
-            for (mean, sum) in self.mean.iter_mut().zip(&mut self.sum) {
-                *mean = sum.map(|impulse| impulse / self.time);
+        let unsettled = std::mem::take(&mut self.unsettled);
+        let [forces, impulses] = &mut self.since_row;
+        for (k, support) in model.supports.iter().enumerate() {
+            let Unsettled { time, carries_impulses } = unsettled[usize::from(support.rigid)];
+            let (sum, mean) = (&mut self.sum[k], &mut self.mean[k]);
+            if time > 0.0 {
+                *mean = sum.map(|impulse| impulse / time);
                 *sum = [0.0; 3];
             }
-        }
-        let [forces, impulses] = &mut self.since_row;
-        for (k, mean) in self.mean.iter().enumerate() {
             let (now, before) = (&state.reactions[k], &self.before[k]);
             for i in 0..3 {
                 forces[k][i] += since * mean[i];
-                if self.carries_impulses {
+                if carries_impulses {
                     let beyond = now[i] - before[i] - since * mean[i];
                     impulses[k][i] += beyond;
                     summary[k].impulse[i] += beyond;
@@ -105,7 +117,7 @@ impl RowReactions {
             }
         }
         self.before.clone_from(&state.reactions);
-        (self.time, self.settled, self.carries_impulses) = (0.0, state.time, false);
+        self.settled = state.time;
     }
 
     /// Ends a row, with the values since the last one.

@@ -47,7 +47,8 @@ pub struct Monitor {
     pub section_forces: Vec<SectionForceSummary>,
     /// Extremes of the reactions, one entry a support, those of the start among them, shape (supports).
     pub supports: Vec<SupportSummary>,
-    /// The supports with reactions in the last part, shape (such supports) \[index of a support\]; `None` if all are to be evaluated.
+    /// The supports with reactions in the last part in which these were forces, shape (such supports) \[index of a support\]; `None` if all are to
+    /// be evaluated.
     reacted: Option<Vec<usize>>,
     /// Impulses of supports.
     pub reactions: RowReactions,
@@ -159,9 +160,7 @@ impl Monitor {
     /// Enters a part of a step.
     pub fn take(&mut self, part: &Accepted<'_>) {
         let (model, state, solved) = (part.model, part.after, part.solved);
-        if !solved.impulsive {
-            self.take_reactions(state, solved.trial.h);
-        }
+        self.take_reactions(part);
         if !solved.jumps {
             section_forces::update(model, &self.lines, state, &mut self.section_forces);
         }
@@ -199,8 +198,8 @@ impl Monitor {
     }
 
     /// Separates forces and impulses of supports, up to the current state.
-    pub fn settle(&mut self, state: &State) {
-        self.reactions.settle(state, &mut self.supports);
+    pub fn settle(&mut self, model: &Model, state: &State) {
+        self.reactions.settle(model, state, &mut self.supports);
     }
 
     /// Enters the reactions at the start into the extremes.
@@ -212,8 +211,12 @@ impl Monitor {
         }
     }
 
-    fn take_reactions(&mut self, state: &State, h: f64) {
-        let list = state.reacting.list();
+    /// Enters the reactions that are forces into the extremes.
+    fn take_reactions(&mut self, part: &Accepted<'_>) {
+        let (state, solved) = (part.after, part.solved);
+        let (list, h) = (state.reacting.list(), solved.trial.h);
+        let gives_force =
+            |support: usize| !solved.reacts_by_impulses(part.model.supports[support].rigid);
         let mut take = |support: usize, mean: [f64; 3]| {
             let summary = &mut self.supports[support];
             summary.force[0].take(mean[0], state.time);
@@ -223,17 +226,18 @@ impl Monitor {
                 stop_log::take(touches, f64::hypot(mean[0], mean[1]), h, state.time);
             }
         };
-        for (support, before) in list {
+        for (support, before) in list.iter().filter(|(support, _)| gives_force(*support)) {
             let now = &state.reactions[*support];
             take(*support, std::array::from_fn(|i| (now[i] - before[i]) / h));
         }
         // A support that still has no reaction has entered its zero already.
         let reacted = self.reacted.get_or_insert_with(|| (0..state.reactions.len()).collect());
-        for support in reacted.iter().filter(|s| !state.reacting.contains(**s)) {
+        for support in reacted.iter().filter(|s| gives_force(**s) && !state.reacting.contains(**s))
+        {
             take(*support, [0.0; 3]);
         }
-        reacted.clear();
-        reacted.extend(list.iter().map(|(support, _)| *support));
+        reacted.retain(|support| !gives_force(*support));
+        reacted.extend(list.iter().map(|(s, _)| *s).filter(|s| gives_force(*s)));
     }
 
     /// Enters the measures of a new state into the largest residuals.

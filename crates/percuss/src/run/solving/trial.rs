@@ -181,6 +181,15 @@ pub struct Solved {
 }
 
 impl Solved {
+    /// Whether reactions of supports over the part are impulses, of rigid supports or of the others.
+    ///
+    /// Of a part as short as an impact all are: no force is known from it. In a step of the paper's in which velocities jump, rigid supports transmit
+    /// impulses, and a mean over the step would grow without limit as steps become shorter; the deformation of compliant supports limits their forces.
+    pub fn reacts_by_impulses(&self, rigid: bool) -> bool {
+        let over_step = self.jumps && matches!(self.trial.kind, PartKind::TimeStepping { .. });
+        self.impulsive || (rigid && over_step)
+    }
+
     /// Whether it is an impact with a non-zero impulse of at least one contact.
     pub fn strikes(&self) -> bool {
         let struck = |(contact, found): (&ActiveContact, &RigidContact)| {

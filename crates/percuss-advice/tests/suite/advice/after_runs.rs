@@ -1,0 +1,159 @@
+//! What a finished run shows: open contacts, reactions, strains, steps of a contact.
+
+use super::*;
+
+/// After the run: a contact still closed, one that never closed, reactions of rigid impacts.
+#[test]
+fn contacts_left_open_by_a_run_are_reported_after_it() {
+    let of = |kind: ProjectileKind, mass: f64, standoff: f64| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0, 1.0]);
+        let one = Projectile::new("mass", kind, mass, [0.0, -0.5], at("mid", beam, 0.5));
+        b.projectile(Projectile { standoff, ..one });
+        let (model, settings) = (freeze(&b), Settings::new(5e-3, 5e-6));
+        review(&model, &settings, &run(&model, &settings), &[])
+    };
+    let soft = of(ProjectileKind::spring(1e4), 20.0, 0.0);
+    assert!(
+        soft.iter().any(|a| a.topic == Topic::Ending && a.text.contains("still closed")),
+        "{soft:#?}"
+    );
+    let late = of(ProjectileKind::spring(1e4), 20.0, 1.0);
+    assert!(late.iter().any(|a| a.text.contains("no contact up to the end")), "{late:#?}");
+    assert!(of(ProjectileKind::spring(5e7), 0.5, 0.0).is_empty());
+    let rigid = of(ProjectileKind::Rigid { restitution: 0.5 }, 20.0, 0.0);
+    assert!(rigid.iter().any(|a| a.topic == Topic::Reactions), "{rigid:#?}");
+}
+
+fn ball(position: [f64; 2]) -> Disc {
+    let (velocity, name) = ([0.0; 2], "ball".to_owned());
+    Disc { name, mass: 40.0, inertia: None, radius: 0.05, position, velocity, spin: 0.0 }
+}
+
+/// A ball that lies on a girder from the start, or falls on it from a height: only the fall has an impact, whose impulse depends on the mesh, and
+/// a ball that lies there is no contact cut short.
+#[test]
+fn persistent_contacts_without_impacts_have_no_effective_mass_to_warn_of() {
+    for (height, struck) in [(0.0, false), (1e-3, true)] {
+        let mut b = ModelBuilder::new();
+        let girder = bar(&mut b, 2.0, 8, [0.05, 0.05]);
+        hold(&mut b, girder, &SupportKind::Clamp, &[0.0, 1.0]);
+        let disc = b.disc(ball([1.0, 0.075 + height]));
+        let between = [ContactPartner::Disc(disc), ContactPartner::Beam(girder)];
+        let law = TouchLaw::Rigid(RigidLaw::frictionless(0.0));
+        b.contact(Contact::new("seat", between, law));
+        b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+        let start = if struck { Start::Reference } else { Start::Static };
+        let (model, settings) = (freeze(&b), Settings { start, ..Settings::new(0.02, 2e-5) });
+        let mut advice = advise(&model, &settings);
+        let summary = run(&model, &settings);
+        settle(&mut advice, &settings, &summary);
+        let warned = verdict(&advice, Topic::EffectiveMass) == Some(Verdict::Warning);
+        assert_eq!(warned, struck, "{advice:#?}");
+        let of_mesh = |one: &AuditWarning| one.caution == Caution::MeshImpulse;
+        assert_eq!(audit(&summary, &[], |_| None).iter().any(of_mesh), struck);
+        let after = review(&model, &settings, &summary, &advice);
+        let cut_short = after.iter().any(|a| a.topic == Topic::Ending);
+        assert!(struck || !cut_short, "{after:#?}");
+    }
+}
+
+/// A ball on a rope beside a beam is meant to hang; one without a rope is missed.
+#[test]
+fn a_ball_on_a_spring_that_touches_nothing_is_no_missed_contact() {
+    for hangs in [true, false] {
+        let mut b = ModelBuilder::new();
+        let girder = bar(&mut b, 2.0, 8, [0.05, 0.05]);
+        hold(&mut b, girder, &SupportKind::Clamp, &[0.0, 1.0]);
+        let disc = b.disc(ball([1.0, 1.0]));
+        let between = [ContactPartner::Disc(disc), ContactPartner::Beam(girder)];
+        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e6 }));
+        b.contact(Contact::new("seat", between, law));
+        if hangs {
+            b.spring(Spring {
+                name: "rope".into(),
+                between: [Anchor::Ground([1.0, 2.0]), Anchor::Projectile("ball".into())],
+                law: SpringLaw::Tension { stiffness: 1e5, slack: 0.0 },
+                damping: 0.0,
+                length: None,
+                strength: None,
+                yielding: None,
+            });
+        }
+        let (model, settings) = (freeze(&b), Settings::new(0.02, 2e-5));
+        let after = review(&model, &settings, &run(&model, &settings), &[]);
+        let missed = after.iter().any(|a| a.text.contains("no contact up to the end"));
+        assert_eq!(missed, !hangs, "{after:#?}");
+    }
+}
+
+/// A rubber block pressed together by a fifth: Green's strain and the engineering strain are no longer the same.
+#[test]
+fn large_compression_under_greens_strain_is_reported() {
+    let of = |measure: StrainMeasure, force: f64| {
+        let mut b = ModelBuilder::new();
+        let rubber = Material::new("rubber", 1e6, 1000.0);
+        let material = b.material(Material { strain: measure, ..rubber });
+        let section = b.section(Section::rectangle("block", 0.1, 0.1));
+        let beam = Beam::new("block", &[[0.0, 0.0], [0.05, 0.0]], 4, material, section);
+        let beam = b.beam(beam);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0]);
+        let (force, moment) = ([-force, 0.0], 0.0);
+        let kind = LoadKind::Point { at: at("end", beam, 1.0), force, moment, follower: false };
+        b.load(Load::new("thrust", kind));
+        let model = freeze(&b);
+        let settings = Settings { start: Start::Static, ..Settings::new(1e-3, 1e-4) };
+        verdict(&review(&model, &settings, &run(&model, &settings), &[]), Topic::Strain)
+    };
+    assert_eq!(of(StrainMeasure::Green, 1600.0), Some(Verdict::Warning));
+    assert_eq!(of(StrainMeasure::Green, 200.0), None);
+    assert_eq!(of(StrainMeasure::Engineering, 1600.0), None);
+}
+
+/// An end that begins to move at once makes reactions without a limit (of an endless beam they fall with the root of time); one that follows a
+/// smooth course does not.
+#[test]
+fn velocity_jumps_of_driven_supports_are_reported() {
+    let of = |function: TimeFunction| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        let driven = Support::new("first", at("start", beam, 0.0), SupportKind::Pin);
+        let motion = Motion { displacement: [0.0, 5e-3], rotation: 0.0, function };
+        b.support(Support { motion: Some(motion), ..driven });
+        b.support(Support::new("second", at("end", beam, 1.0), SupportKind::Pin));
+        let (model, settings) = (freeze(&b), Settings::new(10e-3, 2e-5));
+        let found = review(&model, &settings, &run(&model, &settings), &[]);
+        found.into_iter().find(|one| one.topic == Topic::Reactions)
+    };
+    let reported = of(TimeFunction::Ramp { duration: 4e-3 }).expect("told");
+    assert!(
+        reported.contact == "support first" && reported.verdict == Verdict::Note,
+        "{reported:?}"
+    );
+    let times: Vec<f64> = (0..=40).map(|k| f64::from(k) * 1e-4).collect();
+    let course = |t: &f64| 0.5 - 0.5 * (std::f64::consts::PI * t / 4e-3).cos();
+    let values = times.iter().map(course).collect();
+    assert_eq!(of(TimeFunction::Table { times, values, smooth: true }), None);
+}
+
+/// The run shows how many steps its contact lasted, whatever could be estimated before.
+#[test]
+fn contacts_of_few_steps_are_reported_after_the_run() {
+    let of = |step: f64, before: &[Advice]| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0, 1.0]);
+        b.projectile(mass(at("mid", beam, 0.5), 0.5, 5e7, [0.0, -0.5]));
+        let (model, settings) = (freeze(&b), Settings::new(5e-3, step));
+        let found = review(&model, &settings, &run(&model, &settings), before);
+        found.into_iter().find(|one| one.topic == Topic::ContactDuration)
+    };
+    assert_eq!(of(5e-6, &[]), None);
+    let reported = of(1.5e-4, &[]).expect("told");
+    assert!(
+        reported.verdict == Verdict::Warning && reported.text.contains("time.step"),
+        "{reported:?}"
+    );
+    assert_eq!(of(1.5e-4, std::slice::from_ref(&reported)), None, "once is enough");
+}
