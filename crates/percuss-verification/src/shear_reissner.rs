@@ -7,10 +7,13 @@ use crate::motion::root_angle;
 use crate::shear::limit;
 use crate::structure::{at, or_nan};
 
-/// Straight beams with EA, shear stiffness, EI, rhoA and rhoI.
+/// A straight uniform beam.
 struct Straight {
+    /// Start and end, shape (2, 2) \[m\].
     points: [[f64; 2]; 2],
+    /// EA, shear stiffness and EI, shape (3) \[N, N, N m^2\].
     stiffness: [f64; 3],
+    /// rhoA and rhoI, shape (2) \[kg/m, kg m\].
     inertia: [f64; 2],
 }
 
@@ -33,7 +36,7 @@ impl Straight {
     }
 }
 
-/// The largest energy residual so far; NaN if a step fails.
+/// Advances a run by a step and keeps the largest energy residual, NaN if the step fails; whether it succeeded.
 fn advanced(run: &mut Simulation<'_>, residual: &mut f64) -> bool {
     let fine = run.advance(&mut NoRecorder).is_ok();
     let ledger = &run.state().ledger;
@@ -89,13 +92,17 @@ pub fn spin_up() -> Report {
     c.into_report()
 }
 
-/// Coordinates of the loaded end and of the other one at 2.5 and 5 s \[m\], angular momentum at 2.5 s, energy residual.
+/// The motion of the thrown beam.
 struct Thrown {
+    /// Coordinates of the loaded end and of the other one at 2.5 and 5 s, shape (2, 4) \[m\].
     ends: [[f64; 4]; 2],
+    /// Angular momentum about the origin at 2.5 s \[kg m^2/s\].
     angular: f64,
+    /// Largest energy residual.
     residual: f64,
 }
 
+/// That motion on a mesh.
 fn thrown(elements: usize) -> Thrown {
     let beam = Straight {
         points: [[0.0, 8.0], [6.0, 0.0]],

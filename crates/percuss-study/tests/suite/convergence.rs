@@ -78,27 +78,21 @@ fn a_rigid_impact_on_a_bare_node_is_said_to_depend_on_the_mesh() {
 /// The limit of Timoshenko's theory, by Laplace inversion: `percuss verify shear-impact`.
 #[test]
 fn a_mass_that_stays_on_a_shear_flexible_beam_has_a_limit() {
-    let path = "projectile.hammer.velocity_final[1]";
-    let ladder = ladder(&[path], None);
-    let shear = |restitution: &str| {
-        let restitution = format!("projectile.hammer.restitution={restitution}");
-        let changes = [
-            restitution.as_str(),
-            "projectile.hammer.standoff=0",
-            "time.end=1e-4",
-            "time.step=1e-6",
-            "beam.girder.elements=100",
-            "material.stiff.poisson=0.3",
-            "section.plank.shear_factor=0.8333333333333333",
-            "beam.girder.theory=shear",
-        ];
-        of("paper/rigid-clamped-e1.toml", &changes, &ladder)
-    };
-    let found = shear("0");
+    let ladder = Ladder { levels: 3, ..ladder(&["projectile.hammer.velocity_final[1]"], None) };
+    let changes = [
+        "projectile.hammer.restitution=0",
+        "projectile.hammer.standoff=0",
+        "time.end=1e-4",
+        "time.step=1e-6",
+        "beam.girder.elements=100",
+        "material.stiff.poisson=0.3",
+        "section.plank.shear_factor=0.8333333333333333",
+        "beam.girder.theory=shear",
+    ];
+    let found = of("paper/rigid-clamped-e1.toml", &changes, &ladder);
     let velocity = &found.results[0];
     // Its displacements are small; those of 40 m/s change the velocity by 5e-5.
     assert!((velocity.limit + 14.139_457_9).abs() < 2e-3, "{velocity:?}");
-    assert!(shear("1").results[0].limit.is_nan(), "an impulse of the mesh has no limit");
 }
 
 #[test]
