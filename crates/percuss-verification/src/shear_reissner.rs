@@ -98,6 +98,8 @@ struct Thrown {
     ends: [[f64; 4]; 2],
     /// Angular momentum about the origin at 2.5 s \[kg m^2/s\].
     angular: f64,
+    /// Linear momentum at 5 s, shape (2) \[kg m/s\].
+    linear: [f64; 2],
     /// Largest energy residual.
     residual: f64,
 }
@@ -115,7 +117,9 @@ fn thrown(elements: usize) -> Thrown {
     b.load(Load { from: 0.0, until: 2.5, ..Load::new("throw", kind) });
     let model = b.build().expect("a verification case builds");
     let mut run = Simulation::new(&model, &Settings::new(5.0, 2.5e-3)).expect("valid settings");
-    let mut found = Thrown { ends: [[f64::NAN; 4]; 2], angular: f64::NAN, residual: 0.0 };
+    let none = f64::NAN;
+    let mut found =
+        Thrown { ends: [[none; 4]; 2], angular: none, linear: [none; 2], residual: 0.0 };
     while run.state().step < run.step_count() && advanced(&mut run, &mut found.residual) {
         let u = &run.state().displacement;
         let (loaded, other) = (u[elements], u[0]);
@@ -125,7 +129,10 @@ fn thrown(elements: usize) -> Thrown {
                 found.ends[0] = ends;
                 found.angular = run.measures().angular;
             }
-            2000 => found.ends[1] = ends,
+            2000 => {
+                found.ends[1] = ends;
+                found.linear = run.measures().linear;
+            }
             _ => (),
         }
     }
@@ -153,6 +160,10 @@ pub fn flying_beam() -> Report {
     }
     let angular = limit(coarse.angular, fine.angular);
     c.relative("angular momentum [kg m^2/s]", angular, -229.518_2, 2e-5);
+    for (i, exact) in [20.0, 0.0].into_iter().enumerate() {
+        let what = format!("linear momentum {} at 5 s [kg m/s]", i + 1);
+        c.absolute(what, fine.linear[i], exact, 1e-9);
+    }
     let error = |run: &Thrown| {
         let apart = |i: usize| (run.ends[0][i] - exact[0][i]).powi(2);
         (0..4).map(apart).sum::<f64>().sqrt()
