@@ -17,6 +17,7 @@ KEPT = ROOT / "docs" / "book" / "noticed.json"
 """Cases that hold without a mistake, and those that notice each."""
 PAGE = ROOT / "docs" / "book" / "src" / "verification" / "sensitivity.md"
 LIST = ROOT / "docs" / "book" / "mutations.toml"
+CATALOGUE = ROOT / "crates" / "percuss-verification" / "src"
 CORE = Path("crates") / "percuss" / "src"
 BUILD = ("--release", "-p", "percuss-verification", "--example", "cases")
 # A mistake may keep an iteration from ending: what has not ended by then has noticed.
@@ -64,6 +65,12 @@ def noticed(found: dict[str, list[str]], sound: list[str]) -> list[str]:
     return [case for case in sound if found.get(case, ["endless"])[0] != "holds"]
 
 
+def catalogue() -> list[str]:
+    """Names of all cases, as the sources have them."""
+    files = [CATALOGUE / "catalogue.rs", *(CATALOGUE / "catalogue").glob("*.rs")]
+    return sorted(name for path in files for name in re.findall(r'\bid: "([^"]+)"', path.read_text()))
+
+
 def table(mutations: list[dict], kept: dict) -> str:
     measured = [m for m in mutations if m["id"] in kept]
     rows = []
@@ -73,6 +80,7 @@ def table(mutations: list[dict], kept: dict) -> str:
         rows.append(f"| {mutation['what']} | {len(cases)} | {names} |")
     blind = [m["what"] for m in measured if not kept[m["id"]]]
     never = [case for case in kept["sound"] if not any(case in kept[m["id"]] for m in measured)]
+    newer = [case for case in catalogue() if case not in kept["sound"]]
     later = [m["what"] for m in mutations if m not in measured]
     head = [
         f"Measured: {len(measured)} mistakes, {len(kept['sound'])} cases; {len(measured) - len(blind)} of the mistakes are noticed.",
@@ -82,6 +90,8 @@ def table(mutations: list[dict], kept: dict) -> str:
     ]
     tail = ["", "Noticed by none: " + ("; ".join(blind) if blind else "no mistake of the list") + "."]
     tail += ["", f"Cases that notice none of these mistakes ({len(never)}): " + ", ".join(f"`{case}`" for case in never) + "."]
+    if newer:
+        tail += ["", f"Cases added since ({len(newer)}): " + ", ".join(f"`{case}`" for case in newer) + "."]
     if later:
         tail += ["", "Not measured yet: " + "; ".join(later) + "."]
     return "\n".join(head + rows + tail)

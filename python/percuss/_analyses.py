@@ -45,7 +45,8 @@ class Modes:
         Returns
         -------
         dict
-            Of each mode number, kind, frequency [Hz], period [s], eigenvalue [1/s^2] and rate of growth [1/s].
+            Of each mode number, kind, frequency [Hz], period [s], eigenvalue [1/s^2], rate of growth [1/s], and whether it is of the
+            second spectrum of Timoshenko's theory.
 
         Examples
         --------

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use percuss::scene::Scene;
-use percuss::{Frame, Mode, ModeKind};
+use percuss::{Frame, Mode, ModeKind, Model};
 use serde_json::{Value, json};
 
 use crate::csv_text;
@@ -43,6 +43,7 @@ pub fn modes_value(info: &ModesInfo<'_>) -> Value {
             "period": 1.0 / frequency,
             "eigenvalue": m.eigenvalue,
             "growth_rate": m.growth(),
+            "second_spectrum": m.is_second_spectrum(info.model),
         })
     };
     json!({
@@ -66,7 +67,8 @@ pub fn write_modes(
 ) -> Result<(), Error> {
     let dir = dir.as_ref();
     files::write(&dir.join("shapes.csv"), shapes_csv(info).as_bytes())?;
-    let panels: Vec<Panel<'_>> = info.modes.iter().take(DRAWN).enumerate().map(panel).collect();
+    let modes = info.modes.iter().take(DRAWN).enumerate();
+    let panels: Vec<Panel<'_>> = modes.map(|(k, mode)| panel(k, mode, info.model)).collect();
     if !panels.is_empty() {
         let sheet = shapes::sheet(info.model, info.displacement, &panels);
         let titles: Vec<String> = panels.iter().map(|panel| panel.title.clone()).collect();
@@ -78,8 +80,11 @@ pub fn write_modes(
     files::write(&dir.join("modes.json"), format!("{:#}\n", modes_value(info)).as_bytes())
 }
 
-fn panel((k, mode): (usize, &Mode)) -> Panel<'_> {
+fn panel<'m>(k: usize, mode: &'m Mode, model: &Model) -> Panel<'m> {
     let (words, style) = match mode.kind() {
+        ModeKind::Vibration if mode.is_second_spectrum(model) => {
+            (format!("{} Hz, second spectrum", number(mode.frequency())), 1)
+        }
         ModeKind::Vibration => (format!("{} Hz", number(mode.frequency())), 1),
         ModeKind::RigidBody => ("rigid-body motion, 0 Hz".to_owned(), 3),
         ModeKind::Unstable => ("unstable mode".to_owned(), 2),

@@ -24,6 +24,8 @@ mod rigid_plastic;
 mod scene;
 mod section_forces;
 mod shear;
+mod shear_impact;
+mod shear_reissner;
 mod sliding;
 mod stability;
 mod statics;

@@ -7,8 +7,8 @@ use percuss::*;
 use crate::check::{Checks, Report};
 use crate::structure::at;
 
-/// Angle of the root of the spin-up manoeuvre [rad].
-fn root_angle(t: f64) -> f64 {
+/// Angle of the root of the spin-up manoeuvre \[rad\].
+pub fn root_angle(t: f64) -> f64 {
     if t < 15.0 {
         0.4 * (0.5 * t * t + (7.5 / PI).powi(2) * ((2.0 * PI * t / 15.0).cos() - 1.0))
     } else {

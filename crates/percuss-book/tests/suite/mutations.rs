@@ -75,3 +75,29 @@ fn the_page_has_a_row_for_each_mistake_and_says_which_none_notices() {
         assert_eq!(names == 0, blind, "{}", row[0]);
     }
 }
+
+/// Names in backticks of the line of the page that begins so.
+fn named(page: &str, begin: &str) -> BTreeSet<String> {
+    let line = page.lines().find(|line| line.starts_with(begin)).unwrap_or_default();
+    line.split('`').skip(1).step_by(2).map(str::to_string).collect()
+}
+
+#[test]
+fn every_case_was_run_with_the_mistakes_or_is_named_as_added_since() {
+    let sources = repository().join("crates/percuss-verification/src");
+    let lists = std::fs::read_dir(sources.join("catalogue")).unwrap();
+    let lists = lists.map(|entry| entry.unwrap().path()).chain([sources.join("catalogue.rs")]);
+    let lists = lists.map(|path| std::fs::read_to_string(path).unwrap()).collect::<String>();
+    let names = lists.lines().filter_map(|line| line.trim().strip_prefix("id: \""));
+    let cases: BTreeSet<String> =
+        names.filter_map(|rest| rest.strip_suffix("\",")).map(str::to_string).collect();
+    let kept: serde_json::Value = serde_json::from_str(&read("docs/book/noticed.json")).unwrap();
+    let run = kept["sound"].as_array().unwrap().iter().map(|case| case.as_str().unwrap());
+    let run: BTreeSet<String> = run.map(str::to_string).collect();
+    assert!(run.is_subset(&cases), "cases that no longer exist: run scripts/sensitivity");
+    let page = read("docs/book/src/verification/sensitivity.md");
+    let newer: BTreeSet<String> = cases.difference(&run).cloned().collect();
+    let on_page = named(&page, "Cases added since (");
+    assert_eq!(on_page, newer, "run scripts/sensitivity --page");
+    assert!(page.contains(&format!(" {} cases; ", run.len())), "{} cases were run", run.len());
+}

@@ -1,7 +1,7 @@
 //! `percuss modes`.
 
 use percuss::{
-    AnalysisCode, Caution, Equilibrium, Frame, Mode, ModeKind, Start, equilibrium, modes_about,
+    AnalysisCode, Caution, Equilibrium, Frame, ModeKind, Start, equilibrium, modes_about,
     modes_about_equilibrium, reference_state, slack_members, stops,
 };
 use percuss_output::{Extent, ModesInfo, Results, modes_value, write_modes};
@@ -70,7 +70,7 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         terminal::print(&format!("{:#}\n", modes_value(&info)))?;
     } else {
         let presses = |found: &Equilibrium| found.contacts.iter().any(|c| c.force > 0.0);
-        terminal::print(&table(about, loaded.as_ref().is_some_and(presses), &modes))?;
+        terminal::print(&table(about, loaded.as_ref().is_some_and(presses), &info))?;
         for member in slack_members(model, &state) {
             terminal::tell(&format!(
                 "slack    '{}': {} of {} (mass only, no stiffness)",
@@ -108,7 +108,7 @@ fn word(about: About) -> &'static str {
     }
 }
 
-fn table(about: About, pressed: bool, modes: &[Mode]) -> String {
+fn table(about: About, pressed: bool, info: &ModesInfo<'_>) -> String {
     let about = match about {
         About::Reference => "the reference configuration",
         About::Static if pressed => {
@@ -117,9 +117,12 @@ fn table(about: About, pressed: bool, modes: &[Mode]) -> String {
         About::Static => "static equilibrium",
     };
     let mut text = format!("natural modes about {about}\n  mode  frequency [Hz]    period [s]\n");
-    for (k, mode) in modes.iter().enumerate() {
+    for (k, mode) in info.modes.iter().enumerate() {
         let values = || (number(mode.frequency()), number(1.0 / mode.frequency()));
         let ((frequency, period), note) = match mode.kind() {
+            ModeKind::Vibration if mode.is_second_spectrum(info.model) => {
+                (values(), "second spectrum (rotation of shear-flexible sections)".to_owned())
+            }
             ModeKind::Vibration => (values(), String::new()),
             ModeKind::RigidBody => {
                 (("0".into(), "-".into()), "rigid-body mode or mechanism".to_owned())

@@ -118,6 +118,33 @@ fn a_column_beyond_eulers_load_is_unstable() {
     assert!(table.stdout.contains("unstable mode"), "{}", table.stdout);
 }
 
+/// NAFEMS FV5: sections rotate without deflection at the cut-off frequency, which is the tenth mode.
+#[test]
+fn modes_of_the_second_spectrum_are_named() {
+    let sandbox = Sandbox::empty();
+    let pins = ["start", "end"]
+        .map(|end| format!("\n[support.{end}]\nat = \"arm.{end}\"\nkind = \"pin\"\n"));
+    let deep = BEAM
+        .replace("210 GPa\"", "200 GPa\"\npoisson = 0.3")
+        .replace("7850", "8000")
+        .replace("\"10 cm^2\"", "4\nshear_factor = 0.849673")
+        .replace("\"8 cm^4\"", "1.3333333333333333")
+        .replace("\"2 m\"", "10")
+        .replace("elements = 8", "elements = 64\ntheory = \"shear\"");
+    sandbox.put("deep.toml", format!("{deep}{}", pins.concat()));
+    let arguments = ["modes", "deep.toml", "--count", "11"];
+    let found = sandbox.percuss(&[&arguments[..], &["--json"]].concat());
+    let value = value(&found.ends_with(0).stdout);
+    let modes = value["modes"].as_array().expect("modes");
+    let second: Vec<bool> = modes.iter().map(|m| m["second_spectrum"] == true).collect();
+    assert_eq!(second, [vec![false; 9], vec![true; 2]].concat());
+    let cut_off = (0.849673 * 200e9 / 2.6 * 3.0 / 8000.0_f64).sqrt() / std::f64::consts::TAU;
+    let tenth = modes[9]["frequency"].as_f64().expect("a frequency");
+    assert!((tenth / cut_off - 1.0).abs() < 1.1e-3, "{tenth} {cut_off}");
+    let table = sandbox.percuss(&arguments).stdout;
+    assert_eq!(table.matches("second spectrum").count(), 2, "{table}");
+}
+
 #[test]
 fn wrong_input_is_reported_and_nothing_written() {
     let sandbox = Sandbox::empty();

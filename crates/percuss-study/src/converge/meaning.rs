@@ -1,6 +1,6 @@
 //! What the values of a result on finer levels mean.
 
-use percuss::{Model, RunSummary};
+use percuss::{Model, RigidLaw, RunSummary, TouchLaw};
 
 use super::converged::{Refined, Sequence};
 use super::sequence::{Extrapolation, extrapolate};
@@ -59,12 +59,16 @@ impl Meaning<'_> {
     /// What a rigid projectile does to a point whose effective mass is that of the mesh.
     fn on_a_bare_node(&self) -> Option<String> {
         let masses = self.model.effective_masses();
-        let contacts = self.summary.contacts.iter().zip(masses);
-        let bare = contacts.into_iter().find(|(contact, mass)| {
+        let contacts = self.summary.contacts.iter().zip(self.model.contacts()).zip(masses);
+        let bare = contacts.into_iter().find(|((contact, view), mass)| {
+            // A mass that stays on a point without mass of its own meets the resistance of waves, which has a limit.
+            let stays = |law: &RigidLaw| law.restitution == 0.0 && mass.limit == 0.0;
+            let has_limit = matches!(view.law(), TouchLaw::Rigid(law) if stays(law));
             let rigid = matches!(contact.record, percuss::ContactRecord::Nonsmooth { .. });
             let own =
                 [format!("contact.{}.", contact.name), format!("projectile.{}.", contact.name)];
             rigid
+                && !has_limit
                 && mass.depends_on_mesh()
                 && own.iter().any(|part| self.path.starts_with(part.as_str()))
         });

@@ -75,6 +75,26 @@ fn a_rigid_impact_on_a_bare_node_is_said_to_depend_on_the_mesh() {
     assert_eq!(found.cheapest.unwrap().out_of_reach.len(), 1);
 }
 
+/// The limit of Timoshenko's theory, by Laplace inversion: `percuss verify shear-impact`.
+#[test]
+fn a_mass_that_stays_on_a_shear_flexible_beam_has_a_limit() {
+    let ladder = Ladder { levels: 3, ..ladder(&["projectile.hammer.velocity_final[1]"], None) };
+    let changes = [
+        "projectile.hammer.restitution=0",
+        "projectile.hammer.standoff=0",
+        "time.end=1e-4",
+        "time.step=1e-6",
+        "beam.girder.elements=100",
+        "material.stiff.poisson=0.3",
+        "section.plank.shear_factor=0.8333333333333333",
+        "beam.girder.theory=shear",
+    ];
+    let found = of("paper/rigid-clamped-e1.toml", &changes, &ladder);
+    let velocity = &found.results[0];
+    // Its displacements are small; those of 40 m/s change the velocity by 5e-5.
+    assert!((velocity.limit + 14.139_457_9).abs() < 2e-3, "{velocity:?}");
+}
+
 #[test]
 fn endless_convergence_is_refused_and_a_wish_to_stop_is_heard() {
     let scenario = read(&DROP.replace("1e-3", "1e-11"), "drop.toml").unwrap();

@@ -125,4 +125,10 @@ cases! {
     shear_columns = "shear-columns",
     shear_tumbling = "shear-tumbling",
     shear_impact = "shear-impact",
+    shear_force = "shear-force",
+    shear_spectra = "shear-spectra",
+    shear_slender_limit = "shear-slender-limit",
+    shear_spin_up = "shear-spin-up",
+    shear_flying_beam = "shear-flying-beam",
+    shear_lees_frame = "shear-lees-frame",
 }

@@ -10,7 +10,9 @@ use super::spectrum::{free_motions, metric, size, strain_share, stress_share};
 use super::static_search::StaticSearch;
 use crate::linalg::block::inner;
 use crate::linalg::chain::Chain;
+use crate::math::vec2::dot;
 use crate::model::Model;
+use crate::model::frozen::Span;
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::effective_mass::mass_band;
@@ -74,6 +76,30 @@ impl Mode {
             ModeKind::Vibration | ModeKind::RigidBody => 0.0,
             ModeKind::Unstable | ModeKind::Flutter => self.root().im.abs(),
         }
+    }
+
+    /// Whether it is a vibration of the second spectrum of Timoshenko's theory: more than half of its kinetic energy is rotation of sections of
+    /// shear-flexible beams. `model` is that of the mode.
+    ///
+    /// On a simply supported beam both spectra have one mode each for every number of half waves, and this criterion separates them exactly if
+    /// E exceeds the shear factor times G; the second begins at the cut-off frequency `sqrt(kappa G A / (rho I)) / (2 pi)`. On other supports modes
+    /// above it mix both, and it names those that turn the sections more than they move them.
+    pub fn is_second_spectrum(&self, model: &Model) -> bool {
+        self.kind() == ModeKind::Vibration && self.rotation_of_sections(model) > 0.5
+    }
+
+    /// Share of the kinetic energy that is rotation of sections of shear-flexible beams; the modal mass is one.
+    fn rotation_of_sections(&self, model: &Model) -> f64 {
+        let share = |(span, k, a, _): (&Span, usize, usize, usize)| {
+            if span.shear.is_none() {
+                return 0.0;
+            }
+            let table = span.table(k);
+            let [p, q] = [a, a + 1].map(|node| [self.shape[node][2], self.shape[node][3]]);
+            let square = dot(p, p) + dot(p, q) + dot(q, q);
+            table.rows[1].section.rotary * table.length * square / 3.0
+        };
+        model.each_element().map(share).sum()
     }
 
     fn root(&self) -> Complex<f64> {

@@ -64,7 +64,7 @@ impl Model {
     fn mass_at(&self, beam: usize, s: f64) -> f64 {
         let there =
             |p: &MaterialPoint| p.beam == beam && (p.s - s).abs() <= 1e-9 * self.beams[beam].length;
-        self.masses.iter().filter(|m| there(&m.point)).map(|m| m.mass).sum()
+        self.masses.iter().filter(|m| there(&m.point)).fold(0.0, |sum, m| sum + m.mass)
     }
 }
 

@@ -150,6 +150,13 @@ fn a_tumbling_beam_keeps_energy_and_momenta_and_its_vectors_their_length() {
 }
 
 #[test]
+fn balances_hold_over_many_steps() {
+    let steps = if whole() { 100_000 } else { 5_000 };
+    let summary = run(&tumbling(), &Settings::new(0.05 * f64::from(steps), 0.05));
+    assert!(worst(&summary) < 1e-10, "{:e}", worst(&summary));
+}
+
+#[test]
 fn what_strikes_or_presses_a_shear_flexible_beam_balances() {
     for restitution in [None, Some(0.0), Some(0.6)] {
         let mut b = ModelBuilder::new();

@@ -63,6 +63,9 @@ fn rows(info: &ModesInfo<'_>) -> Vec<Vec<String>> {
         );
         let growth = || quantity(Some(1.0 / mode.growth()), "s");
         let note = match kind {
+            ModeKind::Vibration if mode.is_second_spectrum(info.model) => {
+                "second spectrum: shear-flexible sections rotate".to_owned()
+            }
             ModeKind::Vibration => String::new(),
             ModeKind::RigidBody => "rigid-body mode or mechanism".to_owned(),
             ModeKind::Unstable => {
