@@ -189,9 +189,14 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
         "shear": range(&beam.shear),
         "stress": range(&beam.stress),
         "strain": range(&beam.strain),
+        "shear_stress": range(&beam.shear_stress),
+        "von_mises_max": peak(beam.von_mises()),
     });
     if let Some(beyond) = beam.beyond {
         value["beyond_strength"] = peak(beyond);
+    }
+    if let Some(beyond) = beam.beyond_inside {
+        value["von_mises_beyond_strength"] = peak(beyond);
     }
     value
 }

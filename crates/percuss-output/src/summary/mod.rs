@@ -353,12 +353,17 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
         "shear": range(&beam.shear),
         "stress": range(&beam.stress),
         "strain": range(&beam.strain),
+        "shear_stress": range(&beam.shear_stress),
+        "von_mises_max": place(&beam.von_mises()),
     });
     if let Some(length) = beam.envelope.s.last() {
         value["length"] = json!(length);
     }
     if let Some(beyond) = &beam.beyond {
         value["first_beyond_strength"] = place(beyond);
+    }
+    if let Some(beyond) = &beam.beyond_inside {
+        value["von_mises_beyond_strength"] = place(beyond);
     }
     value
 }
