@@ -15,6 +15,7 @@ mod new_file;
 mod number;
 mod outcome;
 mod picture_arguments;
+mod foundation_text;
 mod plastic_text;
 mod progress;
 mod replacing;

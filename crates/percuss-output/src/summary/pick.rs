@@ -332,6 +332,7 @@ fn unit(keys: &[&str]) -> &'static str {
         "moment" if has("joint") => "N*m",
         "energy" if has("parted") => "J",
         "stretch" => "m",
+        "stiffness" => "N/m^2",
         "value" if has("displacement_max") || has("penetration") => "m",
         "value" if has("extension_max") || has("plastic_extension_max") => "m",
         "value" if has("rotation_max") || has("plastic_rotation_max") => "rad",

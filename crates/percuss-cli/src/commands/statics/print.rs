@@ -6,6 +6,7 @@ use percuss::{
     StaticContact, StaticFailure, StaticFoundation, StaticYielding, yielded_at_rest,
 };
 
+use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity};
 use crate::plastic_text::{permanent_deflection, plastic_hinge};
 
@@ -146,7 +147,8 @@ fn foundations(found: &[StaticFoundation]) -> String {
     for one in found {
         let size = one.force[0].hypot(one.force[1]);
         let [x, y] = one.force.map(|f| beside(size, f, "N"));
-        let mut parts = vec![format!("force (x, y) = ({x}, {y})")];
+        let mut parts = foundation_place(&one.properties);
+        parts.push(format!("force (x, y) = ({x}, {y})"));
         if let Some((pressure, s)) = one.largest() {
             let (pressure, s) = (quantity(pressure, "N/m"), quantity(s, "m"));
             parts.push(format!("largest reaction {pressure} at s = {s}"));
