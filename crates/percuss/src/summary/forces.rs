@@ -109,8 +109,9 @@ pub struct SectionForceSummary {
 impl SectionForceSummary {
     /// The largest von Mises stress, `sqrt(sigma^2 + 3 tau^2)` of the stress sigma along the beam and the shear stress tau (R. von Mises 1913) \[Pa\],
     /// of these places of a section: the extreme fibres, which have no shear stress, the neutral axis, and the outer ends of the web of an I or a
-    /// box. Without axial force it is nowhere larger. Along the beam it is looked for at the ends and in the middle of elements, at forces
-    /// between them, and where axial force, shear force or moment is largest. NaN where the shear stress is not known.
+    /// box. Without axial force it is nowhere larger in a rectangle, a circle, a thin tube, and an I or a box without fillets. Along the beam it is
+    /// evaluated at the ends and in the middle of elements, at forces between them, and where axial force, shear force or moment is largest. NaN
+    /// where the shear stress is not known.
     pub fn von_mises(&self) -> SectionPeak {
         let (inside, fibre) = (self.von_mises_inside, self.stress.largest());
         match fibre.value.abs() > inside.value {
