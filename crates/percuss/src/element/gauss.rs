@@ -43,7 +43,7 @@ pub struct SectionValues {
     pub half_depth: f64,
     /// Shear stiffness kappa G A \[N\]; NaN if unknown.
     pub shear: f64,
-    /// Places of its shear stresses.
+    /// Places of its shear stresses: the neutral axis and the outer end of the web, shape (2) \[m, m^2\].
     pub sheared: [ShearedPlace; 2],
 }
 
