@@ -262,11 +262,17 @@ fn strength_passed(model: &Model, name: &str, s: f64, stress: f64) -> Option<f64
     passed.map(limit).min_by(f64::total_cmp)
 }
 
-/// An elastic beam whose stress exceeds the usual strength of its material.
+/// An elastic beam whose stress exceeds the usual strength of its material: that of the extreme fibres, or the von Mises stress inside where that is
+/// larger.
 pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advice> {
-    let first = beam.beyond?;
+    let in_fibres = beam.beyond.map(|first| (first, beam.stress.largest(), ""));
+    let inside = beam.beyond_inside;
+    let inside = inside.map(|first| (first, beam.von_mises_inside, "von Mises stress "));
+    let (first, most, what) = match beam.shear_governs() {
+        true => inside.or(in_fibres)?,
+        false => in_fibres.or(inside)?,
+    };
     let strength = strength_passed(model, &beam.name, first.s, first.value).unwrap_or(f64::NAN);
-    let most = beam.stress.largest();
     let stress = |value| quantity(value, "Pa");
     // An equilibrium has no time.
     let passed = match first.time > 0.0 {
@@ -280,7 +286,7 @@ pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advi
         false => format!("{} at s = {}", stress(first.value), quantity(first.s, "m")),
     };
     let text = format!(
-        "beam '{}' exceeds the usual strength of its material, {}: {passed}. The material is modelled as elastic: set `yield`, or accept \
+        "beam '{}' exceeds the usual strength of its material, {}: {what}{passed}. The material is modelled as elastic: set `yield`, or accept \
          this in [allow] with the strength of your material",
         beam.name,
         stress(strength)

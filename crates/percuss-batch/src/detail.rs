@@ -1,6 +1,6 @@
 //! Contents of the summaries of a batch.
 
-use percuss::{RunSummary, SectionRange};
+use percuss::{RunSummary, SectionPeak, SectionRange};
 
 /// Contents of the summaries of a batch.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -14,7 +14,7 @@ pub enum Detail {
     Motion,
     /// The same with axial force, shear force and moment of every beam, extremes and envelopes; stresses and strains are omitted.
     Resultants,
-    /// The same with stresses of the extreme fibres; strains are omitted. Beams with fibre sections are computed in single runs.
+    /// The same with stresses of the extreme fibres; strains, shear stresses and von Mises stresses are omitted. Beams with fibre sections are computed in single runs.
     Stresses,
 }
 
@@ -34,6 +34,9 @@ impl Detail {
         }
         for beam in &mut summary.section_forces {
             beam.strain = SectionRange::default();
+            beam.shear_stress = SectionRange::default();
+            beam.von_mises_inside = SectionPeak::default();
+            beam.beyond_inside = None;
             if self == Self::Resultants {
                 (beam.stress, beam.beyond) = (SectionRange::default(), None);
                 beam.envelope.stress.iter_mut().for_each(|range| range.fill(f64::NAN));

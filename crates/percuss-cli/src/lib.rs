@@ -9,6 +9,7 @@ mod coupling_arguments;
 mod effective_mass;
 mod failure;
 mod fit_arguments;
+mod foundation_text;
 mod interrupt;
 mod json;
 mod memory;

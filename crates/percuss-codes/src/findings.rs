@@ -78,10 +78,11 @@ catalogue! {
              Ignore this warning if the value is intended.";
         /// The largest stress of an elastic beam against the usual strength of its material \[Pa\].
         Strength = "W018", "usual strength exceeded",
-            "The stress exceeds the usual strength of the material: structural steel yields at 235 MPa, concrete cracks at 2.9 MPa. The \
-             material is modelled as elastic, so that forces are too large and deflections too small. Give the material `yield` (and \
-             `hardening`, `rate`, `failure_strain`), or, where your material is stronger, accept the warning with its strength in \
-             `[allow]`.";
+            "The stress exceeds the usual strength of the material: structural steel yields at 235 MPa, concrete cracks at 2.9 MPa. It is \
+             that of the extreme fibres or, where shear governs in a material as strong in tension as in compression, the von Mises \
+             stress inside the section. The material is modelled as elastic, so that forces are too large and deflections too small. \
+             Give the material `yield` (and `hardening`, `rate`, `failure_strain`), or, where your material is stronger, accept the \
+             warning with its strength in `[allow]`.";
         /// Distance of the static equilibrium at the start from the reference configuration, against the size of the structure \[m\].
         StaticStart = "W019", "static start far from the reference",
             "With `time.start = \"static\"` the run starts from the equilibrium under the loads at time zero, which here is far from \

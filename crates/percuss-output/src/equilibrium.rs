@@ -3,9 +3,10 @@
 use std::path::Path;
 
 use percuss::{
-    Equilibrium, FailureKind, FollowerStability, LargestDisplacement, LinearBuckling, Model,
-    PlasticSummary, PointForces, SectionForceSummary, SectionPeak, SectionRange, StaticBalance,
-    StaticContact, StaticFailure, StaticFoundation, StaticYielding, yielded_at_rest,
+    Equilibrium, FailureKind, FollowerStability, FoundationProperties, LargestDisplacement,
+    LinearBuckling, Model, PlasticSummary, PointForces, SectionForceSummary, SectionPeak,
+    SectionRange, StaticBalance, StaticContact, StaticFailure, StaticFoundation, StaticYielding,
+    yielded_at_rest,
 };
 use serde_json::{Map, Value, json};
 
@@ -90,7 +91,12 @@ pub(crate) fn failure(found: &StaticFailure) -> Value {
 /// A foundation; of its reactions the largest and all along it.
 fn foundation(found: &StaticFoundation) -> Value {
     let largest = found.largest();
+    let FoundationProperties { beam, stretch, kind, stiffness } = &found.properties;
     json!({
+        "beam": beam,
+        "stretch": stretch,
+        "law": kind.name(),
+        "stiffness": stiffness,
         "force_1": found.force[0],
         "force_2": found.force[1],
         "pressure_max": largest.map(|(value, s)| json!({ "value": value, "s": s })),
@@ -189,9 +195,14 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
         "shear": range(&beam.shear),
         "stress": range(&beam.stress),
         "strain": range(&beam.strain),
+        "shear_stress": range(&beam.shear_stress),
+        "von_mises_max": peak(beam.von_mises()),
     });
     if let Some(beyond) = beam.beyond {
         value["beyond_strength"] = peak(beyond);
+    }
+    if let Some(beyond) = beam.beyond_inside {
+        value["von_mises_beyond_strength"] = peak(beyond);
     }
     value
 }

@@ -94,6 +94,7 @@ impl Measures {
                 let [axial, sheared, bent] = shear.energies(&shear.strains(&u));
                 own.axial += axial;
                 own.bending += sheared + bent;
+                self.strain_shear += 0.5 * sheared * shear.shear_share();
             }
             if let (Some(samples), None) = (&table.membrane, &span.fibres) {
                 let mut eps = samples.strains(span.measure, &u);

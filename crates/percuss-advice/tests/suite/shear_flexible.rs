@@ -56,3 +56,26 @@ fn the_force_after_a_rigid_impact_is_reported_with_its_limit() {
     let slender = reported(Theory::Slender, kind(0.0), Topic::EffectiveMass).unwrap();
     assert!(!slender.text.contains("kappa"), "{}", slender.text);
 }
+
+/// A short steel arm, with a strength that its von Mises stress exceeds in the middle of its depth alone.
+#[test]
+fn a_strength_passed_by_shear_is_reported_as_a_von_mises_stress() {
+    let mut b = ModelBuilder::new();
+    let most = 3.0_f64.sqrt() * 1.5 * 1e5 / 0.02;
+    let limit = 0.99 * most;
+    let strength = Some(Strength { tension: limit, compression: limit });
+    let material = b.material(Material { strength, ..Material::new("steel", 2.1e11, 7850.0) });
+    let section = b.section(Section::rectangle("bar", 0.1, 0.2));
+    let arm = b.beam(Beam::new("arm", &[[0.0; 2], [0.03, 0.0]], 4, material, section));
+    b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+    let (at, force) = (at("tip", arm, 1.0), [0.0, -1e5]);
+    b.load(Load::new("tip", LoadKind::Point { at, force, moment: 0.0, follower: false }));
+    let model = b.build().unwrap_or_else(|faults| panic!("{faults:?}"));
+    let found = equilibrium(&model).unwrap();
+    let all = beyond_strength(&model, &found.section_forces);
+    let [advice] = all.as_slice() else { panic!("{all:?}") };
+    assert!(advice.text.contains(": von Mises stress 1"), "{}", advice.text);
+    // 13.0 MPa, the strength 12.9 MPa; the rotation of the tip changes them by 1e-5.
+    assert!((advice.value / most - 1.0).abs() < 1e-4, "{advice:?}");
+    assert!((advice.reference / limit - 1.0).abs() < 1e-12, "{advice:?}");
+}

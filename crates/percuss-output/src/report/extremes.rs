@@ -2,11 +2,13 @@
 
 use serde_json::{Map, Value};
 
-use super::html::table;
+use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
 
 /// Rows shown of a table.
 const LISTED: usize = 400;
+/// Beams named in a note.
+const NAMED: usize = 12;
 /// Impulses below this share of the largest are round-off.
 const ROUND_OFF: f64 = 1e-12;
 
@@ -133,6 +135,8 @@ fn section_forces(summary: &Value) -> String {
         ("bending moment", "moment", "N*m"),
         ("fibre stress", "stress", "Pa"),
         ("fibre strain", "strain", "1"),
+        ("shear stress", "shear_stress", "Pa"),
+        ("von Mises stress", "von_mises_max", "Pa"),
     ];
     let header = [
         "beam",
@@ -144,7 +148,32 @@ fn section_forces(summary: &Value) -> String {
         "at arc length",
         "at time",
     ];
-    listing("Section forces", &header, &summary["section_forces"], &quantities, true)
+    let beams = &summary["section_forces"];
+    listing("Section forces", &header, beams, &quantities, true) + &without_shear_stress(beams)
+}
+
+/// Names beams whose shear stress is not known, although their fibre stress is.
+fn without_shear_stress(beams: &Value) -> String {
+    let known = |range: &Value| range["max"]["value"].is_number();
+    let empty = Map::new();
+    let all = beams.as_object().unwrap_or(&empty).iter();
+    // Results of earlier versions have none.
+    let without = all.filter(|(_, beam)| {
+        known(&beam["stress"]) && beam["shear_stress"].is_object() && !known(&beam["shear_stress"])
+    });
+    let names: Vec<&str> = without.map(|(name, _)| name.as_str()).collect();
+    if names.is_empty() {
+        return String::new();
+    }
+    let shown = names[..names.len().min(NAMED)].join(", ");
+    let more = match names.len().saturating_sub(NAMED) {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let text = format!(
+        "Shear stress and von Mises stress not available for {shown}{more}: they need an elastic section with a shape."
+    );
+    format!("<p class=\"more\">{}</p>\n", escape(&text))
 }
 
 /// A row a name and quantity; quantities that a name does not have are left out.
@@ -160,19 +189,26 @@ fn listing(
     for (name, entry) in of.as_object().unwrap_or(&empty) {
         for (label, key, unit) in quantities {
             let range = &entry[key];
-            if !range["min"]["value"].is_number() && !range["max"]["value"].is_number() {
+            // A magnitude has no smallest value.
+            let extreme = |end: &str| match (range.get("value"), end) {
+                (None, _) => &range[end],
+                (Some(_), "max") => range,
+                _ => &Value::Null,
+            };
+            if !["min", "max"].iter().any(|end| extreme(end)["value"].is_number()) {
                 continue;
             }
             let mut row = vec![name.clone(), (*label).to_owned()];
             let scale = scale_of(of, key);
             for end in ["min", "max"] {
-                let value = range[end]["value"].as_f64().map(|v| without_round_off(v, scale));
+                let peak = extreme(end);
+                let value = peak["value"].as_f64().map(|v| without_round_off(v, scale));
                 row.push(quantity(value, unit));
                 // What is nothing has no place and no instant.
-                let none = value == Some(0.0) && range[end]["value"] != 0.0;
+                let none = value == Some(0.0) && peak["value"] != 0.0;
                 let text_of = |text: String| if none { "\u{2013}".to_owned() } else { text };
-                row.extend(place.then(|| text_of(metres(&range[end]["s"]))));
-                row.push(text_of(quantity(range[end]["time"].as_f64(), "s")));
+                row.extend(place.then(|| text_of(metres(&peak["s"]))));
+                row.push(text_of(quantity(peak["time"].as_f64(), "s")));
             }
             rows.push(row);
         }

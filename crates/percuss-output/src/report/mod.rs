@@ -12,6 +12,7 @@ mod envelopes;
 mod extremes;
 pub(crate) mod figure;
 mod figures;
+mod foundations;
 pub(crate) mod html;
 mod impact;
 mod log;

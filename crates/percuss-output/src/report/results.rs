@@ -6,7 +6,7 @@ use crate::summary::kind_of_body;
 
 use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
-use super::{extremes, figures, yields};
+use super::{extremes, figures, foundations, yields};
 
 /// Rows shown of a long list.
 const LISTED: usize = 200;
@@ -52,6 +52,7 @@ fn tables(summary: &Value) -> String {
         out.push_str(&table(&titled(name, projectile), &[], &departure(projectile, &sizes)));
     }
     out.push_str(&yields::render(summary));
+    out.push_str(&foundations::render(summary));
     out.push_str(&points(summary));
     out.push_str(&extremes::failures_and_impulses(summary));
     out

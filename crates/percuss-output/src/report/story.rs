@@ -66,7 +66,7 @@ fn deflection(summary: &Value) -> Option<String> {
     ))
 }
 
-/// The peak bending moment, and the peak fibre stress where one is known.
+/// The peak bending moment, and the peak fibre stress where one is known; where shear governs, the peak shear stress and von Mises stress.
 fn sections(summary: &Value) -> Option<String> {
     let beams = summary["section_forces"].as_object()?;
     let parting = last_parting(summary);
@@ -90,9 +90,24 @@ fn sections(summary: &Value) -> Option<String> {
     let moment = largest("moment")
         .filter(|m| m.2.abs() > floor)
         .map(|one| peak("Peak bending moment", one, "N*m"));
-    let stress = largest("stress").map(|one| peak("Peak fibre stress", one, "Pa"));
-    let both: Vec<String> = [moment, stress].into_iter().flatten().collect();
-    (!both.is_empty()).then(|| both.join(" "))
+    let stress = largest("stress");
+    let equivalent = beams
+        .iter()
+        .filter_map(|(name, beam)| {
+            let one = &beam["von_mises_max"];
+            Some((name, one, one["value"].as_f64()?))
+        })
+        .max_by(|a, b| a.2.total_cmp(&b.2))
+        .filter(|one| stress.is_none_or(|stress| one.2 > stress.2.abs()));
+    let shear = largest("shear_stress").filter(|_| equivalent.is_some());
+    let all = [
+        moment,
+        stress.map(|one| peak("Peak fibre stress", one, "Pa")),
+        shear.map(|one| peak("Peak shear stress", one, "Pa")),
+        equivalent.map(|one| peak("Peak von Mises stress", one, "Pa")),
+    ];
+    let all: Vec<String> = all.into_iter().flatten().collect();
+    (!all.is_empty()).then(|| all.join(" "))
 }
 
 /// The error of the energy balance, and how the run ended where it did not reach its end.
@@ -156,6 +171,27 @@ mod tests {
              Largest displacement of the recorded point: -20 mm in y at 'mid', t = 300 ms. \
              Peak bending moment: 63 kN m in 'left' at s = 0 m, t = 100 ms. Energy balance error 9e-15 of 52.93 kJ."
         );
+    }
+
+    #[test]
+    fn stresses_of_shear_are_named_where_they_govern() {
+        let run = |equivalent: f64| {
+            let at = |value: f64| json!({ "value": value, "s": 0.5, "time": 0.1 });
+            let range = |value: f64| json!({ "min": at(0.0), "max": at(value) });
+            let beam = json!({ "moment": range(3.0), "stress": range(2e6), "shear_stress": range(-4e6), "von_mises_max": at(equivalent) });
+            plain(&json!({ "section_forces": { "stub": beam }, "energy": {} }))
+        };
+        let text = run(7e6);
+        assert!(
+            text.contains(
+                "Peak shear stress: 4 MPa in 'stub' at s = 500 mm, t = 100 ms. \
+                 Peak von Mises stress: 7 MPa in 'stub' at s = 500 mm, t = 100 ms."
+            ),
+            "{text}"
+        );
+        let text = run(2e6);
+        assert!(text.contains("fibre stress") && !text.contains("shear"), "{text}");
+        assert!(!text.contains("Mises"), "{text}");
     }
 
     #[test]

@@ -13,9 +13,9 @@ mod provenance;
 use std::path::Path;
 
 use percuss::{
-    FoundationSummary, ImpactResolution, MultipleImpacts, Peak, PointSummary, ProjectileSummary,
-    Range, RunSummary, Scheme, SectionForceSummary, SectionPeak, SectionRange, Settings, Start,
-    StopTouch, SupportSummary, Termination,
+    FoundationProperties, FoundationSummary, ImpactResolution, MultipleImpacts, Peak, PointSummary,
+    ProjectileSummary, Range, RunSummary, Scheme, SectionForceSummary, SectionPeak, SectionRange,
+    Settings, Start, StopTouch, SupportSummary, Termination,
 };
 use percuss_advice::{Advice, AuditWarning, Comparison};
 use percuss_codes::Code;
@@ -316,7 +316,12 @@ fn support(support: &SupportSummary) -> Value {
 fn foundation(found: &FoundationSummary) -> Value {
     let range = |r: &Range| json!({ "min": peak(&r.min), "max": peak(&r.max) });
     let at = |p: &SectionPeak| (p.value != 0.0).then(|| place(p));
+    let FoundationProperties { beam, stretch, kind, stiffness } = &found.properties;
     json!({
+        "beam": beam,
+        "stretch": stretch,
+        "law": kind.name(),
+        "stiffness": stiffness,
         "force_1": range(&found.force[0]),
         "force_2": range(&found.force[1]),
         "pressure_max": place(&found.pressure.largest()),
@@ -353,12 +358,17 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
         "shear": range(&beam.shear),
         "stress": range(&beam.stress),
         "strain": range(&beam.strain),
+        "shear_stress": range(&beam.shear_stress),
+        "von_mises_max": place(&beam.von_mises()),
     });
     if let Some(length) = beam.envelope.s.last() {
         value["length"] = json!(length);
     }
     if let Some(beyond) = &beam.beyond {
         value["first_beyond_strength"] = place(beyond);
+    }
+    if let Some(beyond) = &beam.beyond_inside {
+        value["von_mises_beyond_strength"] = place(beyond);
     }
     value
 }

@@ -87,7 +87,7 @@ fn the_documented_fields_are_there() {
     let ranges = ["moment", "axial", "shear", "stress", "strain"];
     assert_eq!(keys[..3], ["moment_max", "axial_max", "shear_max"]);
     assert_eq!(keys[3..8], ranges);
-    assert_eq!(keys[8..], ["length"], "where the envelope ends");
+    assert_eq!(keys[8..], ["shear_stress", "von_mises_max", "length"], "where the envelope ends");
     assert!(girder["stress"]["min"]["value"].is_null(), "no depth, no stress");
 
     let rigid = value(&synthetic::summary("hammer", synthetic::impacts(2)));

@@ -108,7 +108,10 @@ fn materials<'c>(
             strain: table.strain,
             retardation: table.retardation,
             mass_damping: table.mass_damping,
-            expansion: table.expansion,
+            expansion: table
+                .expansion
+                .or(table.preset.and_then(|preset| preset.expansion))
+                .unwrap_or(0.0),
             inelasticity: inelasticity(name, table, faults),
             strength: table.preset.and_then(|preset| preset.strength),
             ..percuss::Material::new(name.as_str(), young, density)
@@ -118,6 +121,7 @@ fn materials<'c>(
     for (name, preset) in known::materials(content) {
         let material = percuss::Material {
             strength: preset.strength,
+            expansion: preset.expansion.unwrap_or(0.0),
             ..percuss::Material::new(name, preset.young, preset.density)
         };
         materials.insert(name, builder.material(material));

@@ -124,6 +124,31 @@ fn a_hinge_without_stiffness_is_a_hinge() {
 }
 
 #[test]
+fn a_preset_has_its_thermal_expansion_unless_one_is_given() {
+    let of = |material: &str| {
+        let text = format!(
+            "[material.m]\n{material}\n[section.s]\nshape = \"circle\"\ndiameter = 0.1\n[beam.b]\n\
+             points = [[0, 0], [4, 0], [8, 0]]\nmaterial = \"m\"\nelements = 4\nsection = \"s\"\n\
+             changes = [{{ at = \"mid\", material = \"C20/25\" }}]\n[time]\nend = 1\nstep = 1\n"
+        );
+        let scenario = crate::read(&text, "f").unwrap_or_else(|e| panic!("{e}"));
+        // Written out, it is the same.
+        let again = crate::read(&scenario.to_toml(), "again").unwrap_or_else(|e| panic!("{e}"));
+        assert_eq!(again.content(), scenario.content());
+        let (builder, faults) = build::definitions(scenario.content(), None);
+        assert_eq!(faults, []);
+        let text = format!("{builder:?}");
+        let number = |part: &str| part.split(',').next().unwrap().parse::<f64>().unwrap();
+        text.split("expansion: ").skip(1).map(number).collect::<Vec<f64>>()
+    };
+    assert_eq!(of("preset = \"S355\""), [12e-6, 10e-6]);
+    assert_eq!(of("preset = \"S355\"\nexpansion = 11.5e-6"), [11.5e-6, 10e-6]);
+    assert_eq!(of("preset = \"S355\"\nexpansion = 0"), [0.0, 10e-6]);
+    assert_eq!(of("preset = \"copper\""), [0.0, 10e-6]);
+    assert_eq!(of("young = 1e9\ndensity = 1e3"), [0.0, 10e-6]);
+}
+
+#[test]
 fn a_projectile_flies_at_a_point_from_the_standoff_of_its_surface() {
     let text = |beam: &str, projectile: &str| {
         format!(

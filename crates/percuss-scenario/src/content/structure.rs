@@ -41,9 +41,9 @@ table! {
         retardation: f64 as Quantity<measure::Time> = 0.0,
         /// Mass-proportional damping, Rayleigh's alpha (1/s): damping force per mass and velocity.
         mass_damping: f64 as Quantity<measure::Rate> = 0.0,
-        /// Thermal expansion (1/K), strain per change of temperature, for loads of `kind = "temperature"`: about 12e-6 of steel, 23e-6 of aluminium,
-        /// 10e-6 of concrete.
-        expansion: f64 as Quantity<measure::Expansion> = 0.0,
+        /// Thermal expansion (1/K), strain per change of temperature, for loads of `kind = "temperature"`; that of the preset if omitted (of steel 12e-6,
+        /// of concrete 10e-6), else none.
+        expansion: Option<f64> as Maybe<Quantity<measure::Expansion>> = None,
         /// Yield stress (Pa), or "preset" for the usual one of the preset; elastic if omitted.
         r#yield: Option<f64> as Maybe<OrEndless<OfPreset>> = None,
         /// Hardening with plastic strain; perfectly plastic if omitted.

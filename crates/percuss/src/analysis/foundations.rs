@@ -1,14 +1,17 @@
 //! Foundations along beams in equilibrium.
 
-use crate::model::Model;
 use crate::model::frozen::FoundationData;
+use crate::model::{FoundationLaw, Model};
 use crate::state::State;
+use crate::summary::{FoundationKind, FoundationProperties};
 
 /// A foundation in equilibrium.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StaticFoundation {
     /// The user's name for it.
     pub name: String,
+    /// Its place and law.
+    pub properties: FoundationProperties,
     /// Its resultant force on the beam, shape (2) \[N\].
     pub force: [f64; 2],
     /// Arc length of its Gauss points from the start of the beam, shape (points) \[m\].
@@ -31,11 +34,25 @@ impl StaticFoundation {
     }
 }
 
+/// Place and law of a foundation.
+pub(crate) fn properties(model: &Model, foundation: &FoundationData) -> FoundationProperties {
+    let (kind, stiffness) = match foundation.law {
+        FoundationLaw::Linear { stiffness } => (FoundationKind::Linear, Some(stiffness)),
+        FoundationLaw::Compression { stiffness, .. } => {
+            (FoundationKind::Compression, Some(stiffness))
+        }
+        FoundationLaw::Table { .. } => (FoundationKind::Table, None),
+    };
+    let beam = model.beams[foundation.beam].name.clone();
+    FoundationProperties { beam, stretch: foundation.stretch, kind, stiffness }
+}
+
 /// The foundations in a state at rest.
 pub(super) fn at_rest(model: &Model, state: &State) -> Vec<StaticFoundation> {
     let of = |foundation: &FoundationData| {
         let mut found = StaticFoundation {
             name: foundation.name.clone(),
+            properties: properties(model, foundation),
             force: [0.0; 2],
             s: Vec::new(),
             pressure: Vec::new(),

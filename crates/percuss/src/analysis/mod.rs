@@ -8,7 +8,7 @@ mod equilibrium;
 pub(crate) mod equivalent;
 mod failure;
 mod flutter;
-mod foundations;
+pub(crate) mod foundations;
 mod largest_displacement;
 mod lost;
 pub(crate) mod modes;

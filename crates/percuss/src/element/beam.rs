@@ -2,7 +2,9 @@
 //!
 //! Degrees of freedom of a node are (u1, u2, u1', u2'), of an element those of its two nodes.
 
-pub use super::gauss::{ElementSums, ElementValues, GaussRow, SectionValues, step_point};
+pub use super::gauss::{
+    ElementSums, ElementValues, GaussRow, SectionValues, ShearedPlace, step_point,
+};
 use super::membrane::MembraneTable;
 use super::point::{Reference, SectionLaw};
 use crate::math::hermite::{self, GAUSS, GAUSS_WEIGHTS};

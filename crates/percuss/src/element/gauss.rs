@@ -43,6 +43,22 @@ pub struct SectionValues {
     pub half_depth: f64,
     /// Shear stiffness kappa G A \[N\]; NaN if unknown.
     pub shear: f64,
+    /// Places of its shear stresses: the neutral axis and the outer end of the web, shape (2) \[m, m^2\].
+    pub sheared: [ShearedPlace; 2],
+}
+
+/// A height of an elastic section at which its shear stress is known.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShearedPlace {
+    /// Distance from the centre line \[m\].
+    pub height: f64,
+    /// Shear force over shear stress there, `I b/Q`, with the width b and the first moment Q of the area beyond \[m^2\]; NaN if unknown.
+    pub area: f64,
+}
+
+impl ShearedPlace {
+    /// Of a section whose shape is not known.
+    pub const UNKNOWN: Self = Self { height: 0.0, area: f64::NAN };
 }
 
 /// Nodal values of one element in the form the interpolation uses.

@@ -181,7 +181,7 @@ fn add<const TANGENT: bool>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::beam::{NodeFrame, SectionValues};
+    use super::super::beam::{NodeFrame, SectionValues, ShearedPlace};
     use super::super::point::SectionLaw;
     use super::*;
 
@@ -192,7 +192,9 @@ mod tests {
         let law = SectionLaw { axial, bending: 3.0, rotary: 0.1, measure };
         let [area, inertia, young, density, half_depth] = [1.0, 1.0, 1.0, 1.0, 0.1];
         let (mass, shear) = (2.0, 30.0);
-        let values = SectionValues { law, mass, area, inertia, young, density, half_depth, shear };
+        let sheared = [ShearedPlace::UNKNOWN; 2];
+        let values =
+            SectionValues { law, mass, area, inertia, young, density, half_depth, shear, sheared };
         let end = |x: f64, angle: f64| NodeFrame {
             position: [x, 0.1 * x],
             tangent: [angle.cos(), angle.sin()],

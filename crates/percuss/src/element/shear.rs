@@ -22,6 +22,8 @@ pub struct ShearTable {
     directors: [[f64; 2]; 2],
     /// EA, shear stiffness and EI, times the length, shape (3) \[N m, N m, N m^3\].
     stiffness: [f64; 3],
+    /// Share of shear in its flexibility in shear; the rest is that of residual bending \[-\].
+    shear_share: f64,
 }
 
 /// Forces at an evaluation of the element.
@@ -55,7 +57,13 @@ impl ShearTable {
             chord: [0, 1].map(|i| b.position[i] - a.position[i]),
             directors: [a.tangent, b.tangent],
             stiffness: [axial, shear, bending].map(|stiffness| stiffness * length),
+            shear_share: shear / middle.shear,
         }
+    }
+
+    /// Share of shear in the energy of [`energies`](Self::energies) for it; the rest is energy of bending between the nodes.
+    pub fn shear_share(&self) -> f64 {
+        self.shear_share
     }
 
     /// The table that shares mass, loads and drawing with slender elements: mass, rotary inertia on d, and no stiffness, which is that of `self`.

@@ -18,6 +18,8 @@ pub struct Measures<S = f64> {
     pub strain_axial: S,
     /// Bending strain energy, of shear-flexible beams with that of shear \[J\].
     pub strain_bending: S,
+    /// Shear strain energy of shear-flexible beams, a part of `strain_bending` \[J\].
+    pub strain_shear: S,
     /// Energy that hardening has stored \[J\].
     pub hardening: S,
     /// Energy of the contact springs \[J\].
@@ -82,7 +84,7 @@ impl<S: Number> Measures<S> {
 }
 
 of_numbers! {
-    Measures: kinetic_beams kinetic_projectiles strain_axial strain_bending hardening contact springs angular curvature_drift
+    Measures: kinetic_beams kinetic_projectiles strain_axial strain_bending strain_shear hardening contact springs angular curvature_drift
         membrane_drift angular_rate_drift linear_size angular_size;
     linear
 }

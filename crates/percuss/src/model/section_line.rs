@@ -2,7 +2,7 @@
 
 use super::definition::{Profile, RotaryInertia, SectionSize, Station};
 use super::fibres::Make;
-use crate::element::beam::SectionValues;
+use crate::element::beam::{SectionValues, ShearedPlace};
 use crate::element::point::SectionLaw;
 
 /// The section of a span: constants at stations of the beam, linear between them. Elements, faces, stresses and drawings all ask it.
@@ -65,6 +65,11 @@ fn mixed(from: &SectionValues, to: &SectionValues, share: f64) -> SectionValues 
         density: mix(|s| s.density),
         half_depth: mix(|s| s.half_depth),
         shear: mix(|s| s.shear),
+        sheared: [0, 1].map(|k| {
+            let (a, b) = (from.sheared[k], to.sheared[k]);
+            let between = |a: f64, b: f64| a + share * (b - a);
+            ShearedPlace { height: between(a.height, b.height), area: between(a.area, b.area) }
+        }),
     }
 }
 
@@ -79,8 +84,18 @@ fn values(make: &Make, (size, profile): (SectionSize, &Profile)) -> SectionValue
         let (young, density) = (law.axial / area, mass / area);
         let young = if plain { material.young } else { young };
         let density = if plain { material.density } else { density };
-        let shear = f64::NAN;
-        return SectionValues { law, mass, area, inertia, young, density, half_depth, shear };
+        let (shear, sheared) = (f64::NAN, [ShearedPlace::UNKNOWN; 2]);
+        return SectionValues {
+            law,
+            mass,
+            area,
+            inertia,
+            young,
+            density,
+            half_depth,
+            shear,
+            sheared,
+        };
     }
     let (young, density) = (material.young, material.density);
     let rotary = match section.rotary_inertia {
@@ -93,5 +108,12 @@ fn values(make: &Make, (size, profile): (SectionSize, &Profile)) -> SectionValue
     let factor = section.shear_factor_of(profile, material.poisson_in_shear());
     let shear = factor * material.shear_stiffness().unwrap_or(f64::NAN) * area;
     let mass = density * area;
-    SectionValues { law, mass, area, inertia, young, density, half_depth, shear }
+    let sheared = match profile.shear_widths() {
+        Some(places) => places.map(|one| ShearedPlace {
+            height: one.height,
+            area: inertia * one.width / one.moment_beyond,
+        }),
+        None => [ShearedPlace::UNKNOWN; 2],
+    };
+    SectionValues { law, mass, area, inertia, young, density, half_depth, shear, sheared }
 }

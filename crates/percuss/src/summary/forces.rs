@@ -92,10 +92,38 @@ pub struct SectionForceSummary {
     pub strain: SectionRange,
     /// Stress of the extreme fibres, `N/A -+ M depth / (2 I)` \[Pa\].
     pub stress: SectionRange,
+    /// Shear stress at the neutral axis, `V Q/(I b)` with the width b and the first moment Q of the area beyond (S. Timoshenko, Strength of
+    /// Materials I) \[Pa\]: `3V/(2A)` of a rectangle, `4V/(3A)` of a circle, `2V/A` of a thin tube. NaN of sections that are not elastic ones of a
+    /// known shape.
+    pub shear_stress: SectionRange,
+    /// Largest von Mises stress inside such sections \[Pa\]; see [`Self::von_mises`].
+    pub von_mises_inside: SectionPeak,
     /// The first stress beyond the strength of an elastic material, of beams for which that is known.
     pub beyond: Option<SectionPeak>,
+    /// The first von Mises stress inside a section beyond the strength, of an elastic material that bears as much in tension as in compression.
+    pub beyond_inside: Option<SectionPeak>,
     /// Extremes along the beam.
     pub envelope: Envelope,
+}
+
+impl SectionForceSummary {
+    /// The largest von Mises stress, `sqrt(sigma^2 + 3 tau^2)` of the stress sigma along the beam and the shear stress tau (R. von Mises 1913) \[Pa\],
+    /// of these places of a section: the extreme fibres, which have no shear stress, the neutral axis, and the outer ends of the web of an I or a
+    /// box. Without axial force it is nowhere larger in a rectangle, a circle, a thin tube, and an I or a box without fillets. Along the beam it is
+    /// evaluated at the ends and in the middle of elements, at forces between them, and where axial force, shear force or moment is largest. NaN
+    /// where the shear stress is not known.
+    pub fn von_mises(&self) -> SectionPeak {
+        let (inside, fibre) = (self.von_mises_inside, self.stress.largest());
+        match fibre.value.abs() > inside.value {
+            true => SectionPeak { value: fibre.value.abs(), ..fibre },
+            false => inside,
+        }
+    }
+
+    /// Whether the von Mises stress is larger inside the section than in its extreme fibres.
+    pub fn shear_governs(&self) -> bool {
+        self.von_mises_inside.value > self.stress.largest().value.abs()
+    }
 }
 
 /// Smallest and largest value over time.

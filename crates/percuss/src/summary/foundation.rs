@@ -5,11 +5,48 @@ use serde::{Deserialize, Serialize};
 use super::forces::{Range, SectionPeak, SectionRange};
 use super::peak::Peak;
 
+/// Kind of the law of a foundation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum FoundationKind {
+    /// In proportion to the deflection.
+    Linear,
+    /// Of compression alone.
+    Compression,
+    /// Along straight lines between given values.
+    Table,
+}
+
+impl FoundationKind {
+    /// Its name in scenarios: `linear`, `compression`, `table`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Linear => "linear",
+            Self::Compression => "compression",
+            Self::Table => "table",
+        }
+    }
+}
+
+/// Place and law of a foundation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct FoundationProperties {
+    /// Name of its beam.
+    pub beam: String,
+    /// Arc lengths of its ends from the start of the beam, shape (2) \[m\].
+    pub stretch: [f64; 2],
+    /// Kind of its law.
+    pub kind: FoundationKind,
+    /// Stiffness per length \[N/m^2\]; of a table none.
+    pub stiffness: Option<f64>,
+}
+
 /// Results of a foundation, at ends of steps; dampers are left out.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FoundationSummary {
     /// The user's name for it.
     pub name: String,
+    /// Its place and law.
+    pub properties: FoundationProperties,
     /// Components of its resultant force on the beam, shape (2) \[N\].
     pub force: [Range; 2],
     /// Its reaction per length, positive where it pushes the beam, at the Gauss points of the elements \[N/m\].

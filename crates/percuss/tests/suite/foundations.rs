@@ -88,6 +88,18 @@ fn balances_close_on_every_kind_of_foundation() {
         assert_balances(&summary, name);
         let found = &summary.foundations[0];
         assert!(found.pressure.max.value > 1e3, "{name}: {found:?}");
+        let own = &found.properties;
+        let (kind, stiffness) = match name {
+            "table" => (FoundationKind::Table, None),
+            "one-sided" | "gap" | "gapes" | "damped" => {
+                (FoundationKind::Compression, Some(STIFFNESS))
+            }
+            _ => (FoundationKind::Linear, Some(STIFFNESS)),
+        };
+        assert_eq!((own.beam.as_str(), own.kind, own.stiffness), ("plank", kind, stiffness));
+        let [from, to] = if name == "oblique" { [0.7, 2.7] } else { [0.0, 3.0] };
+        let apart = [own.stretch[0] - from, own.stretch[1] - to];
+        assert!(apart.iter().all(|d| d.abs() < 1e-12), "{own:?}");
         let plastic = ["yields", "hardens", "gapes"].contains(&name);
         assert_eq!(found.first_yield.is_some(), plastic, "{name}: {found:?}");
         assert_eq!(found.dissipated > 1.0, plastic, "{name}: {found:?}");

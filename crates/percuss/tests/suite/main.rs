@@ -41,6 +41,7 @@ mod schemes;
 mod section_forces;
 mod shear_flexible;
 mod shear_forces;
+mod shear_stresses;
 mod slack;
 mod sliding;
 mod spectra;

@@ -72,6 +72,37 @@ fn a_cantilever_has_the_deflections_of_bending_and_shear_for_any_slenderness() {
     }
 }
 
+/// `F^2 L / (2 kappa G A)` and `F^2 L^3 / (6 EI)`, for any number of elements.
+#[test]
+fn strain_energy_is_split_into_bending_and_shear() {
+    let (young, nu, depth) = (1e9, 0.25, 0.5);
+    let kappa = 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu);
+    let bending = young * f64::powi(depth, 3) / 12.0;
+    let shear = kappa * young / (2.0 * (1.0 + nu)) * depth;
+    let force = 1e-5 * bending;
+    let settings = Settings { start: Start::Static, ..Settings::new(1e-3, 1e-4) };
+    let energies = |model: &Model| {
+        let mut rows = MemoryRecorder::default();
+        simulate(model, &settings, &mut rows).unwrap();
+        ["shear", "bending", "axial"]
+            .map(|part| rows.column(&format!("energy.strain_{part}")).map(|all| all[0]))
+    };
+    for elements in [1, 3, 8] {
+        let model = cantilever(elements, [1.0, 1.0, depth], isotropic(young, 1e3, nu), force);
+        let [sheared, bent, stretched] = energies(&model).map(Option::unwrap);
+        let known = [force * force / (2.0 * shear), force * force / (6.0 * bending)];
+        for (found, known) in [sheared, bent].into_iter().zip(known) {
+            assert!((found / known - 1.0).abs() < 1e-6, "{elements}: {found:e} {known:e}");
+        }
+        assert!(stretched < 1e-6 * bent, "{stretched:e}");
+    }
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let arm = b.beam(beam("arm", [0.0, 0.0], [1.0, 0.0], 2, material, section));
+    b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+    assert_eq!(energies(&b.build().unwrap())[0], None);
+}
+
 #[test]
 fn a_deep_cantilever_bends_far_as_nachbagauer_found() {
     // Nachbagauer, Pechstein, Irschik, Gerstmayr 2011: L 2, h 0.5, b 0.1; own computation to ten digits.

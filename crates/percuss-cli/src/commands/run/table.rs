@@ -15,6 +15,7 @@ use serde_json::Value;
 
 use super::drift::{drift, unresolved};
 use super::ended::Ended;
+use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity, small};
 use crate::plastic_text::{permanent_deflection, plastic_hinge};
 use crate::terminal::{self, painted};
@@ -154,12 +155,13 @@ fn dissipated(all: f64, by_preload: f64) -> String {
     }
 }
 
-/// Reaction, lift-off and yielding of a foundation.
+/// Place, law, reaction, lift-off and yielding of a foundation.
 fn foundation(found: &FoundationSummary) -> (String, String) {
     let most = found.pressure.largest();
     let (pressure, s) = (quantity(most.value, "N/m"), quantity(most.s, "m"));
     let time = quantity(most.time, "s");
-    let mut parts = vec![format!("largest reaction {pressure} at s = {s}, t = {time}")];
+    let mut parts = foundation_place(&found.properties);
+    parts.push(format!("largest reaction {pressure} at s = {s}, t = {time}"));
     if found.lifted.value > 0.0 {
         parts.push(format!("lifted off over up to {}", quantity(found.lifted.value, "m")));
     }

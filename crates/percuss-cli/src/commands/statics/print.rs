@@ -2,10 +2,11 @@
 
 use percuss::{
     BucklingOutcome, Equilibrium, FollowerStability, LargestDisplacement, LinearBuckling, Model,
-    Path, PlasticHinge, PlasticSummary, SectionPeak, SectionRange, StaticContact, StaticFailure,
-    StaticFoundation, StaticYielding, yielded_at_rest,
+    Path, PlasticHinge, PlasticSummary, SectionForceSummary, SectionPeak, SectionRange,
+    StaticContact, StaticFailure, StaticFoundation, StaticYielding, yielded_at_rest,
 };
 
+use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity};
 use crate::plastic_text::{permanent_deflection, plastic_hinge};
 
@@ -50,11 +51,13 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
             ("axial force", &beam.axial, "N"),
             ("shear force", &beam.shear, "N"),
             ("fibre stress", &beam.stress, "Pa"),
+            ("shear stress", &beam.shear_stress, "Pa"),
         ] {
             if !range.max.value.is_nan() {
                 text.push_str(&format!("    {what:12} {}\n", in_words(range, unit)));
             }
         }
+        text.push_str(&equivalent(beam));
     }
     if let Some(mode) = linear.modes.first() {
         text.push_str(&format!(
@@ -144,7 +147,8 @@ fn foundations(found: &[StaticFoundation]) -> String {
     for one in found {
         let size = one.force[0].hypot(one.force[1]);
         let [x, y] = one.force.map(|f| beside(size, f, "N"));
-        let mut parts = vec![format!("force (x, y) = ({x}, {y})")];
+        let mut parts = foundation_place(&one.properties);
+        parts.push(format!("force (x, y) = ({x}, {y})"));
         if let Some((pressure, s)) = one.largest() {
             let (pressure, s) = (quantity(pressure, "N/m"), quantity(s, "m"));
             parts.push(format!("largest reaction {pressure} at s = {s}"));
@@ -303,6 +307,21 @@ const NO_DISTANCE: f64 = 1e-7;
 /// A quantity, zero if it is round-off beside `size`.
 fn beside(size: f64, value: f64, unit: &str) -> String {
     quantity(if value.abs() < ROUND_OFF * size { 0.0 } else { value }, unit)
+}
+
+/// The largest von Mises stress of a beam, or that shear stresses are not known.
+fn equivalent(beam: &SectionForceSummary) -> String {
+    let most = beam.von_mises();
+    let text = match (most.value.is_nan(), beam.stress.max.value.is_nan()) {
+        (true, true) => return String::new(),
+        (true, false) => {
+            "not available, as is the shear stress: no elastic section with a shape".to_owned()
+        }
+        (false, _) => {
+            format!("{} at s = {} at most", quantity(most.value, "Pa"), quantity(most.s, "m"))
+        }
+    };
+    format!("    {:12} {text}\n", "von Mises")
 }
 
 fn in_words(range: &SectionRange, unit: &str) -> String {

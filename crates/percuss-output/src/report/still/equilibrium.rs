@@ -231,6 +231,7 @@ fn section_rows(beam: &percuss::SectionForceSummary) -> Vec<Vec<String>> {
         ("axial force", &beam.axial, "N"),
         ("shear force", &beam.shear, "N"),
         ("fibre stress", &beam.stress, "Pa"),
+        ("shear stress", &beam.shear_stress, "Pa"),
     ];
     let largest_force = beam.axial.largest().value.abs().max(beam.shear.largest().value.abs());
     let known = all.into_iter().filter(|(_, range, _)| !range.max.value.is_nan());
@@ -242,5 +243,14 @@ fn section_rows(beam: &percuss::SectionForceSummary) -> Vec<Vec<String>> {
         let name = format!("{}, {what}", beam.name);
         vec![name, value(range.min.value), at(range.min.s), value(range.max.value), at(range.max.s)]
     };
-    known.map(row).collect()
+    let mut rows: Vec<Vec<String>> = known.map(row).collect();
+    let equivalent = beam.von_mises();
+    if !equivalent.value.is_nan() {
+        let none = || "\u{2013}".to_owned();
+        let (value, s) =
+            (quantity(Some(equivalent.value), "Pa"), quantity(Some(equivalent.s), "m"));
+        let name = format!("{}, von Mises stress", beam.name);
+        rows.push(vec![name, none(), none(), value, s]);
+    }
+    rows
 }

@@ -351,7 +351,10 @@ pub fn section_forces(name: &str, size: f64) -> SectionForceSummary {
         moment: range(-4e4, 9e4),
         strain: SectionRange::default(),
         stress: SectionRange::default(),
+        shear_stress: SectionRange::default(),
+        von_mises_inside: SectionPeak::default(),
         beyond: None,
+        beyond_inside: None,
         envelope: Envelope {
             axial: band(-100.0, 1e4),
             shear: band(-2e5, 1.5e5),

@@ -2,6 +2,7 @@
 
 use super::fibres::{self, Fibres, Strained};
 use super::line::{Inner, Line, SectionForces};
+use crate::element::beam::SectionValues;
 use crate::math::hermite::{self, GAUSS};
 use crate::model::frozen::Span;
 use crate::summary::{SectionForceSummary, SectionPeak};
@@ -42,10 +43,12 @@ pub(super) struct ElementForces<'a> {
     pub(super) yielded: Option<[Fibres; GAUSS]>,
     /// Whether its stresses and strains are asked for.
     pub(super) stresses: bool,
+    /// Whether its shear stresses and von Mises stresses are, too.
+    pub(super) sheared: bool,
 }
 
 impl<'a> ElementForces<'a> {
-    /// Elastic, with stresses if they are asked for, else with axial force, shear force and moment alone; strains are not, and are zero.
+    /// Elastic, with stresses of the extreme fibres if they are asked for, else with axial force, shear force and moment alone; strains are not, and are zero.
     pub(super) fn elastic(
         span: &'a Span,
         k: usize,
@@ -54,7 +57,7 @@ impl<'a> ElementForces<'a> {
         stresses: bool,
     ) -> Self {
         let strained = Some([Strained { stretch: 0.0, turn: 0.0 }; 2]);
-        Self { span, k, line, inner, strained, yielded: None, stresses }
+        Self { span, k, line, inner, strained, yielded: None, stresses, sheared: false }
     }
 
     /// Whether it has extreme fibres anywhere, and they are asked for.
@@ -70,17 +73,21 @@ impl<'a> ElementForces<'a> {
 
     /// Extreme fibres; nothing without a depth.
     pub(super) fn fibres(&self, xi: f64, forces: &SectionForces) -> Option<Fibres> {
-        if !self.has_fibres() {
-            return None;
-        }
-        let section = self.span.section_at(self.k, xi);
+        self.has_fibres().then(|| self.fibres_of(&self.section(xi), xi, forces))
+    }
+
+    fn section(&self, xi: f64) -> SectionValues {
+        self.span.section_at(self.k, xi)
+    }
+
+    fn fibres_of(&self, section: &SectionValues, xi: f64, forces: &SectionForces) -> Fibres {
         let gauss = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
         let curvature = self.span.table(self.k).rows[gauss].reference.curvature;
         let strained = self.strained.map(|[a, b]| {
             let mix = |a: f64, b: f64| (1.0 - xi) * a + xi * b;
             Strained { stretch: mix(a.stretch, b.stretch), turn: mix(a.turn, b.turn) }
         });
-        Some(fibres::fibres(&section, curvature, forces, strained))
+        fibres::fibres(section, curvature, forces, strained)
     }
 
     /// Takes the element into the extremes of its beam, its places into the envelope from `index` on.
@@ -119,8 +126,15 @@ impl<'a> ElementForces<'a> {
         out.axial.take(forces.axial, s, time);
         out.shear.take(forces.shear, s, time);
         out.moment.take(forces.moment, s, time);
-        let fibres = self.fibres(xi, forces)?;
+        if !self.has_fibres() {
+            return None;
+        }
+        let section = self.section(xi);
+        let fibres = self.fibres_of(&section, xi, forces);
         self.take_fibres(out, xi, &fibres, time);
+        if self.sheared {
+            self.take_sheared(out, xi, (&section, forces), time);
+        }
         Some(fibres)
     }
 

@@ -12,6 +12,7 @@ mod line;
 mod lines;
 mod runs;
 mod screen;
+mod sheared;
 mod span_lines;
 
 use crate::element::beam::ElementValues;
@@ -21,7 +22,9 @@ use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span, SpanFibres};
 use crate::scalar::in_lanes;
 use crate::state::State;
-use crate::summary::{Envelope, PointForces, PointStress, SectionForceSummary, SectionRange};
+use crate::summary::{
+    Envelope, PointForces, PointStress, SectionForceSummary, SectionPeak, SectionRange,
+};
 use element::{ElementForces, PLACES, station};
 use fibres::{Fibres, Strained};
 use lanes::PlainSpan;
@@ -50,7 +53,10 @@ pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
             moment: none,
             strain: none,
             stress: none,
+            shear_stress: none,
+            von_mises_inside: SectionPeak::default(),
             beyond: None,
+            beyond_inside: None,
             envelope: Envelope { s, axial: open(), shear: open(), moment: open(), stress },
         }
     };
@@ -85,8 +91,9 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
                 let element = span.elements.start + k;
                 let (line, inner) = lines.of(element);
                 let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));
-                let stresses = true;
-                let piece = ElementForces { span, k, line, inner, strained, yielded, stresses };
+                let (stresses, sheared) = (true, true);
+                let piece =
+                    ElementForces { span, k, line, inner, strained, yielded, stresses, sheared };
                 let index = PLACES.len() * (element - beam.elements.start);
                 piece.take(out, index, state.time);
             }
@@ -167,8 +174,8 @@ pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoi
         let (span, k) = model.element_of(node);
         let (line, inner) = lines.of(span.elements.start + k);
         let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));
-        let stresses = true;
-        let piece = ElementForces { span, k, line, inner, strained, yielded, stresses };
+        let (stresses, sheared) = (true, false);
+        let piece = ElementForces { span, k, line, inner, strained, yielded, stresses, sheared };
         let f = line.at(xi, inner, ahead);
         let own = stress_at(&piece, xi, &f, state);
         let worse = |other: f64| other.abs() > own.largest.abs() || own.largest.is_nan();

@@ -1,4 +1,5 @@
 use super::*;
+use crate::element::beam::ShearedPlace;
 use crate::element::point::SectionLaw;
 use crate::element::strain::StrainMeasure;
 
@@ -16,6 +17,7 @@ fn section(axial: f64, shear: f64, bending: f64) -> SectionValues {
         young: none,
         density: none,
         half_depth: none,
+        sheared: [ShearedPlace::UNKNOWN; 2],
     }
 }
 

@@ -1,7 +1,7 @@
-//! Shear stiffness: moduli of materials, factors of sections.
+//! Shear stiffness: moduli of materials, factors of sections; where the shear stress of a profile is largest.
 
 use super::material::Material;
-use super::profile::Profile;
+use super::profile::{Profile, Strip};
 use super::section::Section;
 
 impl Material {
@@ -40,9 +40,83 @@ impl Section {
     }
 }
 
+/// Width and first moment of a profile at a height, for its shear stress.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ShearWidth {
+    /// Height above the centre line \[m\].
+    pub height: f64,
+    /// Width there \[m\].
+    pub width: f64,
+    /// First moment of the area beyond about the centre line, Q \[m^3\].
+    pub moment_beyond: f64,
+}
+
+impl Profile {
+    /// At the neutral axis, and at the outer end of the web; of a section without a web the former twice. `None` if widths are not known.
+    ///
+    /// The shear stress is `V Q/(I b)` (D. I. Zhuravskii; S. Timoshenko, Strength of Materials I, 1930): at the axis `3V/(2A)` of a rectangle, `4V/(3A)`
+    /// of a circle, `2V/A` of a thin tube.
+    pub(crate) fn shear_widths(&self) -> Option<[ShearWidth; 2]> {
+        match self {
+            Self::Unknown | Self::Fibres(_) => None,
+            Self::Ring { outer, inner } => {
+                let moment_beyond = 2.0 / 3.0 * (outer.powi(3) - inner.powi(3));
+                let width = 2.0 * (outer - inner);
+                Some([ShearWidth { height: 0.0, width, moment_beyond }; 2])
+            }
+            Self::Strips(strips) => {
+                let (web, flange) = strips.split_first()?;
+                let moment =
+                    |one: &Strip| 0.5 * one.width * (one.to * one.to - one.from * one.from);
+                let outside: f64 = flange.iter().map(moment).sum();
+                let (width, whole) = (web.width, outside + moment(web));
+                let axis = ShearWidth { height: 0.0, width, moment_beyond: whole };
+                let end = ShearWidth { height: web.to, width, moment_beyond: outside };
+                Some([axis, if flange.is_empty() { axis } else { end }])
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Shear stresses by a shear force of one, at the neutral axis and at the end of the web.
+    fn stresses(section: &Section) -> [f64; 2] {
+        let places = section.profile.shear_widths().unwrap();
+        places.map(|one| one.moment_beyond / (section.inertia * one.width))
+    }
+
+    #[test]
+    fn shear_stresses_are_those_of_the_shapes() {
+        let close =
+            |found: f64, known: f64| assert!((found / known - 1.0).abs() < 1e-12, "{found}");
+        let plate = Section::rectangle("r", 0.1, 0.3);
+        close(stresses(&plate)[0], 1.5 / plate.area);
+        let rod = Section::circle("c", 0.1);
+        close(stresses(&rod)[0], 4.0 / 3.0 / rod.area);
+        // A tube from full to thin: (4/3) (R^2 + R r + r^2)/(R^2 + r^2).
+        let tube = Section::tube("t", 0.1, 0.01);
+        close(stresses(&tube)[0], 4.0 / 3.0 * (25.0 + 20.0 + 16.0) / (25.0 + 16.0) / tube.area);
+        let thin = Section::tube("t", 0.1, 1e-9);
+        assert!((stresses(&thin)[0] * thin.area - 2.0).abs() < 1e-6);
+        // An I: b (h^2 - c^2)/8 of the flanges and t c^2/8 of the web, over I t.
+        let (b, h, f, t) = (0.1_f64, 0.2_f64, 0.0085, 0.0056);
+        let c = h - 2.0 * f;
+        let i = Section::i_shape("i", b, h, f, t);
+        let flange = b * (h * h - c * c) / 8.0;
+        close(stresses(&i)[0], (flange + t * c * c / 8.0) / (i.inertia * t));
+        close(stresses(&i)[1], flange / (i.inertia * t));
+        // Fillets carry little; most is the mean over the web.
+        let rolled = stresses(&Section::rolled_i("ri", b, h, f, t, 0.012));
+        assert!(rolled[0] < stresses(&i)[0] * 1.01 && rolled[0] > 1.0 / (h * t), "{rolled:?}");
+        let tight = Section::hollow_box("b", 0.1, 0.2, 0.005);
+        let (w, d) = (0.09, 0.19_f64);
+        let moment = (0.1 * 0.2_f64.powi(2) - w * d * d) / 8.0;
+        close(stresses(&tight)[0], moment / (tight.inertia * 0.01));
+        assert!(Section::new("plain", 1e-3, 1e-7).profile.shear_widths().is_none());
+    }
 
     fn factor(section: &Section, nu: f64) -> f64 {
         section.shear_factor_of(&section.profile, nu)

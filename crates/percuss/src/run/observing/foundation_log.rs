@@ -1,5 +1,6 @@
 //! Foundations along beams: records during a run, which become their results.
 
+use crate::analysis::foundations::properties;
 use crate::model::Model;
 use crate::model::frozen::FoundationData;
 use crate::state::State;
@@ -51,6 +52,7 @@ impl FoundationSums {
 pub fn unset(model: &Model) -> Vec<FoundationSummary> {
     let none = |foundation: &FoundationData| FoundationSummary {
         name: foundation.name.clone(),
+        properties: properties(model, foundation),
         force: [Range::default(); 2],
         pressure: SectionRange::default(),
         lifted: Peak::default(),

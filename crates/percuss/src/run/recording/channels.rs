@@ -107,10 +107,9 @@ pub fn channels(model: &Model) -> Vec<Channel> {
 fn balances(model: &Model) -> impl Iterator<Item = Channel> {
     let plastic = PLASTIC_COLUMNS.iter().filter(|_| model.is_inelastic());
     let plastic = plastic.map(|(name, description)| (*name, "J", *description));
-    BALANCE_COLUMNS.into_iter().chain(plastic).map(|(name, unit, description)| Channel {
-        name: name.into(),
-        unit,
-        description: description.into(),
+    let shear = model.has_shear().then_some(SHEAR_COLUMN);
+    BALANCE_COLUMNS.into_iter().chain(plastic).chain(shear).map(|(name, unit, description)| {
+        Channel { name: name.into(), unit, description: description.into() }
     })
 }
 
@@ -144,6 +143,13 @@ const PLASTIC_COLUMNS: [(&str, &str); 3] = [
         "Energy that had been stored in the fibres, springs and hinges that failed so far",
     ),
 ];
+
+/// Column of histories of shear-flexible beams.
+const SHEAR_COLUMN: (&str, &str, &str) = (
+    "energy.strain_shear",
+    "J",
+    "Shear strain energy of shear-flexible beams, not contained in that of bending",
+);
 
 /// Columns every history has.
 const BALANCE_COLUMNS: [(&str, &str, &str); 24] = [
@@ -330,7 +336,7 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         m.kinetic_projectiles,
         m.strain_axial + m.strain_bending,
         m.strain_axial,
-        m.strain_bending,
+        m.strain_bending - m.strain_shear,
         m.contact,
         m.springs,
         m.total(),
@@ -352,6 +358,9 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
     ]);
     if model.is_inelastic() {
         row.extend([ledger.loss_plastic, m.hardening, ledger.loss_failure]);
+    }
+    if model.has_shear() {
+        row.push(m.strain_shear);
     }
 }
 
