@@ -112,6 +112,42 @@ fn frequencies_of_a_deep_beam_are_those_of_timoshenko() {
     }
 }
 
+/// A few elements have hardly more motions than modes are asked for: what a subspace contains beyond them is round-off, and no mode. A small
+/// pressure that follows the beam leaves its frequencies, and it is stable.
+#[test]
+fn small_structures_under_following_pressure_have_no_modes_of_round_off() {
+    let cantilever = |elements: usize, pressure: f64| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(isotropic(1e10, 2e3, 0.25));
+        let section = b.section(Section::rectangle("s", 0.1, 0.2));
+        let arm = b.beam(shear(2.0, elements, material, section));
+        b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+        if pressure > 0.0 {
+            let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+            let force = [[0.0, -pressure]; 2];
+            let kind = LoadKind::Distributed { beam: arm, stretch, force, follower: true };
+            b.load(Load::new("pressure", kind));
+        }
+        b.build().unwrap()
+    };
+    for elements in 3..=12 {
+        let model = cantilever(elements, 1.0);
+        let found = equilibrium(&model).unwrap();
+        assert!(found.stable, "{elements}");
+        let modes = modes_about(&model, &found.state, 8);
+        let free = natural_frequencies(&cantilever(elements, 0.0), 8);
+        assert_eq!(modes.len(), free.len(), "{elements}");
+        for (mode, free) in modes.iter().zip(free) {
+            assert_eq!(mode.kind(), ModeKind::Vibration, "{elements}: {mode:?}");
+            // The pressure is 1e-6 of the bending stiffness.
+            assert!((mode.frequency() / free - 1.0).abs() < 1e-5, "{elements}: {free}");
+        }
+        let stability = buckling(&model, 1).stability;
+        let kept = matches!(stability, Some(FollowerStability::Kept { up_to }) if up_to > 1.0);
+        assert!(kept, "{elements}: {stability:?}");
+    }
+}
+
 /// A free beam that turns by half a radian a step, and vibrates.
 fn tumbling() -> Model {
     let mut b = ModelBuilder::new();
