@@ -1,6 +1,7 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
 mod failing;
+mod given;
 mod motions;
 mod reached;
 mod relaxed;
@@ -78,10 +79,15 @@ impl<'m> StaticSearch<'m> {
         // A heated bar between walls does not move.
         let loaded = largest(&state.displacement) > 0.0 || state.is_strained();
         let mut search = Self::at_share(model, state, f64::from(u8::from(loaded)));
-        let stressed = model.connectors.iter().zip(&search.base.coordinates);
-        let stressed = stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) != 0.0);
-        search.stressed = loaded || !stressed || search.is_balanced();
+        search.stressed = loaded || search.springs_balance();
         search
+    }
+
+    /// Whether springs are force-free at the current configuration, or their forces balance.
+    fn springs_balance(&mut self) -> bool {
+        let mut springs = self.model.connectors.iter().zip(&self.base.coordinates);
+        let stressed = springs.any(|(c, q)| c.potential(*q, &self.base.memories) != 0.0);
+        !stressed || self.is_balanced()
     }
 
     /// Whether the forces of springs balance at the current configuration, relative to the largest of them.
