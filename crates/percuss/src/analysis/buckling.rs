@@ -22,6 +22,8 @@ const MOST_COUNTS: usize = 8;
 const TOUCHING: f64 = 1e-9;
 /// Loads that move a structure by less than this share of its size are round-off.
 const NO_LOAD: f64 = 1e-14;
+/// Strains below this share of the displacements, relative to the size of the structure, are round-off of a motion without strain.
+const NO_STRAIN: f64 = 1e-12;
 
 /// A buckling mode of the linearised structure.
 #[derive(Clone, Debug)]
@@ -82,6 +84,8 @@ pub enum BucklingOutcome {
         /// Largest factor in the search.
         up_to: f64,
     },
+    /// The loads move the structure on its springs, and strain it by round-off only; no positive factor where this round-off has no influence.
+    Unstrained,
     /// No load acts at time zero.
     Unloaded,
     /// Follower loads: they have no potential, and the structure may flutter at a load without another equilibrium. Modes about the loaded
@@ -102,7 +106,7 @@ impl BucklingOutcome {
     /// Its code in the catalogue, if no factor is available although loads act.
     pub fn code(self) -> Option<Caution> {
         match self {
-            Self::Found | Self::Never { .. } | Self::Unloaded => None,
+            Self::Found | Self::Never { .. } | Self::Unstrained | Self::Unloaded => None,
             Self::Follower
             | Self::Mechanism
             | Self::Unstable
@@ -118,6 +122,7 @@ impl BucklingOutcome {
             Self::Never { up_to } => format!(
                 "no linear buckling: the tangent stays positive up to {up_to:.3e} times the loads, where strains reach one"
             ),
+            Self::Unstrained => "no linear buckling: the loads move the structure on its springs and do not strain it".into(),
             Self::Unloaded => "no linear buckling: no load acts".into(),
             Self::Follower => "no linear buckling factor: follower loads have no potential (flutter is possible); see the modes about the static \
                  equilibrium"
@@ -234,8 +239,15 @@ fn find(
         return Err(BucklingOutcome::Follower);
     }
     let geometric = layout.combined(&loaded, &stiffness, -1.0);
-    let most = 1.0 / largest_strain(model, &stressed).max(given);
-    Buckling { layout: &layout, stiffness, geometric }.lowest(count, most)
+    let strain = largest_strain(model, &stressed).max(given);
+    let round_off = NO_STRAIN * largest(&response) / unloaded.size();
+    let found = Buckling { layout: &layout, stiffness, geometric };
+    match found.lowest(count, 1.0 / strain.max(round_off)) {
+        Err(BucklingOutcome::Never { .. }) if strain < round_off => {
+            Err(BucklingOutcome::Unstrained)
+        }
+        result => result,
+    }
 }
 
 impl Buckling<'_> {
