@@ -49,6 +49,25 @@ fn run(model: &Model, settings: &Settings) -> RunSummary {
     summary
 }
 
+/// N of a cantilever is the part of its force along the normal of the section, largest at the tip; the shear strain of the axis, which is not small
+/// against rotations here, is no part of it.
+#[test]
+fn the_axial_force_is_along_the_normal_of_the_section() {
+    let (young, depth) = (1e9, 0.5);
+    let bending = young * f64::powi(depth, 3) / 12.0;
+    let force = -1e-5 * bending;
+    for elements in [1, 4, 16] {
+        let model = cantilever(elements, [1.0, 1.0, depth], isotropic(young, 1e3, 0.25), force);
+        let found = equilibrium(&model).unwrap();
+        let forces = &found.section_forces[0];
+        // Rotations of 5e-6 change the force along the normal by their square.
+        let most = force * force / (2.0 * bending);
+        assert!((forces.axial.max.value / most - 1.0).abs() < 1e-6, "{elements}: {forces:?}");
+        assert!(forces.axial.min.value.abs() < 1e-6 * most, "{elements}: {forces:?}");
+        assert!((forces.shear.min.value / -force - 1.0).abs() < 1e-9, "{elements}: {forces:?}");
+    }
+}
+
 #[test]
 fn a_cantilever_has_the_deflections_of_bending_and_shear_for_any_slenderness() {
     let (young, nu) = (1e9, 0.25);
