@@ -48,6 +48,8 @@ pub struct LinearBuckling {
     /// Number of springs between points with the stiffness of the reference configuration whose stiffness in the equilibrium is another one: of
     /// tension or compression only, behind a slack or a gap that the loads close, or of a table.
     pub springs_as_unloaded: usize,
+    /// Number of foundations with such springs.
+    pub foundations_as_unloaded: usize,
 }
 
 impl LinearBuckling {
@@ -68,7 +70,13 @@ impl LinearBuckling {
             "spring has the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows it)",
             "springs have the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows them)",
         );
-        stops.into_iter().chain(springs).map(|what| format!("linear buckling: {what}")).collect()
+        let foundations = of(
+            self.foundations_as_unloaded,
+            "foundation has the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows it)",
+            "foundations have the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows them)",
+        );
+        let all = stops.into_iter().chain(springs).chain(foundations);
+        all.map(|what| format!("linear buckling: {what}")).collect()
     }
 }
 
@@ -155,6 +163,7 @@ pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> 
     let reference = vec![[0.0; 4]; structure.node_count()];
     let extent = structure.extent();
     let (mut closed_stops, mut springs_as_unloaded) = (0, 0);
+    let mut foundations = vec![false; structure.foundations.len()];
     for (c, q) in structure.connectors.iter_mut().zip(&found.state.coordinates) {
         let from = c.value(&reference, 0.0);
         let scale = from.abs().max(extent);
@@ -171,14 +180,18 @@ pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> 
                     ConnectorLaw::Linear { stiffness: now, rest: from }
                 }
                 None => {
-                    springs_as_unloaded += usize::from(changes);
+                    match c.foundation {
+                        Some(foundation) => foundations[foundation] |= changes,
+                        None => springs_as_unloaded += usize::from(changes),
+                    }
                     unloaded
                 }
             };
         }
     }
     let all = result(&structure, found.held.clone(), count);
-    LinearBuckling { closed_stops, springs_as_unloaded, ..all }
+    let foundations_as_unloaded = foundations.into_iter().filter(|changes| *changes).count();
+    LinearBuckling { closed_stops, springs_as_unloaded, foundations_as_unloaded, ..all }
 }
 
 /// The line that a spring follows from the reference configuration on, to the side to which the loads take it: what just touches there acts if they
@@ -199,7 +212,15 @@ fn result(structure: &Model, held: Vec<Held>, count: usize) -> LinearBuckling {
     };
     let follows = alone && outcome == BucklingOutcome::Follower;
     let stability = follows.then(|| follower_stability(structure));
-    LinearBuckling { modes, outcome, stability, closed_stops: 0, springs_as_unloaded: 0 }
+    let (closed_stops, springs_as_unloaded, foundations_as_unloaded) = (0, 0, 0);
+    LinearBuckling {
+        modes,
+        outcome,
+        stability,
+        closed_stops,
+        springs_as_unloaded,
+        foundations_as_unloaded,
+    }
 }
 
 /// Stiffness and geometric stiffness, both symmetric.
