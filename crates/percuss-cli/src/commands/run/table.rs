@@ -159,7 +159,10 @@ fn foundation(found: &FoundationSummary) -> (String, String) {
     let most = found.pressure.largest();
     let (pressure, s) = (quantity(most.value, "N/m"), quantity(most.s, "m"));
     let time = quantity(most.time, "s");
-    let mut parts = vec![format!("largest reaction {pressure} at s = {s}, t = {time}")];
+    let mut parts = vec![match most.value {
+        0.0 => "no elastic reaction".to_owned(),
+        _ => format!("largest reaction {pressure} at s = {s}, t = {time}"),
+    }];
     if found.lifted.value > 0.0 {
         parts.push(format!("lifted off over up to {}", quantity(found.lifted.value, "m")));
     }
