@@ -1,6 +1,7 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
 mod failing;
+mod folded;
 mod given;
 mod motions;
 mod reached;
@@ -132,10 +133,11 @@ impl<'m> StaticSearch<'m> {
     /// Newton's iteration at a share of the loads, from the increment in the workspace.
     ///
     /// An equilibrium behind the start, relative to the first correction, is on another branch and is rejected; closing contacts may however
-    /// reverse the way.
+    /// reverse the way. One with elements that the way there has folded is rejected, too.
     pub fn solve(&mut self, share: f64) -> bool {
         self.set_share(share);
         let start = self.work.increment.clone();
+        let folded = self.folded();
         let mut ahead: Option<Vec<[f64; 4]>> = None;
         prescribe(self.model, &self.forcing, &mut self.work.increment);
         // Obstacles have their position at time zero.
@@ -171,7 +173,7 @@ impl<'m> StaticSearch<'m> {
                     self.work.increment.iter().zip(&start).map(|(a, b)| way(a, b)).collect();
                 // NaN without any motion.
                 let onward = moved.is_nan() || inner(&gone, ahead) >= 0.0;
-                let found = onward || !alone;
+                let found = (onward || !alone) && self.folded() <= folded;
                 if found {
                     self.contacts.accept(self.model);
                 }

@@ -261,3 +261,29 @@ fn modes_about_the_reference_have_the_heat_that_supports_bear() {
         assert!((reference / cold - 1.0).abs() < 1e-9, "{theory:?}: {reference} {cold}");
     }
 }
+
+/// A cantilever of ten elements with the given curvature of half a circle and a stretch of 1 % is rolled up evenly: no load step folds an element, in
+/// which strains at a few places would be the same.
+#[test]
+fn a_given_curvature_rolls_a_beam_up_without_folds() {
+    for curvature in [1.56, 1.5707963, 1.58] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("composite", 1e10, 2e3));
+        let section = b.section(Section::rectangle("bar", 0.1, 0.2));
+        let bar = b.beam(beam("bar", [0.0, 0.0], [2.0, 0.0], 10, material, section));
+        b.support(Support::new("root", at("root", bar, 0.0), SupportKind::Clamp));
+        let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+        let kind = LoadKind::Strain { beam: bar, stretch, strain: 0.01, curvature };
+        b.load(Load::new("roll", kind));
+        let model = b.build().unwrap();
+        let found = equilibrium(&model).unwrap();
+        for (n, u) in found.state.displacement.iter().enumerate() {
+            // The bending strain of Green's law is that per deformed length, times the stretch, whose square is 1 + 2 * 1 %.
+            let angle = curvature * 0.2 * n as f64 / 1.02_f64.sqrt();
+            let turned = u[3].atan2(1.0 + u[2]);
+            // Ten elements of a cubic: rotations between nodes are of high order.
+            assert!((turned - angle).abs() < 1e-2, "{curvature} {n}: {turned} {angle}");
+        }
+        assert!(found.stable);
+    }
+}
