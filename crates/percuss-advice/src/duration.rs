@@ -18,6 +18,8 @@ const STEPS: f64 = 60.0;
 const MOST: usize = 60_000;
 /// Instants within a step at which a contact may begin, as shares of it.
 const EARLY: [f64; 4] = [0.0, 0.27, 0.53, 0.81];
+/// Contacts whose durations differ by more than this factor are not the same one.
+const SAME: f64 = 2.0;
 /// A point that gives way to a unit impulse by less than this share of what the striker does is held.
 const HELD: f64 = 1e-12;
 /// Modes whose frequencies agree to this share are one motion.
@@ -178,10 +180,12 @@ impl Lasting {
         self.from == From::Modes && !self.target.modes.iter().any(moves)
     }
 
-    /// Share by which shear deformation of a section, with its shear stiffness \[N\], would change the largest force.
+    /// Share by which shear deformation of a section, with its shear stiffness \[N\], would change the largest force; None where it would join the
+    /// first contact with a later one, or part it.
     pub fn shear(&self, section: &UniformBeam, shear: f64) -> Option<f64> {
         let impact = self.impact(&self.target.sheared(section, shear), self.step, 0.0)?;
-        Some(impact.peak_force / self.peak - 1.0)
+        let same = (self.duration / SAME..SAME * self.duration).contains(&impact.duration);
+        same.then(|| impact.peak_force / self.peak - 1.0)
     }
 
     /// How far off the largest force is likely to be in steps of this size, as a share of it: the mean over instants at which a

@@ -24,7 +24,11 @@ pub fn finding(
     }
     let section = struck.place.section();
     let shear = shear_stiffness(section.axial);
-    let (share, what) = match lasting {
+    // With shear it may be another contact, as of a mass that nearly lets go: then deflections alone say something.
+    let of_contact = lasting.filter(|lasting| {
+        lasting.from == From::WithoutEnd || lasting.shear(&section, shear).is_some()
+    });
+    let (share, what) = match of_contact {
         Some(lasting) if lasting.from == From::WithoutEnd => {
             let [_, change] = struck.corrections(planned.case.law, struck.speed)?;
             let rebound = change.rebound.map_or(String::new(), |share| {
@@ -48,7 +52,7 @@ pub fn finding(
     }
     // Deflections follow the compliance, whatever the force does.
     let yields = struck.place.span().map_or(0.0, |span| span.shear_share(shear));
-    let and = match lasting {
+    let and = match of_contact {
         Some(_) if yields >= SHARES[0] => {
             format!(" and increase the static deflection by {} %", digits(100.0 * yields))
         }

@@ -206,7 +206,7 @@ fn minima(e: &Evidence<'_>) -> Vec<String> {
     let free = e.problem.free_places();
     let all = e.problem.adjustables();
     let reported =
-        free.iter().map(|k| format!("{} = {:.6e} {}", all[*k].name, values[*k], all[*k].unit));
+        free.iter().map(|k| format!("{} = {}", all[*k].name, all[*k].in_words(values[*k])));
     vec![format!(
         "{reached} of {} starting points reach the best minimum (cost {:.5}), and others of similar cost exist: {} has cost {:.5}. The data \
          do not say which it is; narrow the bounds or give a prior",
@@ -234,8 +234,9 @@ fn bounds(e: &Evidence<'_>) -> Vec<String> {
             _ => return None,
         };
         Some(format!(
-            "`{}` is at its bound {bound:.6e} {}: its standard error does not hold; the minimum may lie beyond",
-            one.name, one.unit
+            "`{}` is at its bound {}: its standard error does not hold; the minimum may lie beyond",
+            one.name,
+            one.in_words(bound)
         ))
     });
     at.collect()

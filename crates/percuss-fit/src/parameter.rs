@@ -36,6 +36,14 @@ impl Adjustable {
         }
     }
 
+    /// A value with its unit; a pure number has none.
+    pub fn in_words(&self, value: f64) -> String {
+        match self.unit.as_str() {
+            "1" => format!("{value:.6e}"),
+            unit => format!("{value:.6e} {unit}"),
+        }
+    }
+
     /// Its coordinate at a value.
     pub fn coordinate(&self, value: f64) -> f64 {
         if self.logarithmic { value.ln() } else { value / self.scale() }
@@ -95,5 +103,7 @@ mod tests {
         }
         assert_eq!(linear.coordinates(), [0.5, 5.0]);
         assert_eq!(open.coordinates(), open.bounds);
+        let ratio = Adjustable { unit: "1".into(), ..open.clone() };
+        assert_eq!([open.in_words(0.25), ratio.in_words(0.25)], ["2.500000e-1 N/m", "2.500000e-1"]);
     }
 }

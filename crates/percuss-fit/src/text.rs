@@ -55,22 +55,19 @@ fn parameters(fit: &Fit, out: &mut String) -> std::fmt::Result {
     let width = fit.parameters.iter().map(|p| p.name.len()).max().unwrap_or(0);
     writeln!(out, "[parameters]")?;
     for one in &fit.parameters {
-        let unit = if one.unit == "1" { "" } else { &one.unit };
+        let unit = if one.unit == "1" { String::new() } else { format!(" {}", one.unit) };
         let reported = if one.fixed {
-            format!("{:.7e} {unit} (fixed)", one.value)
+            format!("{:.7e}{unit} (fixed)", one.value)
         } else if one.stderr.is_finite() {
             let share = 100.0 * one.stderr / one.value.abs();
             let share = if share.is_finite() { format!(" ({share:.2} %)") } else { String::new() };
             let [low, high] = one.interval;
             format!(
-                "{:.7e} +- {:.3e} {unit}{share}, 95 %: {low:.7e} to {high:.7e} (start {:.7e})",
+                "{:.7e} +- {:.3e}{unit}{share}, 95 %: {low:.7e} to {high:.7e} (start {:.7e})",
                 one.value, one.stderr, one.start
             )
         } else {
-            format!(
-                "{:.7e} {unit}, not determined by the data (start {:.7e})",
-                one.value, one.start
-            )
+            format!("{:.7e}{unit}, not determined by the data (start {:.7e})", one.value, one.start)
         };
         writeln!(out, "  {:<width$}  {reported}", one.name)?;
     }

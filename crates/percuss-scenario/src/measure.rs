@@ -44,6 +44,7 @@ macro_rules! measures {
 
 measures! {
     Ratio = (0, 0, 0) "a pure number", "", "0.8";
+    Poisson = (0, 0, 0) "a pure number", "", "0.3";
     Length = (1, 0, 0) "a length", "m", "\"3 m\"";
     Area = (2, 0, 0) "an area", "m^2", "\"1e3 cm^2\"";
     Inertia = (4, 0, 0) "a second moment of area", "m^4", "\"8330 cm^4\"";

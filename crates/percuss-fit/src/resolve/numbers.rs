@@ -129,10 +129,11 @@ fn adjustable(
     };
     if bounds[0] >= bounds[1] || bounds[0].is_nan() {
         let found = format!("from {:e} to {:e} {unit}", bounds[0], bounds[1]);
-        return Err(Fault::new("bounds", found, "a smaller value, then a larger one"));
+        return Err(Fault::new("bounds", found.trim_end(), "a smaller value, then a larger one"));
     }
     if !given.fixed && !(bounds[0]..=bounds[1]).contains(&start) {
-        let found = format!("{start:e} {unit}, outside the bounds");
+        let found = format!("{start:e} {unit}");
+        let found = format!("{}, outside the bounds", found.trim_end());
         return Err(Fault::new(
             if given.start.is_some() { "start" } else { "bounds" },
             found,

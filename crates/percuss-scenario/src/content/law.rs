@@ -54,7 +54,7 @@ table! {
         /// Young's moduli (Pa).
         young: [f64; 2] as Pair<Quantity<measure::Pressure>>,
         /// Poisson's ratios.
-        poisson: [f64; 2] as Pair<Quantity<measure::Ratio>>,
+        poisson: [f64; 2] as Pair<Quantity<measure::Poisson>>,
         /// Radii of curvature at the contact (m), "flat" for a flat face.
         radius: [f64; 2] as Pair<OrEndless<Curvature>>,
     }

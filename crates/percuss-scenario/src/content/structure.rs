@@ -31,7 +31,7 @@ table! {
         /// Density (kg/m^3); required without `preset`.
         density: Option<f64> as Maybe<Quantity<measure::Density>> = None,
         /// Poisson's ratio; used by shear-flexible beams alone, for shear modulus and shear factor.
-        poisson: Option<f64> as Maybe<Quantity<measure::Ratio>> = None,
+        poisson: Option<f64> as Maybe<Quantity<measure::Poisson>> = None,
         /// Shear modulus (Pa) of a material that is not isotropic, such as timber; used by shear-flexible beams alone.
         shear_modulus: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
         /// Strain measure of the strain energy; shear-flexible beams have strains of their own.

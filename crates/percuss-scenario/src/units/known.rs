@@ -202,6 +202,7 @@ const SYNONYMS: &[(&str, &str)] = &[
     ("kelvin", "`K`"),
     ("degc", "`K`, of a difference of temperatures"),
     ("celsius", "`K`, of a difference of temperatures"),
+    ("°c", "`K`, of a difference of temperatures"),
     ("mp", "`m/s`"), // mps, its `s` taken for a plural's
     ("mps", "`m/s`"),
     ("kmh", "`km/h`"),

@@ -128,6 +128,8 @@ fn unknown_units_are_marked_and_come_with_a_suggestion() {
         ("5 newtn", "newtn", "`N`"),
         ("5 degrees", "degrees", "`deg`"),
         ("5 mps", "mps", "`m/s`"),
+        ("5 degC", "degC", "`K`"),
+        ("5 °C", "°C", "`K`"),
         ("5 ton", "ton", "`t` (1000 kg), or 2000 lb"),
     ] {
         let (span, found, expected) = fault(text);

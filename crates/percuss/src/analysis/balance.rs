@@ -11,6 +11,8 @@ use crate::step::tangent::project;
 const LEFT: f64 = 1e-9;
 /// Units in the last place that a strain may be off by, for rounded displacements.
 const ROUNDED: f64 = 256.0 * f64::EPSILON;
+/// Units in the last place that a gap, the difference of positions, may be off by.
+const PLACED: f64 = 16.0 * f64::EPSILON;
 
 /// Forces that act on a structure at rest from outside, each a sum.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,7 +67,7 @@ fn largest_inside(element_forces: &[[[f64; 3]; 2]]) -> f64 {
     ends.map(|[n, v, _]| n.abs().max(v.abs())).fold(0.0, f64::max)
 }
 
-/// Change of the forces of elements due to rounding of the displacements \[N\].
+/// Change of the forces of elements due to rounding of the displacements, and of compliant contacts due to that of positions \[N\].
 fn rounded(search: &StaticSearch) -> f64 {
     let model = search.model;
     let reach = largest(&search.displacement());
@@ -74,7 +76,8 @@ fn rounded(search: &StaticSearch) -> f64 {
         table.rows[1].section.axial * (1.0 + reach / table.length)
     };
     let most = model.each_element().map(|(span, k, ..)| one((span, k))).fold(0.0, f64::max);
-    ROUNDED * most * (model.element_count() as f64).sqrt()
+    let contacts = PLACED * search.size() * search.contacts.largest_stiffness();
+    ROUNDED * most * (model.element_count() as f64).sqrt() + contacts
 }
 
 impl StaticSearch<'_> {

@@ -22,6 +22,8 @@ const MOST_COUNTS: usize = 8;
 const TOUCHING: f64 = 1e-9;
 /// Loads that move a structure by less than this share of its size are round-off.
 const NO_LOAD: f64 = 1e-14;
+/// Strains below this share of the displacements, relative to the size of the structure, are round-off of a motion without strain.
+const NO_STRAIN: f64 = 1e-12;
 
 /// A buckling mode of the linearised structure.
 #[derive(Clone, Debug)]
@@ -46,6 +48,8 @@ pub struct LinearBuckling {
     /// Number of springs between points with the stiffness of the reference configuration whose stiffness in the equilibrium is another one: of
     /// tension or compression only, behind a slack or a gap that the loads close, or of a table.
     pub springs_as_unloaded: usize,
+    /// Number of foundations with such springs.
+    pub foundations_as_unloaded: usize,
 }
 
 impl LinearBuckling {
@@ -66,7 +70,13 @@ impl LinearBuckling {
             "spring has the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows it)",
             "springs have the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows them)",
         );
-        stops.into_iter().chain(springs).map(|what| format!("linear buckling: {what}")).collect()
+        let foundations = of(
+            self.foundations_as_unloaded,
+            "foundation has the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows it)",
+            "foundations have the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows them)",
+        );
+        let all = stops.into_iter().chain(springs).chain(foundations);
+        all.map(|what| format!("linear buckling: {what}")).collect()
     }
 }
 
@@ -82,6 +92,8 @@ pub enum BucklingOutcome {
         /// Largest factor in the search.
         up_to: f64,
     },
+    /// The loads move the structure on its springs, and strain it by round-off only; no positive factor where this round-off has no influence.
+    Unstrained,
     /// No load acts at time zero.
     Unloaded,
     /// Follower loads: they have no potential, and the structure may flutter at a load without another equilibrium. Modes about the loaded
@@ -102,7 +114,7 @@ impl BucklingOutcome {
     /// Its code in the catalogue, if no factor is available although loads act.
     pub fn code(self) -> Option<Caution> {
         match self {
-            Self::Found | Self::Never { .. } | Self::Unloaded => None,
+            Self::Found | Self::Never { .. } | Self::Unstrained | Self::Unloaded => None,
             Self::Follower
             | Self::Mechanism
             | Self::Unstable
@@ -118,6 +130,7 @@ impl BucklingOutcome {
             Self::Never { up_to } => format!(
                 "no linear buckling: the tangent stays positive up to {up_to:.3e} times the loads, where strains reach one"
             ),
+            Self::Unstrained => "no linear buckling: the loads move the structure on its springs and do not strain it".into(),
             Self::Unloaded => "no linear buckling: no load acts".into(),
             Self::Follower => "no linear buckling factor: follower loads have no potential (flutter is possible); see the modes about the static \
                  equilibrium"
@@ -150,6 +163,7 @@ pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> 
     let reference = vec![[0.0; 4]; structure.node_count()];
     let extent = structure.extent();
     let (mut closed_stops, mut springs_as_unloaded) = (0, 0);
+    let mut foundations = vec![false; structure.foundations.len()];
     for (c, q) in structure.connectors.iter_mut().zip(&found.state.coordinates) {
         let from = c.value(&reference, 0.0);
         let scale = from.abs().max(extent);
@@ -166,14 +180,18 @@ pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> 
                     ConnectorLaw::Linear { stiffness: now, rest: from }
                 }
                 None => {
-                    springs_as_unloaded += usize::from(changes);
+                    match c.foundation {
+                        Some(foundation) => foundations[foundation] |= changes,
+                        None => springs_as_unloaded += usize::from(changes),
+                    }
                     unloaded
                 }
             };
         }
     }
     let all = result(&structure, found.held.clone(), count);
-    LinearBuckling { closed_stops, springs_as_unloaded, ..all }
+    let foundations_as_unloaded = foundations.into_iter().filter(|changes| *changes).count();
+    LinearBuckling { closed_stops, springs_as_unloaded, foundations_as_unloaded, ..all }
 }
 
 /// The line that a spring follows from the reference configuration on, to the side to which the loads take it: what just touches there acts if they
@@ -194,7 +212,15 @@ fn result(structure: &Model, held: Vec<Held>, count: usize) -> LinearBuckling {
     };
     let follows = alone && outcome == BucklingOutcome::Follower;
     let stability = follows.then(|| follower_stability(structure));
-    LinearBuckling { modes, outcome, stability, closed_stops: 0, springs_as_unloaded: 0 }
+    let (closed_stops, springs_as_unloaded, foundations_as_unloaded) = (0, 0, 0);
+    LinearBuckling {
+        modes,
+        outcome,
+        stability,
+        closed_stops,
+        springs_as_unloaded,
+        foundations_as_unloaded,
+    }
 }
 
 /// Stiffness and geometric stiffness, both symmetric.
@@ -234,8 +260,15 @@ fn find(
         return Err(BucklingOutcome::Follower);
     }
     let geometric = layout.combined(&loaded, &stiffness, -1.0);
-    let most = 1.0 / largest_strain(model, &stressed).max(given);
-    Buckling { layout: &layout, stiffness, geometric }.lowest(count, most)
+    let strain = largest_strain(model, &stressed).max(given);
+    let round_off = NO_STRAIN * largest(&response) / unloaded.size();
+    let found = Buckling { layout: &layout, stiffness, geometric };
+    match found.lowest(count, 1.0 / strain.max(round_off)) {
+        Err(BucklingOutcome::Never { .. }) if strain < round_off => {
+            Err(BucklingOutcome::Unstrained)
+        }
+        result => result,
+    }
 }
 
 impl Buckling<'_> {

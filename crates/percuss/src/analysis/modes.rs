@@ -7,7 +7,7 @@ use super::spectrum::{
     Eigen, FreeMotions, Held, ImagePair, Layout, Matrix, Nodal, Pencil, subtract,
 };
 use super::spectrum::{free_motions, metric, size, strain_share, stress_share};
-use super::static_search::StaticSearch;
+use super::static_search::{StaticSearch, largest};
 use crate::linalg::block::inner;
 use crate::linalg::chain::Chain;
 use crate::math::vec2::dot;
@@ -109,6 +109,9 @@ impl Mode {
 
 /// The `count` lowest natural modes about `state`, an equilibrium, in ascending order; without projectiles.
 ///
+/// About the reference configuration no load acts; given strains count if supports and joints bear them without a displacement, as of a heated bar
+/// between walls.
+///
 /// Fewer if there are fewer: as many as the rank of the mass matrix. Damping is left out.
 pub fn modes_about(model: &Model, state: &State, count: usize) -> Vec<Mode> {
     let model = &model.structure();
@@ -153,7 +156,11 @@ pub(super) struct Linearized<'m> {
 
 impl<'m> Linearized<'m> {
     pub(super) fn new(model: &'m Model, state: &State, held: Vec<Held>) -> Self {
-        Self::about(Layout::holding(model, held), StaticSearch::at(model, state), state)
+        let mut search = StaticSearch::at(model, state);
+        if held.is_empty() && state.is_strained() && largest(&state.displacement) == 0.0 {
+            search.keep_borne_strains(&state.strained);
+        }
+        Self::about(Layout::holding(model, held), search, state)
     }
 
     fn about(layout: Layout<'m>, search: StaticSearch<'m>, state: &State) -> Self {

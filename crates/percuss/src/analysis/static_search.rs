@@ -1,6 +1,8 @@
 //! Newton's iteration for equilibrium: residual and tangent of a structure at rest, and their corrections.
 
 mod failing;
+mod folded;
+mod given;
 mod motions;
 mod reached;
 mod relaxed;
@@ -78,10 +80,15 @@ impl<'m> StaticSearch<'m> {
         // A heated bar between walls does not move.
         let loaded = largest(&state.displacement) > 0.0 || state.is_strained();
         let mut search = Self::at_share(model, state, f64::from(u8::from(loaded)));
-        let stressed = model.connectors.iter().zip(&search.base.coordinates);
-        let stressed = stressed.clone().any(|(c, q)| c.potential(*q, &search.base.memories) != 0.0);
-        search.stressed = loaded || !stressed || search.is_balanced();
+        search.stressed = loaded || search.springs_balance();
         search
+    }
+
+    /// Whether springs are force-free at the current configuration, or their forces balance.
+    fn springs_balance(&mut self) -> bool {
+        let mut springs = self.model.connectors.iter().zip(&self.base.coordinates);
+        let stressed = springs.any(|(c, q)| c.potential(*q, &self.base.memories) != 0.0);
+        !stressed || self.is_balanced()
     }
 
     /// Whether the forces of springs balance at the current configuration, relative to the largest of them.
@@ -126,10 +133,11 @@ impl<'m> StaticSearch<'m> {
     /// Newton's iteration at a share of the loads, from the increment in the workspace.
     ///
     /// An equilibrium behind the start, relative to the first correction, is on another branch and is rejected; closing contacts may however
-    /// reverse the way.
+    /// reverse the way. One with elements that the way there has folded is rejected, too.
     pub fn solve(&mut self, share: f64) -> bool {
         self.set_share(share);
         let start = self.work.increment.clone();
+        let folded = self.folded();
         let mut ahead: Option<Vec<[f64; 4]>> = None;
         prescribe(self.model, &self.forcing, &mut self.work.increment);
         // Obstacles have their position at time zero.
@@ -165,7 +173,7 @@ impl<'m> StaticSearch<'m> {
                     self.work.increment.iter().zip(&start).map(|(a, b)| way(a, b)).collect();
                 // NaN without any motion.
                 let onward = moved.is_nan() || inner(&gone, ahead) >= 0.0;
-                let found = onward || !alone;
+                let found = (onward || !alone) && self.folded() <= folded;
                 if found {
                     self.contacts.accept(self.model);
                 }

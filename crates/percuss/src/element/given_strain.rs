@@ -2,8 +2,10 @@
 //!
 //! The energy per length is `EA (eps - eps_0)^2 / 2 + EI (kappa - kappa_0)^2 / 2`. The terms without the given strains `eps_0`, `kappa_0` are those of
 //! any element; the others are here: `-EA eps_0 eps - EI kappa_0 kappa`, with forces of constant resultants, and `EA eps_0^2 / 2 + EI kappa_0^2 / 2`.
+//! A curved element that expands evenly keeps its angles: in Green strains, whose bending strain is per deformed length, `kappa_0` contains
+//! `-eps_0` times the curvature of the reference.
 
-use super::beam::{ElementSums, ElementTable, ElementValues, step_point};
+use super::beam::{ElementSums, ElementTable, ElementValues, GaussRow, step_point};
 use super::collocation::bending_at;
 use super::energy_momentum::{End, PointStep, Quotients, Step};
 use super::membrane::{MembranePoint, MembraneStep, SAMPLES};
@@ -58,6 +60,14 @@ impl GivenStrain<'_> {
         [self.strain, -self.bending]
     }
 
+    /// Bending strain without forces at a Gauss point: what is given, and that of an even expansion of a curved element \[1/m\].
+    fn bending_at(&self, row: &GaussRow) -> f64 {
+        match self.measure {
+            StrainMeasure::Green => self.bending - self.strain * row.reference.curvature,
+            StrainMeasure::Engineering => self.bending,
+        }
+    }
+
     /// Resultants at the sampling points of the membrane, `int EA L_i eps_0 ds` \[N m\].
     fn sampled(&self) -> Option<[f64; SAMPLES]> {
         let samples = self.table.membrane.as_ref()?;
@@ -95,7 +105,7 @@ impl GivenStrain<'_> {
                 }
             }
         }
-        if self.bending != 0.0 {
+        if table.rows.iter().any(|row| self.bending_at(row) != 0.0) {
             self.add_moments::<TANGENT>(evaluation, start, increment, &mut sums);
         }
         sums
@@ -111,7 +121,7 @@ impl GivenStrain<'_> {
         let Self { table, measure, .. } = *self;
         let starts: [End<f64>; GAUSS] = End::all(measure, &table.rows, start);
         for (row, start_of) in table.rows.iter().zip(&starts) {
-            let moment = -row.weighed.bending * self.bending;
+            let moment = -row.weighed.bending * self.bending_at(row);
             let response = match evaluation {
                 Evaluation::Discrete => {
                     let way = [PointStep::new(row, start_of, increment)];
@@ -130,13 +140,14 @@ impl GivenStrain<'_> {
 
     /// What the given strains add to the axial and to the bending strain energy of a configuration, shape (2) \[J\].
     pub fn energy(&self, u: &ElementValues<f64>) -> [f64; 2] {
-        let Self { table, measure, strain, bending, .. } = *self;
+        let Self { table, measure, strain, .. } = *self;
         if let Some(shear) = self.shear {
             return shear.energy_relieved(u, self.stretch_and_bend());
         }
         let (mut axial, mut bent) = (0.0, 0.0);
         for row in &table.rows {
             let s = strains(measure, &row.reference, u.at(&row.first), u.at(&row.second));
+            let bending = self.bending_at(row);
             axial += row.weighed.axial * strain * (0.5 * strain - s.membrane);
             bent += row.weighed.bending * bending * (0.5 * bending - s.bending);
         }
@@ -238,6 +249,36 @@ mod tests {
             let size = given.table.rows[1].section.axial * 0.03;
             assert!((work - change).abs() < 1e-12 * size, "{given:?}: {work} {change}");
         });
+    }
+
+    /// A curved element that has expanded as it would without forces has none, to the square of the strain.
+    #[test]
+    fn even_expansion_of_a_curved_element_needs_no_force() {
+        for measure in MEASURES {
+            for axial in [40.0, 2e5] {
+                let (table, _) = tables(measure, axial);
+                assert!(table.rows[1].reference.curvature.abs() > 0.1);
+                let strain = 1e-5;
+                let nodes = [0.0, 1.0].map(|end: f64| (0.05 + 0.15 * end).sin_cos());
+                let [slope_a, slope_b] = nodes.map(|(sin, cos)| [strain * cos, strain * sin]);
+                let expanded =
+                    ElementValues { chord: [1.04 * strain, 0.104 * strain], slope_a, slope_b };
+                let given =
+                    GivenStrain { table: &table, shear: None, measure, strain, bending: 0.0 };
+                let own = |row: &GaussRow| {
+                    strains(
+                        measure,
+                        &row.reference,
+                        expanded.at(&row.first),
+                        expanded.at(&row.second),
+                    )
+                };
+                for row in &table.rows {
+                    let left = own(row).bending - given.bending_at(row);
+                    assert!(left.abs() < 1e-4 * strain * row.reference.curvature.abs(), "{left}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -151,6 +151,15 @@ impl Forcing {
         }
     }
 
+    /// Sets the factors of loads that give strains to those of `factors`, shape (loads) \[-\].
+    pub fn give_strains(&mut self, model: &Model, factors: &[f64]) {
+        for ((own, load), factor) in self.factors.iter_mut().zip(&model.loads).zip(factors) {
+            if let LoadAction::Strain { .. } = load.kind {
+                *own = *factor;
+            }
+        }
+    }
+
     /// Leaves prescribed motions out.
     pub fn rest_motions(&mut self) {
         self.moved.fill(0.0);

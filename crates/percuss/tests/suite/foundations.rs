@@ -180,7 +180,10 @@ fn a_beam_under_its_weight_sinks_evenly() {
     let components = vec![Component::Displacement1];
     b.support(Support::new("guide", at("left", plank, 0.0), SupportKind::Fix { components }));
     b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
-    let found = equilibrium(&b.build().unwrap()).unwrap();
+    let model = b.build().unwrap();
+    let found = equilibrium(&model).unwrap();
+    // Section forces of round-off have no buckling factor.
+    assert_eq!(buckling(&model, 1).outcome, BucklingOutcome::Unstrained);
     let weight = 3e3 * 0.1 * 9.81;
     let ground = &found.foundations[0];
     assert!((ground.force[1] / (3.0 * weight) - 1.0).abs() < 1e-10, "{ground:?}");
@@ -192,6 +195,34 @@ fn a_beam_under_its_weight_sinks_evenly() {
     let forces = &found.section_forces[0];
     assert!(forces.shear.largest().value.abs() < 1e-7 * weight, "{forces:?}");
     assert!(forces.moment.largest().value.abs() < 1e-7 * weight, "{forces:?}");
+}
+
+/// Linear buckling has the stiffness of the unloaded foundation, and says so once for all of its springs.
+#[test]
+fn linear_buckling_names_a_foundation_whose_stiffness_changes() {
+    let of = |law: FoundationLaw| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let plank = b.beam(beam("plank", [0.0, 0.0], [3.0, 0.0], 7, material, section));
+        b.foundation(ground(plank, law, None));
+        b.support(Support::new("left", at("left", plank, 0.0), SupportKind::Pin));
+        let kind = SupportKind::Roller { direction: [1.0, 0.0] };
+        b.support(Support::new("right", at("right", plank, 1.0), kind));
+        let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+        let force = [[-1e3, -1.5e4]; 2];
+        b.load(Load::new(
+            "load",
+            LoadKind::Distributed { beam: plank, stretch, force, follower: false },
+        ));
+        let model = b.build().unwrap();
+        let found = equilibrium(&model).unwrap();
+        let linear = buckling_in_contact(&model, &found, 1);
+        assert_eq!(linear.springs_as_unloaded, 0);
+        assert_eq!(linear.assumptions().len(), linear.foundations_as_unloaded);
+        linear.foundations_as_unloaded
+    };
+    assert_eq!(of(elastic_ground()), 0);
+    assert_eq!(of(table()), 1);
 }
 
 /// A foundation that only pushes carries a beam that nothing else holds, and where a force lifts it, it lets the beam go.

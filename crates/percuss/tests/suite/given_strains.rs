@@ -194,3 +194,96 @@ fn faults_of_given_strains_name_their_key() {
     let slack = Some(Inelasticity::OneSided(Slack::Tension));
     assert_eq!(fault(&move |b| strain(b, 1e-3, whole), slack), ["load.heat.on"]);
 }
+
+/// A quarter of a circle of radius 2 m, clamped at its start, heated evenly: it is dilated, without forces and rotations.
+#[test]
+fn a_curved_beam_expands_evenly() {
+    let (green, engineering) = (StrainMeasure::Green, StrainMeasure::Engineering);
+    let (slender, shear) = (Theory::Slender, Theory::Shear);
+    for (strain, theory) in [(green, slender), (engineering, slender), (engineering, shear)] {
+        let mut b = ModelBuilder::new();
+        let (expansion, poisson) = (1e-5, Some(0.3));
+        let composite = Material::new("composite", 1e10, 2e3);
+        let material = b.material(Material { strain, expansion, poisson, ..composite });
+        let section = b.section(Section::rectangle("bar", 0.1, 0.2));
+        let half = 2_f64.sqrt();
+        let points = [[0.0, 0.0], [2.0 - half, half], [2.0, 2.0]];
+        let polyline = Beam::new("arc", &points, 30, material, section);
+        let arc = b.beam(Beam { curve: Curve::Arc, theory, ..polyline });
+        b.support(Support::new("root", at("root", arc, 0.0), SupportKind::Clamp));
+        b.record_point(at("tip", arc, 1.0));
+        let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+        let kind = LoadKind::Temperature { beam: arc, stretch, change: 30.0, gradient: 0.0 };
+        b.load(Load::new("heat", kind));
+        let found = equilibrium(&b.build().unwrap()).unwrap();
+        let [u, v, ..] = *found.state.displacement.last().unwrap();
+        // Green strains of 3e-4 elongate by 4.5e-8 less; 30 shear-flexible elements are of second order.
+        let expected = 2.0 * 3e-4;
+        assert!((u / expected - 1.0).abs() < 1e-3, "{strain:?} {theory:?}: {u}");
+        assert!((v / expected - 1.0).abs() < 1e-3, "{strain:?} {theory:?}: {v}");
+    }
+}
+
+/// About the reference configuration a heated bar between walls has its axial force, flexible in shear or not, and a frame that the heat bends has
+/// none: nothing balances it there.
+#[test]
+fn modes_about_the_reference_have_the_heat_that_supports_bear() {
+    let lowest = |points: &[[f64; 2]], theory, change: f64| {
+        let mut b = ModelBuilder::new();
+        let (expansion, poisson) = (1e-5, Some(0.25));
+        let composite = Material::new("composite", 1e10, 2e3);
+        let material = b.material(Material { expansion, poisson, ..composite });
+        let section = b.section(Section::rectangle("bar", 0.1, 0.2));
+        let bar = b.beam(Beam { theory, ..Beam::new("bar", points, 30, material, section) });
+        for (name, end) in [("left", 0.0), ("right", 1.0)] {
+            b.support(Support::new(name, at(name, bar, end), SupportKind::Clamp));
+        }
+        if change > 0.0 {
+            let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+            let kind = LoadKind::Temperature { beam: bar, stretch, change, gradient: 0.0 };
+            b.load(Load::new("heat", kind));
+        }
+        let model = b.build().unwrap();
+        let reference = modes_about(&model, &reference_state(&model).unwrap(), 1);
+        let found = equilibrium(&model).unwrap();
+        let heated = modes_about_equilibrium(&model, &found, 1);
+        [reference, heated].map(|modes| modes[0].frequency())
+    };
+    let bar = [[0.0, 0.0], [2.0, 0.0]];
+    let frame = [[0.0, 0.0], [0.0, 2.0], [2.0, 2.0], [2.0, 0.0]];
+    for theory in [Theory::Slender, Theory::Shear] {
+        let [reference, heated] = lowest(&bar, theory, 500.0);
+        let [cold, _] = lowest(&bar, theory, 0.0);
+        assert!((reference / heated - 1.0).abs() < 1e-9, "{theory:?}: {reference} {heated}");
+        assert!(heated < 0.95 * cold, "{theory:?}: {heated} {cold}");
+        let [reference, _] = lowest(&frame, theory, 200.0);
+        let [cold, _] = lowest(&frame, theory, 0.0);
+        assert!((reference / cold - 1.0).abs() < 1e-9, "{theory:?}: {reference} {cold}");
+    }
+}
+
+/// A cantilever of ten elements with the given curvature of half a circle and a stretch of 1 % is rolled up evenly: no load step folds an element, in
+/// which strains at a few places would be the same.
+#[test]
+fn a_given_curvature_rolls_a_beam_up_without_folds() {
+    for curvature in [1.56, 1.5707963, 1.58] {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("composite", 1e10, 2e3));
+        let section = b.section(Section::rectangle("bar", 0.1, 0.2));
+        let bar = b.beam(beam("bar", [0.0, 0.0], [2.0, 0.0], 10, material, section));
+        b.support(Support::new("root", at("root", bar, 0.0), SupportKind::Clamp));
+        let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+        let kind = LoadKind::Strain { beam: bar, stretch, strain: 0.01, curvature };
+        b.load(Load::new("roll", kind));
+        let model = b.build().unwrap();
+        let found = equilibrium(&model).unwrap();
+        for (n, u) in found.state.displacement.iter().enumerate() {
+            // The bending strain of Green's law is that per deformed length, times the stretch, whose square is 1 + 2 * 1 %.
+            let angle = curvature * 0.2 * n as f64 / 1.02_f64.sqrt();
+            let turned = u[3].atan2(1.0 + u[2]);
+            // Ten elements of a cubic: rotations between nodes are of high order.
+            assert!((turned - angle).abs() < 1e-2, "{curvature} {n}: {turned} {angle}");
+        }
+        assert!(found.stable);
+    }
+}

@@ -49,6 +49,25 @@ fn run(model: &Model, settings: &Settings) -> RunSummary {
     summary
 }
 
+/// N of a cantilever is the part of its force along the normal of the section, largest at the tip; the shear strain of the axis, which is not small
+/// against rotations here, is no part of it.
+#[test]
+fn the_axial_force_is_along_the_normal_of_the_section() {
+    let (young, depth) = (1e9, 0.5);
+    let bending = young * f64::powi(depth, 3) / 12.0;
+    let force = -1e-5 * bending;
+    for elements in [1, 4, 16] {
+        let model = cantilever(elements, [1.0, 1.0, depth], isotropic(young, 1e3, 0.25), force);
+        let found = equilibrium(&model).unwrap();
+        let forces = &found.section_forces[0];
+        // Rotations of 5e-6 change the force along the normal by their square.
+        let most = force * force / (2.0 * bending);
+        assert!((forces.axial.max.value / most - 1.0).abs() < 1e-6, "{elements}: {forces:?}");
+        assert!(forces.axial.min.value.abs() < 1e-6 * most, "{elements}: {forces:?}");
+        assert!((forces.shear.min.value / -force - 1.0).abs() < 1e-9, "{elements}: {forces:?}");
+    }
+}
+
 #[test]
 fn a_cantilever_has_the_deflections_of_bending_and_shear_for_any_slenderness() {
     let (young, nu) = (1e9, 0.25);
@@ -140,6 +159,42 @@ fn frequencies_of_a_deep_beam_are_those_of_timoshenko() {
         assert!((3.8..4.3).contains(&ratio), "{k}: not of second order, {ratio}");
         let limit = (4.0 * fine[k] - coarse[k]) / 3.0;
         assert!((limit / exact - 1.0).abs() < 3e-5, "{k}: {limit}");
+    }
+}
+
+/// A few elements have hardly more motions than modes are asked for: what a subspace contains beyond them is round-off, and no mode. A small
+/// pressure that follows the beam leaves its frequencies, and it is stable.
+#[test]
+fn small_structures_under_following_pressure_have_no_modes_of_round_off() {
+    let cantilever = |elements: usize, pressure: f64| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(isotropic(1e10, 2e3, 0.25));
+        let section = b.section(Section::rectangle("s", 0.1, 0.2));
+        let arm = b.beam(shear(2.0, elements, material, section));
+        b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+        if pressure > 0.0 {
+            let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+            let force = [[0.0, -pressure]; 2];
+            let kind = LoadKind::Distributed { beam: arm, stretch, force, follower: true };
+            b.load(Load::new("pressure", kind));
+        }
+        b.build().unwrap()
+    };
+    for elements in 3..=12 {
+        let model = cantilever(elements, 1.0);
+        let found = equilibrium(&model).unwrap();
+        assert!(found.stable, "{elements}");
+        let modes = modes_about(&model, &found.state, 8);
+        let free = natural_frequencies(&cantilever(elements, 0.0), 8);
+        assert_eq!(modes.len(), free.len(), "{elements}");
+        for (mode, free) in modes.iter().zip(free) {
+            assert_eq!(mode.kind(), ModeKind::Vibration, "{elements}: {mode:?}");
+            // The pressure is 1e-6 of the bending stiffness.
+            assert!((mode.frequency() / free - 1.0).abs() < 1e-5, "{elements}: {free}");
+        }
+        let stability = buckling(&model, 1).stability;
+        let kept = matches!(stability, Some(FollowerStability::Kept { up_to }) if up_to > 1.0);
+        assert!(kept, "{elements}: {stability:?}");
     }
 }
 

@@ -67,6 +67,37 @@ impl Strip {
     }
 }
 
+/// A bar pressed against a wall by a force of its own axis: the gap between faces at 2 m is known to 4e-16 m, which is no lack of balance where the
+/// contact is ten thousand times as stiff as the bar.
+#[test]
+fn stiff_contacts_are_balanced_to_the_round_off_of_positions() {
+    for stiffness in [1e9, 1e11, 1e12] {
+        let mut b = ModelBuilder::new();
+        let strain = StrainMeasure::Engineering;
+        let material = b.material(Material { strain, ..Material::new("m", 1e10, 2e3) });
+        let section = b.section(Section::rectangle("bar", 0.1, 0.2));
+        let bar = b.beam(beam("bar", [0.0, 0.0], [2.0, 0.0], 10, material, section));
+        b.support(Support::new("root", at("root", bar, 0.0), SupportKind::Clamp));
+        let shape = ObstacleShape::HalfPlane { point: [2.0001, 0.0], normal: [-1.0, 0.0] };
+        let wall = b.obstacle(Obstacle { name: "wall".into(), shape, motion: None });
+        let between = [ContactPartner::Beam(bar), ContactPartner::Obstacle(wall)];
+        b.contact(Contact::new("end", between, spring_law(stiffness)));
+        let kind = LoadKind::Point {
+            at: at("tip", bar, 1.0),
+            force: [4e4, 0.0],
+            moment: 0.0,
+            follower: false,
+        };
+        b.load(Load::new("push", kind));
+        let found = equilibrium(&b.build().unwrap()).unwrap();
+        // The bar has 1e8 N/m, both corners of its end have the law: 1e8 u + 2 k (u - 1e-4) = 4e4.
+        let u = (4e4 + 2.0 * stiffness * 1e-4) / (1e8 + 2.0 * stiffness);
+        let expected = 2.0 * stiffness * (u - 1e-4);
+        let force = found.contacts[0].force;
+        assert!((force / expected - 1.0).abs() < 1e-6, "{stiffness:e}: {force} {expected}");
+    }
+}
+
 /// The inextensible heavy elastica that leaves a clamp level, at height h above a smooth floor, and touches it without a moment:
 /// clamp force and moment and the free length, by Runge-Kutta and Newton's method (no closed form).
 struct Elastica {

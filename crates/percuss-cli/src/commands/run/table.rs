@@ -161,7 +161,10 @@ fn foundation(found: &FoundationSummary) -> (String, String) {
     let (pressure, s) = (quantity(most.value, "N/m"), quantity(most.s, "m"));
     let time = quantity(most.time, "s");
     let mut parts = foundation_place(&found.properties);
-    parts.push(format!("largest reaction {pressure} at s = {s}, t = {time}"));
+    parts.push(match most.value {
+        0.0 => "no elastic reaction".to_owned(),
+        _ => format!("largest reaction {pressure} at s = {s}, t = {time}"),
+    });
     if found.lifted.value > 0.0 {
         parts.push(format!("lifted off over up to {}", quantity(found.lifted.value, "m")));
     }

@@ -149,7 +149,7 @@ fn foundations(found: &[StaticFoundation]) -> String {
         let [x, y] = one.force.map(|f| beside(size, f, "N"));
         let mut parts = foundation_place(&one.properties);
         parts.push(format!("force (x, y) = ({x}, {y})"));
-        if let Some((pressure, s)) = one.largest() {
+        if let Some((pressure, s)) = one.largest().filter(|(pressure, _)| *pressure != 0.0) {
             let (pressure, s) = (quantity(pressure, "N/m"), quantity(s, "m"));
             parts.push(format!("largest reaction {pressure} at s = {s}"));
         }

@@ -10,6 +10,9 @@ pub(super) fn foundations(summary: &Value) -> Option<String> {
     let pressure = |one: &Value| one["pressure_max"]["value"].as_f64().unwrap_or(0.0);
     let (name, most) =
         all.iter().max_by(|a, b| pressure(a.1).abs().total_cmp(&pressure(b.1).abs()))?;
+    if pressure(most) == 0.0 {
+        return None; // a foundation of damping alone, or one that was never touched
+    }
     let peak = &most["pressure_max"];
     let (s, time) = (place(peak["s"].as_f64()), instant(peak["time"].as_f64()));
     let of = if all.len() > 1 { "foundations" } else { "foundation" };
@@ -45,6 +48,10 @@ mod tests {
         };
         let sentence = |all: Value| foundations(&all).map(|text| text.replace('\u{a0}', " "));
         assert_eq!(sentence(json!({})), None);
+        assert_eq!(
+            sentence(json!({ "foundation": { "damper": of(0.0, 0.0, Value::Null) } })),
+            None
+        );
         let soft = of(-2e3, 0.0, Value::Null);
         let text = sentence(json!({ "foundation": { "pad": soft } })).unwrap();
         assert!(text.starts_with("Largest reaction of the foundation: -2"), "{text}");

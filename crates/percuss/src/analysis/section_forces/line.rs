@@ -255,7 +255,7 @@ impl Line {
     }
 
     /// Of a shear-flexible element, whose vectors d are given as tangents: the moments at its ends are those on d, and N and V are along and across d
-    /// at its nodes. The force along it is linear; rotary inertia is what the balance of moments leaves over.
+    /// everywhere: between its nodes d turns evenly. The force along it is linear; rotary inertia is what the balance of moments leaves over.
     pub fn sheared(
         shape: &ElementShape,
         ends: &OnNodes,
@@ -282,7 +282,20 @@ impl Line {
         }
         let sum: f64 = line.moment.iter().sum();
         line.close(across(db, &[ends[1][2], ends[1][3]]) - sum, inner);
+        line.turn_with_sections(inner);
         line
+    }
+
+    /// Puts the direction of the sections in the place of that of the axis. The arms of forces inside are then without shear; what the moment at
+    /// the end lacks of them is spread along the element.
+    fn turn_with_sections(&mut self, inner: &[Inner]) {
+        let moments = |line: &Self| -> f64 {
+            inner.iter().map(|one| cross(line.between(one.xi, 1.0), one.force)).sum()
+        };
+        let before = moments(self);
+        let [_, b, c] = &mut self.way;
+        (*b, *c) = (add(*b, *c), [0.0; 2]);
+        self.moment[1] += before - moments(self);
     }
 
     /// Makes the moment at the end what it is there.

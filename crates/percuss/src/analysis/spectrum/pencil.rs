@@ -14,6 +14,9 @@ const MOST_COUNTS: usize = 8;
 const REACH: f64 = 1e8;
 /// Imaginary part of an eigenvalue, as a share of it, that is more than the round-off of a double one.
 const COMPLEX: f64 = 1e-6;
+/// Inverses of eigenvalues and their imaginary parts below this share of the largest inverse are round-off: of a small structure, the subspace has
+/// vectors beyond the rank of mass and constraints.
+const NOTHING: f64 = 1e-14;
 
 /// Stiffness and mass of a structure.
 pub struct Pencil<'l> {
@@ -133,15 +136,18 @@ impl Pencil<'_> {
             let there = wanted.min(found.len());
             k.settled(&found, there)
         });
+        let found = krylov.general();
+        let nothing = NOTHING * found.first().map_or(0.0, |r| r.value.norm());
         let eigen = |r: &Ritz| {
             let inverse: Complex<f64> = r.value;
             let mut value = inverse.inv() - shift;
+            let complex = value.im.abs() > COMPLEX * value.norm() && inverse.im.abs() > nothing;
             // The conjugate's conjugate.
-            value.im = if value.im.abs() > COMPLEX * value.norm() { value.im.abs() } else { 0.0 };
+            value.im = if complex { value.im.abs() } else { 0.0 };
             Eigen { value, pair: krylov.shape(r) }
         };
-        let found = krylov.general();
-        let there = found.iter().filter(|r| krylov.settled(std::slice::from_ref(r), 1));
+        let settled = |r: &&Ritz| krylov.settled(std::slice::from_ref(r), 1);
+        let there = found.iter().filter(|r| r.value.norm() > nothing).filter(settled);
         let mut found: Vec<Eigen> = there.map(eigen).collect();
         found.sort_by(|a, b| a.value.re.total_cmp(&b.value.re));
         found.truncate(count);

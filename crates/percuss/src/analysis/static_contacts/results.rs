@@ -39,6 +39,12 @@ impl StaticContacts {
         self.places.iter().filter(|p| p.force != 0.0).map(|p| (p.pair, p.force, &p.row))
     }
 
+    /// Largest stiffness of a compliant pair that presses \[N/m\]; zero without any.
+    pub fn largest_stiffness(&self) -> f64 {
+        let pressing = self.places.iter().filter(|p| p.is_compliant() && p.force > 0.0);
+        pressing.map(|p| p.slope).fold(0.0, f64::max)
+    }
+
     /// Forces of the pairs in a state, where they act.
     pub fn frame_forces(&self, model: &Model, state: &State) -> Vec<FrameForce> {
         let at = Configuration { arcs: &self.arcs, ..state.configuration() };
