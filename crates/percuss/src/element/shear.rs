@@ -9,6 +9,8 @@
 //! (x, d) as well correct them: `|d_b - d_a|^2 / 6` in Gamma1, and the square of turning `(1 - cos t) / l^2` in the energy of bending. With t less that of
 //! the reference, `EI l (4/3 (1 - cos t) - 1/6 sin^2 t) / l^2` is `EI t^2 / 2 l` to sixth order.
 
+mod inertia;
+
 use super::beam::{ElementSums, ElementTable, ElementValues, NodeFrame};
 use super::gauss::SectionValues;
 use crate::math::hermite::GAUSS;
@@ -78,31 +80,12 @@ impl ShearTable {
     }
 
     /// The table that shares mass, loads and drawing with slender elements: mass, rotary inertia on d, and no stiffness, which is that of `self`.
-    ///
-    /// Its mass moves with positions that follow the turn of the sections, `x + l/2 xi (1 - xi) (d_a - d_b)` beside the straight line: that of an
-    /// element bent without shear. The matrix is constant, as positions are linear in (x, d).
     pub fn carried_by(&self, table: ElementTable, middle: &SectionValues) -> ElementTable {
-        let l = self.length;
-        let (whole, half) = (l / 3.0, l / 6.0);
-        let (arm, square) = (l * l / 24.0, l * l * l / 120.0);
-        let mut mass = [
-            [whole, arm, half, -arm],
-            [arm, square, arm, -square],
-            [half, arm, whole, -arm],
-            [-arm, -square, -arm, square],
-        ]
-        .map(|row| row.map(|m| middle.mass * m));
-        for a in 0..2 {
-            for b in 0..2 {
-                let share = if a == b { whole } else { half };
-                mass[2 * a + 1][2 * b + 1] += middle.law.rotary * share;
-            }
-        }
         let mut rows = table.rows;
         for row in &mut rows {
             (row.weighed.axial, row.weighed.bending, row.weighed.rotary) = (0.0, 0.0, 0.0);
         }
-        ElementTable { rows, mass, membrane: None, ..table }
+        ElementTable { rows, mass: inertia::mass(self.length, middle), membrane: None, ..table }
     }
 
     /// Strains less those of the reference. Formed from displacements: small ones keep their digits.
