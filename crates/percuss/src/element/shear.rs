@@ -11,6 +11,8 @@
 
 mod inertia;
 
+pub use inertia::spread_linearly;
+
 use super::beam::{ElementSums, ElementTable, ElementValues, NodeFrame};
 use super::gauss::SectionValues;
 use crate::math::hermite::GAUSS;

@@ -56,6 +56,17 @@ pub(super) fn mass(l: f64, section: &SectionValues) -> [[f64; 4]; 4] {
     mass
 }
 
+/// Replaces the forces of inertia on the positions of both nodes by those of a linear inertia of translation with the same sum: others are of the
+/// rotary inertia, or of its deformation of the element, and are no load along it. Accelerations and forces have the shape (2, 4) \[m/s^2, 1/s^2\] and \[N, N m\].
+pub fn spread_linearly(mass: &[[f64; 4]; 4], at: [&[f64; 4]; 2], on_nodes: &mut [[f64; 4]; 2]) {
+    let whole = mass[0][0] + 2.0 * mass[0][2] + mass[2][2];
+    let [on_a, on_b] = on_nodes;
+    for i in 0..2 {
+        let (sum, apart) = (on_a[i] + on_b[i], whole / 6.0 * (at[1][i] - at[0][i]));
+        (on_a[i], on_b[i]) = (0.5 * (sum - apart), 0.5 * (sum + apart));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -101,6 +112,21 @@ mod tests {
                 assert!(least > 0.0, "{gyration} {ratio}: {m:?}");
             }
         }
+    }
+
+    #[test]
+    fn a_bar_that_turns_has_a_linear_inertia_along_it() {
+        // About its first node, at 3 rad/s^2: 2 kg/m along 0.5 m.
+        let m = mass(0.5, &section(30.0, 1.0, 2.0, 0.1));
+        let at = [[0.0, 0.0, 0.0, 3.0], [0.0, 1.5, 0.0, 3.0]];
+        let mut on = [[0.0; 4]; 2];
+        for (node, on) in on.iter_mut().enumerate() {
+            let row = &m[2 * node];
+            on[1] = row[0] * at[0][1] + row[1] * at[0][3] + row[2] * at[1][1] + row[3] * at[1][3];
+        }
+        spread_linearly(&m, [&at[0], &at[1]], &mut on);
+        // The integrals of 2 * 3 s over the two linear shares.
+        assert!((on[0][1] - 0.25).abs() < 1e-14 && (on[1][1] - 0.5).abs() < 1e-14, "{on:?}");
     }
 
     #[test]
