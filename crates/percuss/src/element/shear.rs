@@ -191,11 +191,19 @@ impl ShearTable {
         [axial * stretch * (0.5 * stretch - own), bending * bend * (0.5 * bend - bent)]
     }
 
-    /// Tangent at displacements with the geometric stiffness of given strains, stored as [`stored`] does.
-    pub fn tangent<S: Real>(&self, at: &ElementValues<S>, strains: [f64; 3]) -> ElementSums<S> {
+    /// Tangent at displacements with the geometric stiffness of given strains, stored as [`stored`] does; without any if there are none, so that
+    /// rigid motions of a bent element have no stiffness.
+    pub fn tangent<S: Real>(
+        &self,
+        at: &ElementValues<S>,
+        strains: Option<[f64; 3]>,
+    ) -> ElementSums<S> {
         let one = at.chord[0].constant(1.0);
-        let stress = self.stresses(one, strains.map(|e| one * e));
-        let (turning, slopes) = (stress, self.acting().map(|k| one * k));
+        let (stress, slopes) = match strains {
+            Some(strains) => (self.stresses(one, strains.map(|e| one * e)), self.acting()),
+            None => ([one.constant(0.0); 4], self.stiffness),
+        };
+        let (turning, slopes) = (stress, slopes.map(|k| one * k));
         self.sums::<S, true>(&Evaluated { stress, turning, at: *at, end: *at, slopes, share: 1.0 })
     }
 

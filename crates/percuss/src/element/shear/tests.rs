@@ -171,7 +171,7 @@ fn foreseen_strains_are_those_of_a_small_correction_and_turn_with_the_element() 
     };
     assert!(apart(&same) < 1e-10 && apart(&other) > 1.0, "{:e}", apart(&same));
     // That of an element about a configuration is the same.
-    assert!(apart(&table.tangent(&end, own)) < 1e-10);
+    assert!(apart(&table.tangent(&end, Some(own))) < 1e-10);
 }
 
 #[test]
@@ -217,4 +217,29 @@ fn its_mass_has_the_inertia_of_a_rigid_bar_and_the_moments_of_a_uniform_load() {
     let weights = table.rows.map(|row| row.weighed);
     assert!(weights.iter().all(|w| [w.axial, w.bending, w.rotary] == [0.0; 3]));
     assert!(table.membrane.is_none());
+}
+
+#[test]
+fn rigid_motions_of_a_bent_element_have_no_stiffness_without_its_stresses() {
+    let table = element();
+    let u = values(START);
+    let free = table.tangent(&u, None).tangent;
+    let [c, a, b] = [table.chord, table.directors[0], table.directors[1]];
+    let turn = |x: [f64; 2], k: usize| rot90([x[0] + START[k], x[1] + START[k + 1]]);
+    let ([x1, x2], [x3, x4], [x5, x6]) = (turn(c, 0), turn(a, 2), turn(b, 4));
+    let rigid = [x1, x2, x3, x4, x5, x6];
+    let most = free.as_flattened().iter().fold(0.0_f64, |m, k| m.max(k.abs()));
+    for row in free {
+        let force: f64 = row.iter().zip(rigid).map(|(k, x)| k * x).sum();
+        assert!(force.abs() < 1e-13 * most, "{force:e}");
+    }
+    // Across the vectors of a straight element, whose lengths are held, it is the tangent with its stresses, which are zero.
+    let (bar, still) = (bar(0.0), values([0.0; 6]));
+    let (free, own) =
+        (bar.tangent(&still, None).tangent, bar.tangent(&still, Some([0.0; 3])).tangent);
+    for i in [0, 1, 3, 5] {
+        for j in [0, 1, 3, 5] {
+            assert!((free[i][j] - own[i][j]).abs() < 1e-12 * most, "{i} {j}");
+        }
+    }
 }
