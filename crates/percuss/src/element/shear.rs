@@ -5,9 +5,9 @@
 //! step and their variations in its middle, energy and momenta are conserved for any step (theory, page 2). The unit length of d is a
 //! constraint of each node.
 //!
-//! In an element whose sections turn by the angle t from end to end the strains of a straight chord are wrong by `t^2`. Two terms that are quadratic in
-//! (x, d) as well correct them: `|d_b - d_a|^2 / 6` in Gamma1, and the square of turning `(1 - cos t) / l^2` in the energy of bending. With t less that of
-//! the reference, `EI l (4/3 (1 - cos t) - 1/6 sin^2 t) / l^2` is `EI t^2 / 2 l` to sixth order.
+//! In an element whose sections turn by the angle t from end to end the strains of a straight chord are wrong by `t^2`. Two terms that are quadratic
+//! in (x, d) as well correct them: `|d_b - d_a|^2 / 6` in Gamma1, and the square of turning `(1 - cos t) / l^2` in the energy of bending. With t less
+//! that of the reference, `EI l (4/3 (1 - cos t) - 1/6 sin^2 t) / l^2` is `EI t^2 / 2 l` to sixth order.
 
 mod inertia;
 

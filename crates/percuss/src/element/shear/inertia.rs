@@ -1,16 +1,19 @@
 //! The mass matrix of a shear-flexible element, by which frequencies are of fourth order in its length.
 //!
-//! With the mean x of the positions of its nodes, the chord over the length `D`, and the mean m and the difference n of the vectors d, a straight element in
-//! equilibrium moves as
+//! With the mean x of the positions of its nodes, the chord over the length `D`, and the mean m and the difference n of the vectors d, a straight
+//! element in equilibrium moves as
 //!
 //! ```text
 //! x(xi) = x + (xi - 1/2) l D - l/2 xi (1 - xi) n - c l (xi - 3 xi^2 + 2 xi^3) (D - m)
 //! d(xi) = m + (xi - 1/2) n + 6 c xi (1 - xi) (D - m)
 //! ```
 //!
-//! where `c = 1 / (1 + 12 EI / (kappa G A l^2))`: one of an element bent without shear, zero of a short one. All is linear in (x, d), so that the matrix is
-//! constant. Its own inertia deforms the element between its nodes further; the flexibility to it takes from the square of the frequency what, by the
-//! equations of equilibrium, is the inertia `rhoA l^2/12 D.s + rhoI (l^2/12 |n/l|^2 s_1 - c s.m)` per length, with `s = s_1 (D - m)` and the share `s_1 = 1 - c` of shear in `D - m`.
+//! where `c = 1 / (1 + 12 EI / (kappa G A l^2))`: one of an element bent without shear, zero of a short one. All is linear in (x, d), so that the
+//! matrix is constant.
+//!
+//! Its own inertia deforms the element between its nodes further. By the equations of equilibrium, the energy of that is a quadratic form of the
+//! velocities times the square of the frequency: the inertia per length `rhoA l^2/12 D.(s (D - m)) + rhoI (s n.n / 12 - c s (D - m).m)`, with the
+//! share `s = 1 - c` of shear in `D - m`.
 
 use crate::element::beam::SectionValues;
 
@@ -56,8 +59,9 @@ pub(super) fn mass(l: f64, section: &SectionValues) -> [[f64; 4]; 4] {
     mass
 }
 
-/// Replaces the forces of inertia on the positions of both nodes by those of a linear inertia of translation with the same sum: others are of the
-/// rotary inertia, or of its deformation of the element, and are no load along it. Accelerations and forces have the shape (2, 4) \[m/s^2, 1/s^2\] and \[N, N m\].
+/// Replaces the forces of inertia on the positions of both nodes by those of a linear inertia of translation with the same sum: the rest is due to
+/// rotary inertia and to what inertia deforms, and is no load along the element. Accelerations and forces have the shape (2, 4) \[m/s^2, 1/s^2\]
+/// and \[N, N m\].
 pub fn spread_linearly(mass: &[[f64; 4]; 4], at: [&[f64; 4]; 2], on_nodes: &mut [[f64; 4]; 2]) {
     let whole = mass[0][0] + 2.0 * mass[0][2] + mass[2][2];
     let [on_a, on_b] = on_nodes;
