@@ -91,7 +91,7 @@ impl Measures {
                 }
             }
             if let Some(shear) = span.shear_at(k) {
-                let [axial, sheared, bent] = shear.energies(&shear.strains(&u));
+                let [axial, sheared, bent] = shear.energies(&u);
                 own.axial += axial;
                 own.bending += sheared + bent;
                 self.strain_shear += 0.5 * sheared * shear.shear_share();

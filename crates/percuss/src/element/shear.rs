@@ -4,11 +4,19 @@
 //! `Gamma1 = x'.d - 1`, `Gamma2 = x'.(J d)`, `K = d'.(J d)`, less those of the reference, are bilinear in (x, d): with their means over a
 //! step and their variations in its middle, energy and momenta are conserved for any step (theory, page 2). The unit length of d is a
 //! constraint of each node.
+//!
+//! In an element whose sections turn by the angle t from end to end the strains of a straight chord are wrong by `t^2`. Two terms that are quadratic
+//! in (x, d) as well correct them: `|d_b - d_a|^2 / 6` in Gamma1, and the square of turning `(1 - cos t) / l^2` in the energy of bending. With t less
+//! that of the reference, `EI l (4/3 (1 - cos t) - 1/6 sin^2 t) / l^2` is `EI t^2 / 2 l` to sixth order.
+
+mod inertia;
+
+pub use inertia::spread_linearly;
 
 use super::beam::{ElementSums, ElementTable, ElementValues, NodeFrame};
 use super::gauss::SectionValues;
 use crate::math::hermite::GAUSS;
-use crate::math::vec2::{add, cross, dot, rot90, scale};
+use crate::math::vec2::{add, cross, dot, rot90, scale, sub};
 use crate::scalar::Real;
 
 /// A shear-flexible element: its reference and stiffnesses.
@@ -20,24 +28,38 @@ pub struct ShearTable {
     chord: [f64; 2],
     /// Vectors d of both nodes in the reference, shape (2, 2) \[-\].
     directors: [[f64; 2]; 2],
+    /// Cosine and sine of the rotation Q that takes the second vector d of the reference to the first, shape (2) \[-\].
+    back: [f64; 2],
     /// EA, shear stiffness and EI, times the length, shape (3) \[N m, N m, N m^3\].
     stiffness: [f64; 3],
     /// Share of shear in its flexibility in shear; the rest is that of residual bending \[-\].
     shear_share: f64,
 }
 
+/// Strains of an element less those of the reference.
+#[derive(Clone, Copy, Debug)]
+pub struct ShearStrains<S> {
+    /// Gamma1, Gamma2 and the sine of the angle of turning over the length, shape (3) \[-, -, 1/m\].
+    linear: [S; 3],
+    /// One less the cosine of that angle, over the square of the length \[1/m^2\].
+    square: S,
+}
+
+/// Share of EI that acts on the square of turning, twice that of its energy, and share that acts on its sine.
+const BENDING: [f64; 2] = [4.0 / 3.0, -1.0 / 3.0];
+
 /// Forces at an evaluation of the element.
 struct Evaluated<S> {
-    /// Integrated stresses, shape (3) \[N m, N m, N m^2\].
-    stress: [S; 3],
-    /// Those that turn with the element in its tangent, shape (3) \[N m, N m, N m^2\].
-    turning: [S; 3],
+    /// Integrated stresses on the three linear strains and on the square of turning, shape (4) \[N m, N m, N m^2, N m^3\].
+    stress: [S; 4],
+    /// Those that turn with the element in its tangent, shape (4) \[N m, N m, N m^2, N m^3\].
+    turning: [S; 4],
     /// Nodal values where the variations are taken.
     at: ElementValues<S>,
     /// Nodal values at the end of the step.
     end: ElementValues<S>,
-    /// Derivative of the stresses with respect to the strains at the end, over the stiffness.
-    weight: S,
+    /// Derivatives of the first three with respect to the strains at the end, shape (3) \[N m, N m, N m^3\].
+    slopes: [S; 3],
     /// Share of the step at which the variations are taken.
     share: f64,
 }
@@ -56,6 +78,7 @@ impl ShearTable {
             length,
             chord: [0, 1].map(|i| b.position[i] - a.position[i]),
             directors: [a.tangent, b.tangent],
+            back: [dot(a.tangent, b.tangent), cross(b.tangent, a.tangent)],
             stiffness: [axial, shear, bending].map(|stiffness| stiffness * length),
             shear_share: shear / middle.shear,
         }
@@ -67,45 +90,52 @@ impl ShearTable {
     }
 
     /// The table that shares mass, loads and drawing with slender elements: mass, rotary inertia on d, and no stiffness, which is that of `self`.
-    ///
-    /// Its mass moves with positions that follow the turn of the sections, `x + l/2 xi (1 - xi) (d_a - d_b)` beside the straight line: that of an
-    /// element bent without shear. The matrix is constant, as positions are linear in (x, d).
     pub fn carried_by(&self, table: ElementTable, middle: &SectionValues) -> ElementTable {
-        let l = self.length;
-        let (whole, half) = (l / 3.0, l / 6.0);
-        let (arm, square) = (l * l / 24.0, l * l * l / 120.0);
-        let mut mass = [
-            [whole, arm, half, -arm],
-            [arm, square, arm, -square],
-            [half, arm, whole, -arm],
-            [-arm, -square, -arm, square],
-        ]
-        .map(|row| row.map(|m| middle.mass * m));
-        for a in 0..2 {
-            for b in 0..2 {
-                let share = if a == b { whole } else { half };
-                mass[2 * a + 1][2 * b + 1] += middle.law.rotary * share;
-            }
-        }
         let mut rows = table.rows;
         for row in &mut rows {
             (row.weighed.axial, row.weighed.bending, row.weighed.rotary) = (0.0, 0.0, 0.0);
         }
-        ElementTable { rows, mass, membrane: None, ..table }
+        ElementTable { rows, mass: inertia::mass(self.length, middle), membrane: None, ..table }
     }
 
-    /// Strains Gamma1, Gamma2 and K less those of the reference, shape (3) \[-, -, 1/m\]. Formed from displacements: small ones keep their digits.
+    /// Strains less those of the reference. Formed from displacements: small ones keep their digits.
     #[inline]
-    pub fn strains<S: Real>(&self, u: &ElementValues<S>) -> [S; 3] {
+    pub fn strains<S: Real>(&self, u: &ElementValues<S>) -> ShearStrains<S> {
         let wide = |x: [f64; 2]| x.map(|x| u.chord[0].constant(x));
         let (c0, [a0, b0]) = (wide(self.chord), self.directors.map(wide));
         let mean = |a: [S; 2], b: [S; 2]| add(a, b).map(|x| x * 0.5);
         let turned = mean(u.slope_a, u.slope_b);
         let d = add(mean(a0, b0), turned);
+        let (apart, change) = (sub(b0, a0), sub(u.slope_b, u.slope_a));
+        let away = self.away(u);
         let stretch = dot(c0, turned) + dot(u.chord, d);
         let shear = cross(d, u.chord) + cross(turned, c0);
-        let bend = cross(add(a0, u.slope_a), u.slope_b) + cross(u.slope_a, b0);
-        [stretch, shear, bend].map(|strain| strain * self.length.recip())
+        let bend = cross(away, add(a0, u.slope_a));
+        let per_length = self.length.recip();
+        let [stretch, shear, bend] = [stretch, shear, bend].map(|strain| strain * per_length);
+        let curved = dot(add(apart, change.map(|x| x * 0.5)), change) * (1.0 / 3.0);
+        let square = dot(away, away) * (0.5 * per_length * per_length);
+        ShearStrains { linear: [stretch + curved, shear, bend], square }
+    }
+
+    /// The first vector d less the second turned back by Q, which in the reference are the same, shape (2) \[-\].
+    #[inline]
+    fn away<S: Real>(&self, u: &ElementValues<S>) -> [S; 2] {
+        sub(u.slope_a, self.turned_back(u.slope_b))
+    }
+
+    /// A vector turned by Q.
+    #[inline]
+    fn turned_back<S: Real>(&self, [x, y]: [S; 2]) -> [S; 2] {
+        let [cosine, sine] = self.back;
+        [x * cosine - y * sine, x * sine + y * cosine]
+    }
+
+    /// A vector turned by the inverse of Q.
+    #[inline]
+    fn turned_on<S: Real>(&self, [x, y]: [S; 2]) -> [S; 2] {
+        let [cosine, sine] = self.back;
+        [x * cosine + y * sine, y * cosine - x * sine]
     }
 
     /// Forces of a step of a scheme with mean strains, and their tangent if `TANGENT`; `lag` is the retardation time over the step size.
@@ -116,15 +146,17 @@ impl ShearTable {
         lag: f64,
     ) -> ElementSums<S> {
         let end = moved(start, increment, 1.0);
-        let (old, new) = (self.strains(start), self.strains(&end));
-        let one = |k: usize| {
-            let viscous = (new[k] - old[k]) * lag;
-            ((old[k] + new[k]) * 0.5 + viscous) * self.stiffness[k]
-        };
-        let (stress, at) = ([one(0), one(1), one(2)], moved(start, increment, 0.5));
-        let weight = start.chord[0].constant(0.5 + lag);
+        let (old, new) = (self.strains(start).linear, self.strains(&end).linear);
+        let one = start.chord[0].constant(1.0);
+        let stress = self.stresses(one, [0, 1, 2].map(|k| (old[k] + new[k]) * 0.5));
+        let viscous = |k: usize| (new[k] - old[k]) * (lag * self.stiffness[k]);
+        let [axial, shear, moment, square] = stress;
+        let stress = [axial + viscous(0), shear + viscous(1), moment + viscous(2), square];
+        let at = moved(start, increment, 0.5);
+        let elastic = self.acting();
+        let slopes = [0, 1, 2].map(|k| one * (0.5 * elastic[k] + lag * self.stiffness[k]));
         let turning = stress;
-        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, weight, share: 0.5 })
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, slopes, share: 0.5 })
     }
 
     /// Forces at the end of a step, as in an equilibrium, and their tangent if `TANGENT`. Its geometric stiffness is that of the strains
@@ -136,11 +168,12 @@ impl ShearTable {
         foreseen: Option<[f64; 3]>,
     ) -> ElementSums<S> {
         let end = moved(start, increment, 1.0);
-        let strains = self.strains(&end);
-        let stress = [0, 1, 2].map(|k| strains[k] * self.stiffness[k]);
-        let weight = start.chord[0].constant(1.0);
-        let turning = foreseen.map_or(stress, |strains| self.stresses(weight, strains));
-        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at: end, end, weight, share: 1.0 })
+        let one = start.chord[0].constant(1.0);
+        let stress = self.stresses(one, self.strains(&end).linear);
+        let turning =
+            foreseen.map_or(stress, |strains| self.stresses(one, strains.map(|e| one * e)));
+        let slopes = self.acting().map(|k| one * k);
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at: end, end, slopes, share: 1.0 })
     }
 
     /// What stretch and bend that need no force add to the forces, with the gradient at a share of the step, and to their tangent if `TANGENT`. The
@@ -153,46 +186,73 @@ impl ShearTable {
         [stretch, bend]: [f64; 2],
     ) -> ElementSums<S> {
         let (end, at) = (moved(start, increment, 1.0), moved(start, increment, share));
-        let weight = start.chord[0].constant(0.0); // constant stresses
-        let stress = [stretch, 0.0, bend];
-        let stress = [0, 1, 2].map(|k| weight.constant(-stress[k] * self.stiffness[k]));
-        let turning = stress;
-        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, weight, share })
+        let zero = start.chord[0].constant(0.0);
+        let [axial, _, bending] = self.stiffness;
+        let stress = [zero.constant(-stretch * axial), zero, zero.constant(-bend * bending), zero];
+        let (turning, slopes) = (stress, [zero; 3]); // constant stresses
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, slopes, share })
     }
 
     /// What they add to the energies of stretching and of bending, shape (2) \[J\].
     pub fn energy_relieved(&self, at: &ElementValues<f64>, [stretch, bend]: [f64; 2]) -> [f64; 2] {
-        let ([axial, _, bending], [own, _, bent]) = (self.stiffness, self.strains(at));
+        let ([axial, _, bending], [own, _, bent]) = (self.stiffness, self.strains(at).linear);
         [axial * stretch * (0.5 * stretch - own), bending * bend * (0.5 * bend - bent)]
     }
 
-    /// Tangent at displacements with the geometric stiffness of given strains, in the order of [`strains`](Self::strains()).
-    pub fn tangent<S: Real>(&self, at: &ElementValues<S>, strains: [f64; 3]) -> ElementSums<S> {
-        let weight = at.chord[0].constant(1.0);
-        let stress = self.stresses(weight, strains);
-        let turning = stress;
-        self.sums::<S, true>(&Evaluated { stress, turning, at: *at, end: *at, weight, share: 1.0 })
+    /// Tangent at displacements with the geometric stiffness of given strains, stored as [`stored`] does; without any if there are none, so that
+    /// rigid motions of a bent element have no stiffness.
+    pub fn tangent<S: Real>(
+        &self,
+        at: &ElementValues<S>,
+        strains: Option<[f64; 3]>,
+    ) -> ElementSums<S> {
+        let one = at.chord[0].constant(1.0);
+        let (stress, slopes) = match strains {
+            Some(strains) => (self.stresses(one, strains.map(|e| one * e)), self.acting()),
+            None => ([one.constant(0.0); 4], self.stiffness),
+        };
+        let (turning, slopes) = (stress, slopes.map(|k| one * k));
+        self.sums::<S, true>(&Evaluated { stress, turning, at: *at, end: *at, slopes, share: 1.0 })
     }
 
-    fn stresses<S: Real>(&self, one: S, strains: [f64; 3]) -> [S; 3] {
-        [0, 1, 2].map(|k| one * (strains[k] * self.stiffness[k]))
+    /// Stiffnesses that act on the linear strains, shape (3) \[N m, N m, N m^3\].
+    fn acting(&self) -> [f64; 3] {
+        let [axial, shear, bending] = self.stiffness;
+        [axial, shear, BENDING[1] * bending]
     }
 
-    /// Strains after a correction of displacements, to first order.
+    /// Stresses on the linear strains and on the square of turning, which is constant.
+    #[inline]
+    fn stresses<S: Real>(&self, one: S, strains: [S; 3]) -> [S; 4] {
+        let elastic = self.acting();
+        let [axial, shear, moment] = [0, 1, 2].map(|k| strains[k] * elastic[k]);
+        [axial, shear, moment, one * (BENDING[0] * self.stiffness[2])]
+    }
+
+    /// Linear strains after a correction of displacements, to first order, shape (3) \[-, -, 1/m\].
     pub fn foresee(&self, at: &ElementValues<f64>, correction: &ElementValues<f64>) -> [f64; 3] {
         let ElementValues { chord: [c1, c2], slope_a: [a1, a2], slope_b: [b1, b2] } = *correction;
-        let (now, forms) = (self.strains(at), self.gradients(at));
+        let (now, forms) = (self.strains(at).linear, self.gradients(at));
         let moved = [c1, c2, a1, a2, b1, b2];
         [0, 1, 2].map(|k| now[k] + forms[k].iter().zip(moved).map(|(f, d)| f * d).sum::<f64>())
     }
 
-    /// Twice the energies of stretching, of shear and of bending at displacements, or such sums of changes of strain, shape (3) \[J\].
-    pub fn energies(&self, strains: &[f64; 3]) -> [f64; 3] {
-        [0, 1, 2].map(|k| self.stiffness[k] * strains[k] * strains[k])
+    /// Twice the energies of stretching, of shear and of bending at displacements, shape (3) \[J\].
+    pub fn energies(&self, u: &ElementValues<f64>) -> [f64; 3] {
+        let ([axial, shear, bending], strains) = (self.stiffness, self.strains(u));
+        let [stretch, across, bend] = strains.linear;
+        let bent = 2.0 * BENDING[0] * strains.square + BENDING[1] * bend * bend;
+        [axial * stretch * stretch, shear * across * across, bending * bent]
+    }
+
+    /// What viscous stresses lose in a step, without the factor of retardation time over step size \[J\].
+    pub fn viscous_loss(&self, start: &ElementValues<f64>, end: &ElementValues<f64>) -> f64 {
+        let (old, new) = (self.strains(start).linear, self.strains(end).linear);
+        (0..3).map(|k| self.stiffness[k] * (new[k] - old[k]).powi(2)).sum()
     }
 
     fn sums<S: Real, const TANGENT: bool>(&self, of: &Evaluated<S>) -> ElementSums<S> {
-        let mut sums = ElementSums::zero(of.weight);
+        let mut sums = ElementSums::zero(of.slopes[0]);
         let at = self.gradients(&of.at);
         for (form, stress) in at.iter().zip(of.stress) {
             for i in 0..6 {
@@ -204,51 +264,71 @@ impl ShearTable {
         }
         let end = self.gradients(&of.end);
         for k in 0..3 {
-            let stiffness = of.weight * self.stiffness[k];
             for i in 0..6 {
-                let left = at[k][i] * stiffness;
+                let left = at[k][i] * of.slopes[k];
                 for j in 0..6 {
                     sums.tangent[i][j] = sums.tangent[i][j].add_product(left, end[k][j]);
                 }
             }
         }
-        add_second(&of.turning.map(|s| s * (of.share / self.length)), &mut sums);
+        self.add_second(&of.turning.map(|stress| stress * of.share), &mut sums);
         sums
     }
 
-    /// Derivatives of the strains with respect to the nodal values, shape (3, 6) \[1/m, -, -\] and, of the last, \[1/m^2, 1/m, 1/m\].
-    fn gradients<S: Real>(&self, u: &ElementValues<S>) -> [[S; 6]; 3] {
+    /// Derivatives of the linear strains and of the square of turning with respect to the nodal values, shape (4, 6) \[1/m, -, -\], of the third
+    /// \[1/m^2, 1/m, 1/m\] and of the last \[-, 1/m^2, 1/m^2\], those with respect to the chord being zero.
+    fn gradients<S: Real>(&self, u: &ElementValues<S>) -> [[S; 6]; 4] {
         let wide = |x: [f64; 2]| x.map(|x| u.chord[0].constant(x));
         let per_length = u.chord[0].constant(self.length.recip());
         let [a0, b0] = self.directors.map(wide);
         let (c, a, b) = (add(wide(self.chord), u.chord), add(a0, u.slope_a), add(b0, u.slope_b));
         let d = scale(per_length * 0.5, add(a, b));
         let along = scale(per_length * 0.5, c);
+        let apart = sub(b, a).map(|x| x * (1.0 / 3.0));
         let ([s1, s2], [n1, n2]) = (along, rot90(d));
-        let ([a1, a2], [b1, b2]) = (scale(per_length, a), scale(per_length, b));
+        let ([to_a1, to_a2], [to_b1, to_b2]) = (sub(along, apart), add(along, apart));
+        let [a1, a2] = scale(per_length, self.turned_on(a));
+        let [b1, b2] = scale(per_length, self.turned_back(b));
+        let away = scale(per_length * per_length, self.away(u));
+        let ([w1, w2], [v1, v2]) = (away, self.turned_on(away));
         let zero = per_length.constant(0.0);
-        [[d[0], d[1], s1, s2, s1, s2], [n1, n2, s2, -s1, s2, -s1], [zero, zero, b2, -b1, -a2, a1]]
+        [
+            [d[0], d[1], to_a1, to_a2, to_b1, to_b2],
+            [n1, n2, s2, -s1, s2, -s1],
+            [zero, zero, b2, -b1, -a2, a1],
+            [zero, zero, w1, w2, -v1, -v2],
+        ]
+    }
+
+    /// Adds the second derivatives of the strains, times the stresses.
+    fn add_second<S: Real>(&self, stress: &[S; 4], sums: &mut ElementSums<S>) {
+        let per_length = self.length.recip();
+        let [cosine, sine] = self.back;
+        let [axial, shear, moment] = [0, 1, 2].map(|k| stress[k] * per_length);
+        let curved = stress[0] * (1.0 / 3.0);
+        let square = stress[3] * (per_length * per_length);
+        for i in 2..6 {
+            sums.tangent[i][i] += curved + square;
+        }
+        let mut both = |i: usize, j: usize, value: S| {
+            sums.tangent[i][j] += value;
+            sums.tangent[j][i] += value;
+        };
+        for d in [2, 4] {
+            both(0, d, axial * 0.5);
+            both(1, d + 1, axial * 0.5);
+            both(0, d + 1, shear * -0.5);
+            both(1, d, shear * 0.5);
+        }
+        let (same, other) = (moment * sine - square * cosine, moment * cosine + square * sine);
+        both(2, 4, same - curved);
+        both(3, 5, same - curved);
+        both(2, 5, other);
+        both(3, 4, -other);
     }
 }
 
-/// Adds second derivatives of the strains, times `stress`, the stresses over the length.
-fn add_second<S: Real>(stress: &[S; 3], sums: &mut ElementSums<S>) {
-    let [axial, shear, moment] = *stress;
-    let mut both = |i: usize, j: usize, value: S| {
-        sums.tangent[i][j] += value;
-        sums.tangent[j][i] += value;
-    };
-    for d in [2, 4] {
-        both(0, d, axial * 0.5);
-        both(1, d + 1, axial * 0.5);
-        both(0, d + 1, shear * -0.5);
-        both(1, d, shear * 0.5);
-    }
-    both(2, 5, moment);
-    both(3, 4, -moment);
-}
-
-/// Strains as they are stored beside those of slender elements: Gamma1 and K, then Gamma2.
+/// Linear strains as they are stored beside those of slender elements: Gamma1 and the bend, then Gamma2.
 pub fn stored([stretch, shear, bend]: [f64; 3]) -> [[f64; 2]; GAUSS] {
     [[stretch, bend], [shear, 0.0], [0.0; 2]]
 }

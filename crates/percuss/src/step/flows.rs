@@ -231,8 +231,7 @@ impl Entry<'_> {
         let [at_a, at_b] = [a, a + 1].map(|n| array(|i| u[n][i] + d[n][i]));
         let end = ElementValues::new(&at_a, &at_b);
         if let Some(shear) = span.shear_at(k) {
-            let (s0, s1) = (shear.strains(&old), shear.strains(&end));
-            return shear.energies(&array(|i| s1[i] - s0[i])).iter().sum();
+            return shear.viscous_loss(&old, &end);
         }
         let invariant =
             Integration::new(Scheme::EnergyMomentum, self.rule.h).rule == self.rule.rule;

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::line::{ElementShape, Inner, Line, NUMBERS, OnNodes, place_of, resultant};
 use super::span_lines::SpanLines;
+use crate::element::shear::spread_linearly;
 use crate::geometry::row::Row;
 use crate::math::vec2::{add, dot, scale};
 use crate::model::Model;
@@ -156,6 +157,9 @@ impl Lines {
         let [ia, ib] = [a, a + 1].map(|n| acting.beams.inertia(number, n));
         let [on_a, on_b] = &mut along;
         table.add_inertia(&ia, &ib, on_a, on_b);
+        if span.shear.is_some() {
+            spread_linearly(&table.mass, [&ia, &ib], &mut along);
+        }
         let mut ends = acting.beams.on_nodes(number, element);
         if let Some(given) = self.given.get(element) {
             for (own, force) in ends.iter_mut().zip(given) {

@@ -62,7 +62,7 @@ impl Layout<'_> {
     pub fn tangent_with(&self, search: &StaticSearch, pressed: f64) -> Matrix {
         let mut matrix = self.zeros();
         self.add_elements(&mut matrix, search, |span, k, e| {
-            (Wide::ONE, stressed(search, span, k, e))
+            (Wide::ONE, Some(stressed(search, span, k, e)))
         });
         let mut rest = Tangent::new(self.model);
         let (base, forcing) = (&search.base, &search.forcing);
@@ -92,7 +92,7 @@ impl Layout<'_> {
     /// stiffness for any beam stiffness. `length` makes the stiffness of springs comparable with that of beams.
     pub fn kinematic(&self, search: &StaticSearch, length: f64) -> Matrix {
         let mut matrix = self.zeros();
-        self.add_elements(&mut matrix, search, |span, k, _| (unit(span.table(k)), [[0.0; 2]; 3]));
+        self.add_elements(&mut matrix, search, |span, k, _| (unit(span.table(k)), None));
         let add = |c: &Connector, s: &ConnectorStep| {
             self.add_spring(&mut matrix, c, s, StressTerms::Left(length).of_spring(c, s.slope));
         };
@@ -110,7 +110,7 @@ impl Layout<'_> {
         &self,
         matrix: &mut Matrix,
         search: &StaticSearch,
-        weigh: impl Fn(&Span, usize, usize) -> (Wide, Stored),
+        weigh: impl Fn(&Span, usize, usize) -> (Wide, Option<Stored>),
     ) {
         let u = &search.base.displacement;
         // The matrix of an element that is equal to the previous one is known.
@@ -125,7 +125,8 @@ impl Layout<'_> {
                 Some((before, blocks)) if before == of => blocks,
                 _ => {
                     let none = [[Wide::ZERO; 4]; 4];
-                    let blocks = element(span, k, a, u, &stored).nodal_tangent(&none, Wide::ZERO);
+                    let blocks =
+                        element(span, k, a, u, stored.as_ref()).nodal_tangent(&none, Wide::ZERO);
                     blocks.map(|block| block.map(|row| row.map(|x| x * factor)))
                 }
             };
@@ -148,10 +149,10 @@ impl Layout<'_> {
                 continue;
             }
             let (factor, stored) = match stress {
-                StressTerms::Taken => (1.0, stressed(search, span, k, e)),
-                StressTerms::Left(_) => (unit(span.table(k)).round(), [[0.0; 2]; 3]),
+                StressTerms::Taken => (1.0, Some(stressed(search, span, k, e))),
+                StressTerms::Left(_) => (unit(span.table(k)).round(), None),
             };
-            let sums = element(span, k, a, &search.base.displacement, &stored);
+            let sums = element(span, k, a, &search.base.displacement, stored.as_ref());
             let (p, q) = (&x[a], &x[a + 1]);
             let d = [q[0] - p[0], q[1] - p[1], p[2], p[3], q[2], q[3]];
             let mut sum = Wide::ZERO;

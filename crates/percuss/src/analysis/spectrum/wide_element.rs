@@ -14,13 +14,13 @@ pub(super) fn unit(table: &ElementTable) -> Wide {
     Wide::ONE / Wide::from(table.rows[1].section.bending)
 }
 
-/// Tangent of an element at displacements `u`, with the geometric stiffness of the strains `stored`.
+/// Tangent of an element at displacements `u`, with the geometric stiffness of the strains `stored`, without any if there are none.
 pub(super) fn element(
     span: &Span,
     k: usize,
     a: usize,
     u: &[[f64; 4]],
-    stored: &Stored,
+    stored: Option<&Stored>,
 ) -> ElementSums<Wide> {
     let table = span.table(k);
     let nodal = |n: &[f64; 4]| n.map(Wide::from);
@@ -28,8 +28,9 @@ pub(super) fn element(
     let zero = [Wide::ZERO; 2];
     let still = ElementValues { chord: zero, slope_a: zero, slope_b: zero };
     if let Some(shear) = span.shear_at(k) {
-        return shear.tangent(&old, from_stored(stored));
+        return shear.tangent(&old, stored.map(from_stored));
     }
+    let stored = stored.unwrap_or(&[[0.0; 2]; 3]);
     let mut sums = ElementSums::zero(Wide::ZERO);
     for (row, [membrane, bending]) in table.rows.iter().zip(stored) {
         let row = widened(row);
