@@ -25,8 +25,8 @@ use percuss::internals::scalar::{Dual, Number, Real};
 use percuss::internals::settings::Settings;
 use percuss::internals::step::contacts::{IMPULSIVE, Phase};
 
-/// Parameters differentiated at once.
-pub const TOGETHER: usize = 4;
+/// Parameters differentiated at once: with the size of the step as many as a register of most processors has numbers.
+pub const TOGETHER: usize = 3;
 /// A number with its derivatives; the last one is with respect to the size of the current step.
 pub type Derived = Dual<{ TOGETHER + 1 }>;
 

@@ -81,7 +81,7 @@ pub struct Sensitivities {
     pub grazing: Vec<Grazing>,
     /// Numbers taken from columns of the history, and their derivatives.
     pub columns: SampleDerivatives,
-    /// Factorisations of the tangent for the derivatives: one a step, and a few of its iterations, for every four parameters.
+    /// Factorisations of the tangent for the derivatives: one a step, and a few of its iterations, for every three parameters.
     pub factorizations: usize,
 }
 

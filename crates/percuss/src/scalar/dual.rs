@@ -3,7 +3,8 @@
 use std::array::from_fn;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
 
-use super::{Number, Real};
+use super::lanes::Apart;
+use super::{Number, Real, Task};
 
 /// A value and its derivatives with respect to `P` parameters.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -133,6 +134,15 @@ impl<const P: usize> Number for Dual<P> {
     #[inline(always)]
     fn constants(self, value: impl Fn(usize) -> f64) -> Self {
         self.constant(value(0))
+    }
+    /// In registers of four numbers where the processor has them: those of the derivatives by three parameters and the step.
+    #[inline(never)]
+    fn apart<T: Task>(self, task: T) -> T::Output {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(family) = pulp::x86::V3::try_new() {
+            return pulp::Simd::vectorize(family, Apart(task));
+        }
+        pulp::Simd::vectorize(pulp::Scalar::new(), Apart(task))
     }
 }
 

@@ -237,7 +237,7 @@ impl<P: Simd> Number for Lanes<P> {
 }
 
 /// See [`Number::apart`].
-struct Apart<T>(T);
+pub struct Apart<T>(pub T);
 
 impl<T: Task> WithSimd for Apart<T> {
     type Output = T::Output;
