@@ -32,7 +32,8 @@ table! {
         density: Option<f64> as Maybe<Quantity<measure::Density>> = None,
         /// Poisson's ratio; used by shear-flexible beams alone, for shear modulus and shear factor.
         poisson: Option<f64> as Maybe<Quantity<measure::Poisson>> = None,
-        /// Shear modulus (Pa) of a material that is not isotropic, such as timber; used by shear-flexible beams alone.
+        /// Shear modulus (Pa) of a material that is not isotropic, such as timber; used by shear-flexible beams alone. Beside `poisson` it must be
+        /// `young / (2 (1 + poisson))` within 2 %.
         shear_modulus: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
         /// Strain measure of the strain energy; shear-flexible beams have strains of their own.
         strain: StrainMeasure as Word<Strain> = StrainMeasure::Green,

@@ -195,6 +195,53 @@ fn faults_of_given_strains_name_their_key() {
     assert_eq!(fault(&move |b| strain(b, 1e-3, whole), slack), ["load.heat.on"]);
 }
 
+/// No stretch has a Green strain of -1/2 or less, or an engineering strain of -1 or less; what a load reaches over time counts.
+#[test]
+fn given_strains_that_leave_no_length_are_faults() {
+    let of = |strain: StrainMeasure, theory: Theory, function: TimeFunction, kind: &LoadKind| {
+        let mut b = ModelBuilder::new();
+        let (expansion, poisson) = (1e-5, Some(0.3));
+        let composite = Material::new("composite", 0.2e10, 3e3);
+        let material = b.material(Material { strain, expansion, poisson, ..composite });
+        let section = b.section(Section::rectangle("plank", 0.1, 0.1));
+        let slender = beam("plank", [0.0, 0.0], [3.0, 0.0], 4, material, section);
+        b.beam(Beam { theory, ..slender });
+        b.load(Load { function, ..Load::new("heat", kind.clone()) });
+        b.build().err().unwrap_or_default()
+    };
+    let (beam, stretch) = (BeamId::default(), [0.0, 1.0].map(Along::Fraction));
+    let given = |strain: f64| LoadKind::Strain { beam, stretch, strain, curvature: 0.1 };
+    let heat = |change: f64| LoadKind::Temperature { beam, stretch, change, gradient: 0.0 };
+    let (green, engineering) = (StrainMeasure::Green, StrainMeasure::Engineering);
+    let (slender, shear) = (Theory::Slender, Theory::Shear);
+    let constant = TimeFunction::Constant;
+    for (strain, theory, limit) in
+        [(green, slender, 0.5), (engineering, slender, 1.0), (green, shear, 1.0)]
+    {
+        let paths = |kind: &LoadKind, function: &TimeFunction| -> Vec<String> {
+            let faults = of(strain, theory, function.clone(), kind);
+            faults.into_iter().map(|fault| fault.path).collect()
+        };
+        assert!(paths(&given(0.001 - limit), &constant).is_empty());
+        assert!(paths(&heat(1e5 * (0.001 - limit)), &constant).is_empty());
+        assert_eq!(paths(&given(-limit), &constant), ["load.heat.strain"]);
+        assert_eq!(paths(&heat(-1.001e5 * limit), &constant), ["load.heat.change"]);
+        // An elongation, which a negative factor makes a contraction.
+        let table = |least: f64| {
+            let (times, values) = (vec![0.0, 1.0], vec![0.5, least]);
+            TimeFunction::Table { times, values, smooth: false }
+        };
+        assert!(paths(&given(limit), &constant).is_empty());
+        assert!(paths(&given(limit), &table(-0.9)).is_empty());
+        assert_eq!(paths(&given(limit), &table(-1.1)), ["load.heat.strain"]);
+        let harmonic = TimeFunction::Harmonic { frequency: 1.0, phase: 0.0 };
+        assert_eq!(paths(&given(limit), &harmonic), ["load.heat.strain"]);
+    }
+    let faults = of(green, slender, constant, &heat(-2e5));
+    assert!(faults[0].found.contains("a strain of -2 "), "{faults:?}");
+    assert!(faults[0].expected.contains("above -0.5 in `plank`"), "{faults:?}");
+}
+
 /// A quarter of a circle of radius 2 m, clamped at its start, heated evenly: it is dilated, without forces and rotations.
 #[test]
 fn a_curved_beam_expands_evenly() {

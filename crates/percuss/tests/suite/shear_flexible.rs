@@ -414,6 +414,12 @@ fn shear_flexible_beams_need_shear_stiffness_and_rotary_inertia() {
     assert!(faults(steel(), bar(), none).is_empty());
     assert_eq!(faults(Material::new("m", 2e11, 7850.0), bar(), none), ["material.m.poisson"]);
     assert_eq!(faults(isotropic(2e11, 7850.0, 0.6), bar(), none), ["material.m.poisson"]);
+    let both = |shear: f64| Material { shear_modulus: Some(shear), ..steel() };
+    // The isotropic one is 76.9 GPa; as tables round it, it may stand beside the ratio.
+    assert!(faults(both(77e9), bar(), none).is_empty());
+    assert_eq!(faults(both(7e8), bar(), none), ["material.m.shear_modulus"]);
+    assert_eq!(faults(both(-7e8), bar(), none), ["material.m.shear_modulus"]);
+    assert_eq!(faults(both(f64::NAN), bar(), none), ["material.m.shear_modulus"]);
     let bare = Section::new("s", 0.01, 1e-5);
     assert_eq!(faults(steel(), bare.clone(), none), ["section.s.shear_factor"]);
     assert!(faults(steel(), Section { shear_factor: Some(0.8), ..bare }, none).is_empty());

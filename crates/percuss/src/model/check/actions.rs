@@ -6,6 +6,7 @@ use super::beams::{check_point, check_stretch};
 use super::contacts::check_smooth;
 use super::faults::{Faults, quantity};
 use super::functions::check_function;
+use super::given_strains::{check_expansion, check_length, check_strained};
 use crate::math::vec2::{cross, dot, norm};
 
 /// Line of motion of a projectile, not normalised; `None` if neither velocity nor direction gives one.
@@ -76,7 +77,9 @@ pub(super) fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
             if *strain == 0.0 && *curvature == 0.0 {
                 out.add(path("strain"), "no strain and no curvature", "a strain or a curvature");
             }
-            check_strained(model, *beam, *stretch, &path, out);
+            if let Some(beam) = check_strained(model, *beam, *stretch, &path, out) {
+                check_length(model, beam, load, (path("strain"), |_| *strain), out);
+            }
         }
         LoadKind::Temperature { beam, stretch, change, gradient } => {
             out.finite(path("change"), &[*change], "K");
@@ -86,6 +89,7 @@ pub(super) fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
             }
             if let Some(beam) = check_strained(model, *beam, *stretch, &path, out) {
                 check_expansion(model, beam, &path, out);
+                check_length(model, beam, load, (path("change"), |m| m.expansion * change), out);
             }
         }
         LoadKind::Distributed { beam, stretch, force, .. } => {
@@ -109,59 +113,5 @@ pub(super) fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
     out.finite(path("from"), &[load.from], "s");
     if load.until.is_nan() || load.until <= load.from {
         out.add(path("until"), quantity(load.until, "s"), "a time after `from`");
-    }
-}
-
-/// A beam whose strains are given along a stretch, if it is one of the model: elastic, for fibres that yield do not know of given strains.
-fn check_strained<'m>(
-    model: &'m ModelBuilder,
-    beam: BeamId,
-    stretch: [Along; 2],
-    path: &impl Fn(&str) -> String,
-    out: &mut Faults,
-) -> Option<&'m Beam> {
-    let Some(beam) = model.beams.get(beam.0 as usize) else {
-        out.add(path("on"), "an unknown beam", "a beam of this model");
-        return None;
-    };
-    check_stretch(beam, stretch, path, out);
-    let mut sections =
-        std::iter::once(beam.section).chain(beam.changes.iter().filter_map(|c| c.section));
-    let fibres = |id: SectionId| {
-        let section = model.sections.get(id.0 as usize);
-        section.is_some_and(|section| section.given_fibres().is_some())
-    };
-    let inelastic = materials(model, beam).find(|m| m.inelasticity.is_some());
-    if let Some(material) = inelastic {
-        let found = format!(
-            "`{}` of the material `{}`, which yields or bears stress of one sign",
-            beam.name, material.name
-        );
-        out.add(path("on"), found, "a beam of elastic materials");
-    } else if sections.any(fibres) {
-        let found = format!("`{}`, whose section is given by fibres", beam.name);
-        out.add(path("on"), found, "a beam whose sections have a shape or constants");
-    }
-    Some(beam)
-}
-
-/// Materials of a beam.
-fn materials<'m>(model: &'m ModelBuilder, beam: &Beam) -> impl Iterator<Item = &'m Material> {
-    let changed: Vec<MaterialId> = beam.changes.iter().filter_map(|c| c.material).collect();
-    let all = std::iter::once(beam.material).chain(changed);
-    all.filter_map(|id| model.materials.get(id.0 as usize))
-}
-
-/// Heat strains what expands.
-fn check_expansion(
-    model: &ModelBuilder,
-    beam: &Beam,
-    path: &impl Fn(&str) -> String,
-    out: &mut Faults,
-) {
-    if let Some(material) = materials(model, beam).find(|m| m.expansion == 0.0) {
-        let found =
-            format!("`{}` of the material `{}` without `expansion`", beam.name, material.name);
-        out.add(path("on"), found, "materials with an `expansion`, such as 12e-6 1/K of steel");
     }
 }

@@ -25,3 +25,18 @@ pub(super) fn check_function(function: &TimeFunction, path: String, out: &mut Fa
         }
     }
 }
+
+/// Smallest and largest factor of a load with a function, shape (2) \[-\]; zero, which it has before and after, is among them. Of a table they are its
+/// values; those of a function given as code are not known.
+pub(super) fn factors(function: &TimeFunction) -> [f64; 2] {
+    use TimeFunction::*;
+    match function {
+        Constant | Step { .. } | Ramp { .. } | HalfSine { .. } | Triangle { .. } => [0.0, 1.0],
+        Harmonic { .. } => [-1.0, 1.0],
+        Table { values, .. } => {
+            let of = |pick: fn(f64, f64) -> f64| values.iter().copied().fold(0.0, pick);
+            [of(f64::min), of(f64::max)]
+        }
+        Function(_) => [0.0; 2],
+    }
+}

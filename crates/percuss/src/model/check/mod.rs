@@ -6,6 +6,7 @@ mod contacts;
 mod faults;
 mod foundations;
 mod functions;
+mod given_strains;
 mod shear;
 mod supports;
 mod yielding;

@@ -4,6 +4,9 @@ use super::super::builder::ModelBuilder;
 use super::super::definition::*;
 use super::faults::{Faults, quantity};
 
+/// Share by which a shear modulus may differ from that of an isotropic material with the Poisson's ratio given beside it: tables round both.
+const ROUNDED: f64 = 0.02;
+
 /// Poisson's ratio and shear modulus of a material.
 pub(super) fn check_shear_moduli(m: &Material, out: &mut Faults) {
     let path = |field: &str| format!("material.{}.{field}", m.name);
@@ -14,6 +17,16 @@ pub(super) fn check_shear_moduli(m: &Material, out: &mut Faults) {
     }
     if let Some(shear) = m.shear_modulus {
         out.positive(path("shear_modulus"), shear, "a shear modulus", "Pa");
+    }
+    let (Some(poisson), Some(shear)) = (m.poisson, m.shear_modulus) else { return };
+    let isotropic = m.young / (2.0 * (1.0 + poisson));
+    // NaN and values at fault say nothing of each other.
+    if isotropic > 0.0 && shear > 0.0 && (shear / isotropic - 1.0).abs() > ROUNDED {
+        let found = format!("{shear:.4e} Pa beside a Poisson's ratio of {poisson}");
+        let expected = format!(
+            "one of both, or the shear modulus of an isotropic material, {isotropic:.4e} Pa"
+        );
+        out.add(path("shear_modulus"), found, &expected);
     }
 }
 

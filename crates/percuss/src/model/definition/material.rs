@@ -26,7 +26,8 @@ pub struct Material {
     pub strength: Option<Strength>,
     /// Poisson's ratio, of which only shear-flexible beams make use.
     pub poisson: Option<f64>,
-    /// Shear modulus G, if it is not that of an isotropic material \[Pa\].
+    /// Shear modulus G, if it is not that of an isotropic material \[Pa\]. Beside a Poisson's ratio it must be that of an isotropic material
+    /// within 2 %, and acts.
     pub shear_modulus: Option<f64>,
 }
 
