@@ -3,6 +3,7 @@
 mod numbers;
 mod offsets;
 mod records;
+mod starts;
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
@@ -19,6 +20,7 @@ use crate::problem::Problem;
 use crate::run::GoesOn;
 use numbers::numbers;
 use records::record;
+use starts::starts_at_fault;
 
 /// Most starting points, and most iterations from one: a slip of the keyboard does not fill the memory.
 const MOST: usize = 100_000;
@@ -52,6 +54,7 @@ impl Problem {
         let content = &file.content;
         let scenarios = scenarios(&base, content, supplied, &mut faults);
         let (adjustables, fields) = numbers(content, &scenarios, &mut faults);
+        faults.extend(starts_at_fault(content, (&adjustables, &fields), &scenarios));
         let mut tests = Vec::new();
         let mut reads = Vec::new();
         faults.extend(

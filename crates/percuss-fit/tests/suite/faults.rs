@@ -26,6 +26,8 @@ const FAULTS: &str = r#"
 path = "projectile.hammer.stiffness" | path = "projectile.hammer.stifness" | parameter.stiffness.path | stifness
 start = "1.5 MN/m" | start = "15 kg" | parameter.stiffness.start | a mass
 start = "1.5 MN/m" | start = "15 MN/m" | parameter.stiffness.start | outside the bounds
+start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | start = "-1 MN/m" | parameter.stiffness.start | found -1000000 N/m, expected a stiffness above zero
+path = "projectile.hammer.stiffness"; start = "1.5 MN/m"; bounds = ["0.5 MN/m", "8 MN/m"]; spacing = "log" | path = "material.aluminium.young"; start = 0 | parameter.stiffness.start | expected a Young's modulus above zero
 ["0.5 MN/m", "8 MN/m"] | ["8 MN/m", "0.5 MN/m"] | parameter.stiffness.bounds | from
 bounds = [0, "1 s/m"] | bounds = [0, "1 s/m"]; spacing = "log" | parameter.dissipation.spacing | above zero
 data = "drop.csv" | data = "drip.csv" | test.drop.data | where there is no file
