@@ -88,6 +88,8 @@ pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
 
 /// The result at the increment reached.
 pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibrium {
+    search.assemble::<false>();
+    search.clear_round_off();
     search.foresee(true);
     search.assemble::<false>();
     let mut state = search.state();

@@ -1,6 +1,6 @@
 //! Results of an equilibrium: its state, stability, section forces and reactions.
 
-use super::{INVERSE_ITERATIONS, Motions, RULE, Reached, StaticSearch, constraint_step};
+use super::{INVERSE_ITERATIONS, Motions, RULE, Reached, StaticSearch, constraint_step, largest};
 use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::analysis::spectrum::{metric, random, size};
 use crate::linalg::block::inner;
@@ -13,6 +13,9 @@ use crate::step::tangent::project;
 use crate::step::workspace::Workspace;
 use crate::step::{connectors, external, fibres};
 use crate::summary::{PointForces, SectionForceSummary};
+
+/// Share of the largest displacement, and of the largest force, below which others are round-off.
+const NOTHING: f64 = 1e-30;
 
 /// Section forces of an equilibrium.
 pub struct ReachedForces {
@@ -42,6 +45,19 @@ impl StaticSearch<'_> {
             joints_parted: self.base.joints_parted.clone(),
             parted: self.base.parted.clone(),
         }
+    }
+
+    /// Sets displacements and forces of constraints that are round-off to zero: in a part without load, such as one behind a joint that has failed,
+    /// Newton's corrections become ever smaller. The residual must be that of the current configuration.
+    pub fn clear_round_off(&mut self) {
+        let clear = |values: &mut [f64], most: f64| {
+            values.iter_mut().filter(|x| x.abs() < NOTHING * most).for_each(|x| *x = 0.0);
+        };
+        let moved = largest(&self.displacement());
+        let work = &mut self.work;
+        clear(work.increment.as_flattened_mut(), moved);
+        let force = work.multiplier.iter().fold(largest(&work.residual), |m, x| m.max(x.abs()));
+        clear(&mut work.multiplier, force);
     }
 
     /// Returns to a stored configuration.
