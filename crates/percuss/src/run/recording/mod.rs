@@ -2,6 +2,7 @@
 
 pub mod channels;
 pub mod checkpoint;
+mod columns;
 pub mod frame;
 pub mod record;
 pub mod rows;
