@@ -65,7 +65,8 @@ impl<'m> Modes<'m> {
         Self { model, lowest: OnceCell::new(), touches: OnceCell::new() }
     }
 
-    fn lowest(&self) -> &[Mode] {
+    /// These modes; none of a large model.
+    pub fn lowest(&self) -> &[Mode] {
         self.lowest.get_or_init(|| {
             if self.model.beam_count() == 0 || self.model.element_count() > ELEMENTS {
                 return Vec::new();
@@ -186,6 +187,13 @@ impl Lasting {
         let impact = self.impact(&self.target.sheared(section, shear), self.step, 0.0)?;
         let same = (self.duration / SAME..SAME * self.duration).contains(&impact.duration);
         same.then(|| impact.peak_force / self.peak - 1.0)
+    }
+
+    /// Share by which it would increase the static displacement of the struck point, by the modes; None where nothing holds that.
+    pub fn yields(&self, section: &UniformBeam, shear: f64) -> Option<f64> {
+        let sheared = self.target.sheared(section, shear);
+        let share = sheared.compliance() / self.target.compliance() - 1.0;
+        share.is_finite().then_some(share)
     }
 
     /// How far off the largest force is likely to be in steps of this size, as a share of it: the mean over instants at which a

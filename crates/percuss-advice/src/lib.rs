@@ -17,6 +17,7 @@ mod first_contact;
 pub mod formulas;
 mod magnitudes;
 mod millimetres;
+mod neglected_shear;
 mod planned;
 mod resolution;
 mod review;
@@ -51,13 +52,21 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     all.extend(ends::findings(model));
     all.extend(taper::findings(model));
     all.extend(stability::of_the_start(model, settings));
+    let mut estimated = Vec::new();
     for case in cases {
         let mass = match case.guided {
             Some(k) => masses.get(k).copied(),
             None => touches.effective_mass(case.index),
         };
-        all.extend(before::findings(model, settings, &case, mass, (&modes, &trials)));
+        let found = before::findings(model, settings, &case, mass, (&modes, &trials));
+        if let case::Meeting::Struck(struck) = &case.meeting
+            && found.iter().any(|advice| advice.topic == Topic::Shear)
+        {
+            estimated.push(struck.place.index);
+        }
+        all.extend(found);
     }
+    all.extend(shear::of_other_beams(model, &modes, &estimated));
     all
 }
 

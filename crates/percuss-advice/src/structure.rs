@@ -189,6 +189,13 @@ impl<'a> BeamPlace<'a> {
         held.chain(points)
     }
 
+    /// Longest distance between neighbours among its ends and the places where something holds it \[m\].
+    pub fn longest_stretch(&self) -> f64 {
+        let mut places: Vec<f64> = self.ties().chain([0.0, self.beam.length()]).collect();
+        places.sort_by(f64::total_cmp);
+        places.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max)
+    }
+
     /// Points of the beam at which constraints and connectors act.
     fn tied_points(&self) -> impl Iterator<Item = PointView<'a>> + use<'a> {
         let model = self.model;

@@ -40,7 +40,8 @@ catalogue! {
         /// Shear deformation, which the beams neglect, against a relevant share \[-\].
         Shear = "W009", "shear deformation",
             "Beams are Bernoulli beams: their sections stay normal to the axis. For short or thick beams, and for short waves, shear \
-             deformation is not small: frequencies are too high and deflections too small, by about the given percentage. Beams with \
+             deformation is not small: frequencies are too high and deflections too small, by about the given percentage. It uses the \
+             shear stiffness of material and section (`poisson` or `shear_modulus`; shape or `shear_factor`) where that is known. Beams with \
              `theory = \"shear\"` have it.";
         /// Axial force against that under which a straight beam buckles \[N\]; of a start from equilibrium, whether it is stable.
         Stability = "W010", "stability",

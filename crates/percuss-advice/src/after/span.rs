@@ -2,7 +2,8 @@
 
 use super::super::Comparison;
 use super::super::case::{Struck, linear_stiffness};
-use super::super::formulas::{Span, impact_factor as factor, shear_stiffness};
+use super::super::formulas::{Span, impact_factor as factor};
+use super::super::neglected_shear::NeglectedShear;
 use super::super::words::digits;
 use super::observed::{Assumptions, Formula, ObservedContact, Quantity, against};
 use percuss::Start;
@@ -88,7 +89,7 @@ fn moment(observed: &ObservedContact<'_>, struck: &Struck<'_>, by_hand: f64) -> 
 
 /// Adds that shear would let the span give way little more.
 fn stiff_in_shear(struck: &Struck<'_>, span: &Span, assumptions: Assumptions) -> Assumptions {
-    let share = span.shear_share(shear_stiffness(struck.place.section().axial));
+    let share = span.shear_share(NeglectedShear::at(&struck.place).stiffness);
     let what = format!(
         "shear deformation (neglected) would increase the static deflection by {} %",
         digits(100.0 * share)

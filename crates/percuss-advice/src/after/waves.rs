@@ -4,6 +4,7 @@ use super::super::Comparison;
 use super::super::case::{Beams, Struck, force, linear_stiffness, rigid_impact};
 use super::super::end_on::points_of_end;
 use super::super::formulas::{BarImpact, BarOnWall, UniformBeam, pulse_frequency};
+use super::super::neglected_shear::NeglectedShear;
 use super::super::structure::gravity;
 use super::super::words::digits;
 use super::observed::{Assumptions, Formula, ObservedContact, Quantity, against};
@@ -98,7 +99,8 @@ fn corrections(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<(Stri
         format!(" and the rebound velocity by {} %", digits(100.0 * share))
     });
     let what = format!(
-        "shear deformation (neglected) small: for a solid rectangle it would change the force by {} %{rebound}",
+        "shear deformation (neglected) small: {}it would change the force by {} %{rebound}",
+        if NeglectedShear::at(&struck.place).known { "" } else { "for a solid rectangle " },
         digits(100.0 * shear.force)
     );
     let most = shear.rebound.unwrap_or(0.0).abs().max(shear.force.abs());

@@ -3,8 +3,8 @@
 use super::{Change, SHORTEST, Struck, force, linear_stiffness, rigid_impact};
 use crate::formulas::{
     InfiniteBeam, InfiniteBeamImpact, Span, TwoMassImpact, TwoMasses, WaveControlled,
-    shear_stiffness,
 };
+use crate::neglected_shear::NeglectedShear;
 use crate::structure::gravity;
 use crate::surroundings::Surroundings;
 use percuss::TouchLaw;
@@ -108,7 +108,8 @@ impl Struck<'_> {
         let section = self.place.section();
         let of = |shear| self.softened(law, speed, section.softening(shear));
         let plain = self.softened(law, speed, 0.0)?;
-        let (rotary, sheared) = (of(f64::INFINITY)?, of(shear_stiffness(section.axial))?);
+        let shear = NeglectedShear::at(&self.place).stiffness;
+        let (rotary, sheared) = (of(f64::INFINITY)?, of(shear)?);
         let change = |a: &InfiniteBeamImpact, b: &InfiniteBeamImpact| {
             let rebound = a.restitution.zip(b.restitution).map(|(a, b)| b / a - 1.0);
             Change { force: b.peak_force / a.peak_force - 1.0, rebound }

@@ -23,6 +23,7 @@ pub use single_mass::{
 pub use span::{Cox, Span, SpanKind, impact_factor};
 pub use two_masses::{TwoMassImpact, TwoMasses};
 pub use wave_controlled::WaveControlled;
+pub(crate) use waves::SHEAR_AREA;
 pub use waves::{BarImpact, UniformBeam, pulse_frequency, shear_stiffness};
 
 /// Asserts that two values agree to a relative tolerance.

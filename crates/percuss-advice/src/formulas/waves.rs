@@ -35,7 +35,7 @@ pub fn pulse_frequency(duration: f64) -> f64 {
 /// Young's modulus over the shear modulus at Poisson's ratio 0.3.
 const YOUNG_OVER_SHEAR: f64 = 2.6;
 /// Share of a full rectangle's area that carries shear.
-const SHEAR_AREA: f64 = 5.0 / 6.0;
+pub(crate) const SHEAR_AREA: f64 = 5.0 / 6.0;
 
 /// Shear stiffness `kappa G A` \[N\] of a full rectangle with Poisson's ratio 0.3 whose axial stiffness EA \[N\] is given: beams
 /// here have no shear deformation, this is for estimates of what it would do. A tube has some 0.6, an I-section across its

@@ -95,6 +95,11 @@ impl<'m> SpanView<'m> {
         self.data.shear.as_ref().map(|_| self.data.section.at(s).shear)
     }
 
+    /// Shear modulus of its material, as given or by Poisson's ratio, of slender beams too \[Pa\]; `None` where neither is given.
+    pub fn shear_modulus(&self) -> Option<f64> {
+        self.data.shear_modulus
+    }
+
     /// Whether its section varies from element to element.
     pub fn varies(&self) -> bool {
         !self.data.section.is_uniform()
@@ -147,6 +152,8 @@ pub struct SectionConstants {
     pub density: f64,
     /// Distance of the extreme fibres from the centre line \[m\]; NaN if unknown.
     pub half_depth: f64,
+    /// Shear stiffness kappa G A, of slender beams too \[N\]; NaN if shear modulus or shear factor is unknown.
+    pub shear: f64,
 }
 
 impl SectionConstants {
@@ -156,9 +163,10 @@ impl SectionConstants {
     }
 
     pub(super) fn of(values: &SectionValues) -> Self {
-        let SectionValues { law, mass, area, inertia, young, density, half_depth, .. } = *values;
+        let SectionValues { law, mass, area, inertia, young, density, half_depth, shear, .. } =
+            *values;
         let SectionLaw { axial, bending, rotary, .. } = law;
-        Self { axial, bending, rotary, mass, area, inertia, young, density, half_depth }
+        Self { axial, bending, rotary, mass, area, inertia, young, density, half_depth, shear }
     }
 }
 

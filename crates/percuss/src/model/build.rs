@@ -157,6 +157,7 @@ impl ModelBuilder {
             strength: material
                 .strength
                 .filter(|_| material.inelasticity.is_none() && make.is_plain()),
+            shear_modulus: material.shear_stiffness(),
             fibres: fibres::of_span(&make, &stretch, fibres_before),
             shear: (theory == Theory::Shear).then_some(shear),
         };

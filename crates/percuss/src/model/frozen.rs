@@ -122,6 +122,8 @@ pub struct Span {
     pub expansion: f64,
     /// Usual yield stresses of an elastic material, if known.
     pub strength: Option<Strength>,
+    /// Shear modulus of its material \[Pa\]; `None` where neither it nor Poisson's ratio is given.
+    pub shear_modulus: Option<f64>,
     /// Its fibres, if its material is nonlinear or its section is given by them.
     pub fibres: Option<SpanFibres>,
     /// Elements of a shear-flexible beam, as many as tables, shape (1 or elements).

@@ -53,6 +53,78 @@ fn shear_is_reported_where_it_matters() {
     assert!(text.is_some_and(|t| t.contains("deflection by 19.5 %")), "{text:?}");
 }
 
+/// A girder of timber, 0.2 m by 0.8 m, under a load along it; all of it with these parts.
+fn girder(length: f64, shear_modulus: Option<f64>, theory: Theory) -> ModelBuilder {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material { shear_modulus, ..Material::new("timber", 11e9, 450.0) });
+    let section = Section { shear_factor: Some(0.833), ..Section::rectangle("deep", 0.2, 0.8) };
+    let section = b.section(section);
+    let slender = Beam::new("girder", &[[0.0, 0.0], [length, 0.0]], 16, material, section);
+    let beam = b.beam(Beam { theory, ..slender });
+    hold(&mut b, beam, &SupportKind::Pin, &[0.0]);
+    let (stretch, force) = ([0.0, 1.0].map(Along::Fraction), [[0.0, -1e3]; 2]);
+    b.load(Load::new("snow", LoadKind::Distributed { beam, stretch, force, follower: false }));
+    b
+}
+
+/// Shear over bending in the lowest vibration of a pinned beam is `pi^2 EI/(kappa G A L^2)`: of the material's modulus, or of a solid rectangle.
+#[test]
+fn shear_of_beams_that_nothing_strikes_is_reported() {
+    let of = |length: f64, modulus: Option<f64>, theory: Theory| {
+        let mut b = girder(length, modulus, theory);
+        hold(&mut b, BeamId::default(), &SupportKind::Pin, &[1.0]);
+        let all = advise(&freeze(&b), &Settings::new(0.01, 1e-5));
+        all.into_iter().find(|advice| advice.topic == Topic::Shear)
+    };
+    let bending = 11e9 * 0.8_f64.powi(2) / 12.0;
+    let share =
+        |shear: f64, length: f64| std::f64::consts::PI.powi(2) * bending / shear / length.powi(2);
+    let timber = of(4.0, Some(650e6), Theory::Slender).unwrap();
+    // Shear forces are constant in each of 16 elements.
+    let exact = share(0.833 * 650e6, 4.0);
+    assert!((timber.value / exact - 1.0).abs() < 5e-3, "{timber:?} {exact}");
+    assert_eq!((timber.verdict, timber.contact.as_str()), (Verdict::Warning, "beam girder"));
+    assert!(timber.text.contains("of its material and section"), "{}", timber.text);
+    let solid = of(3.0, None, Theory::Slender).unwrap();
+    let exact = share(11e9 / 2.6 * 5.0 / 6.0, 3.0);
+    assert!((solid.value / exact - 1.0).abs() < 5e-3, "{solid:?} {exact}");
+    assert_eq!(solid.verdict, Verdict::Note);
+    assert!(solid.text.contains("for a solid rectangle"), "{}", solid.text);
+    assert_eq!(of(4.0, Some(650e6), Theory::Shear), None);
+    assert_eq!(of(20.0, Some(650e6), Theory::Slender), None);
+}
+
+/// A struck girder has the shear stiffness of its material, and where a joint holds its end the modes know how far it yields.
+#[test]
+fn shear_of_struck_girders_is_that_of_their_material() {
+    let of = |on_corbel: bool| {
+        let mut b = girder(4.0, Some(650e6), Theory::Slender);
+        let beam = BeamId::default();
+        if on_corbel {
+            let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+            let section = b.section(Section::rectangle("bracket", 0.2, 0.3));
+            let corbel = Beam::new("corbel", &[[4.4, 0.0], [4.0, 0.0]], 2, material, section);
+            let corbel = b.beam(corbel);
+            b.support(Support::new("column", at("column", corbel, 0.0), SupportKind::Clamp));
+            let between = [at("end", beam, 1.0), at("tip", corbel, 1.0)];
+            b.joint(Joint::new("bearing", JointKind::Hinge, between));
+        } else {
+            hold(&mut b, beam, &SupportKind::Pin, &[1.0]);
+        }
+        b.projectile(mass(at("mid", beam, 0.5), 5e3, 2e7, [0.0, -1.0]));
+        let all = advise(&freeze(&b), &Settings::new(0.07, 1e-4));
+        let found = all.into_iter().filter(|advice| advice.topic == Topic::Shear);
+        found.collect::<Vec<_>>()
+    };
+    // 12 EI/(kappa G A L^2) of a span between pins.
+    let [pinned] = &of(false)[..] else { panic!() };
+    assert_eq!(pinned.verdict, Verdict::Warning);
+    assert!(pinned.text.contains("static deflection by 81.3 %"), "{}", pinned.text);
+    let [joined] = &of(true)[..] else { panic!() };
+    assert_eq!(joined.verdict, Verdict::Warning);
+    assert!(joined.text.contains("increase the static deflection by"), "{}", joined.text);
+}
+
 /// A chord of I over two stations of a depth that doubles is a third too large in its middle; seven stations are within a per cent.
 #[test]
 fn two_stations_of_a_tapered_depth_are_reported() {
