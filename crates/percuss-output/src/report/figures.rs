@@ -172,7 +172,7 @@ fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
         ("energy.kinetic_beams", "kinetic, beams", 6),
         ("energy.strain_bending", "strain, bending", 2),
         ("energy.strain_axial", "strain, axial", 5),
-        ("energy.strain_shear", "strain, shear", 9),
+        ("energy.strain_shear", "strain, shear", 12),
         ("energy.springs", "in springs", 7),
         ("energy.contact", "in contacts", 3),
         ("energy.hardening", "stored in hardening", 9),
