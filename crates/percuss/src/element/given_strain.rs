@@ -2,8 +2,8 @@
 //!
 //! The energy per length is `EA (eps - eps_0)^2 / 2 + EI (kappa - kappa_0)^2 / 2`. The terms without the given strains `eps_0`, `kappa_0` are those of
 //! any element; the others are here: `-EA eps_0 eps - EI kappa_0 kappa`, with forces of constant resultants, and `EA eps_0^2 / 2 + EI kappa_0^2 / 2`.
-//! A curved element that expands evenly keeps its angles: in Green strains, whose bending strain is per deformed length, `kappa_0` contains
-//! `-eps_0` times the curvature of the reference.
+//! A curved element that expands evenly keeps its angles: in Green strains, whose bending strain is the change of the stretch times the rotation per
+//! reference length, `kappa_0` contains `-eps_0` times the curvature of the reference, to first order in `eps_0`.
 
 use super::beam::{ElementSums, ElementTable, ElementValues, GaussRow, step_point};
 use super::collocation::bending_at;

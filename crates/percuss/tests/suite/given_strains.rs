@@ -325,7 +325,7 @@ fn a_given_curvature_rolls_a_beam_up_without_folds() {
         let model = b.build().unwrap();
         let found = equilibrium(&model).unwrap();
         for (n, u) in found.state.displacement.iter().enumerate() {
-            // The bending strain of Green's law is that per deformed length, times the stretch, whose square is 1 + 2 * 1 %.
+            // The bending strain of Green's law is the rotation per reference length times the stretch, whose square is 1 + 2 * 1 %.
             let angle = curvature * 0.2 * n as f64 / 1.02_f64.sqrt();
             let turned = u[3].atan2(1.0 + u[2]);
             // Ten elements of a cubic: rotations between nodes are of high order.
