@@ -39,6 +39,7 @@ mod rotations;
 mod round_ends;
 mod schemes;
 mod section_forces;
+mod shear_faults;
 mod shear_flexible;
 mod shear_forces;
 mod shear_stresses;
