@@ -237,6 +237,23 @@ fn given_strains_that_leave_no_length_are_faults() {
         let harmonic = TimeFunction::Harmonic { frequency: 1.0, phase: 0.0 };
         assert_eq!(paths(&given(limit), &harmonic), ["load.heat.strain"]);
     }
+    // Loads that act together add up where both act.
+    let both = |ends: [f64; 2]| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("composite", 0.2e10, 3e3));
+        let section = b.section(Section::rectangle("plank", 0.1, 0.1));
+        let plank = self::beam("plank", [0.0, 0.0], [3.0, 0.0], 4, material, section);
+        b.beam(plank);
+        for (name, ends) in [("first", [0.0, 0.5]), ("second", ends)] {
+            let (stretch, strain) = (ends.map(Along::Fraction), -0.3);
+            let kind = LoadKind::Strain { beam, stretch, strain, curvature: 0.0 };
+            b.load(Load::new(name, kind));
+        }
+        let faults = b.build().err().unwrap_or_default();
+        faults.into_iter().map(|fault| fault.path).collect::<Vec<_>>()
+    };
+    assert!(both([0.5, 1.0]).is_empty());
+    assert_eq!(both([0.25, 1.0]), ["load.second.strain"]);
     let faults = of(green, slender, constant, &heat(-2e5));
     assert!(faults[0].found.contains("a strain of -2 "), "{faults:?}");
     assert!(faults[0].expected.contains("above -0.5 in `plank`"), "{faults:?}");

@@ -78,7 +78,7 @@ pub(super) fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
                 out.add(path("strain"), "no strain and no curvature", "a strain or a curvature");
             }
             if let Some(beam) = check_strained(model, *beam, *stretch, &path, out) {
-                check_length(model, beam, load, (path("strain"), |_| *strain), out);
+                check_length(model, beam, load, out);
             }
         }
         LoadKind::Temperature { beam, stretch, change, gradient } => {
@@ -89,7 +89,7 @@ pub(super) fn check_load(model: &ModelBuilder, load: &Load, out: &mut Faults) {
             }
             if let Some(beam) = check_strained(model, *beam, *stretch, &path, out) {
                 check_expansion(model, beam, &path, out);
-                check_length(model, beam, load, (path("change"), |m| m.expansion * change), out);
+                check_length(model, beam, load, out);
             }
         }
         LoadKind::Distributed { beam, stretch, force, .. } => {

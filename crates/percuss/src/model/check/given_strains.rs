@@ -2,9 +2,10 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
-use super::beams::check_stretch;
+use super::beams::{arc, check_stretch};
 use super::faults::Faults;
 use super::functions::factors;
+use crate::model::time_function::TimeFunction;
 
 /// A beam whose strains are given along a stretch, if it is one of the model: elastic, for fibres that yield do not know of given strains.
 pub(super) fn check_strained<'m>(
@@ -60,31 +61,79 @@ pub(super) fn check_expansion(
     }
 }
 
-/// A strain that no configuration has at some time of the load, since nothing is left of the length: a Green strain `(l^2 - 1) / 2` of -1/2 or an
-/// engineering strain `l - 1` of -1, of the stretch l. `strain` is that of a material by a factor of one, `path` its key.
-pub(super) fn check_length(
-    model: &ModelBuilder,
-    beam: &Beam,
-    load: &Load,
-    (path, strain): (String, impl Fn(&Material) -> f64),
-    out: &mut Faults,
-) {
+/// Membrane strain that a load gives to a material by a factor of one \[-\]; zero of other loads.
+fn strain(load: &Load, material: &Material) -> f64 {
+    match load.kind {
+        LoadKind::Strain { strain, .. } => strain,
+        LoadKind::Temperature { change, .. } => material.expansion * change,
+        _ => 0.0,
+    }
+}
+
+/// A strain that no configuration has at some time of the load, since nothing is left of the length.
+pub(super) fn check_length(model: &ModelBuilder, beam: &Beam, load: &Load, out: &mut Faults) {
     for material in materials(model, beam) {
-        let measure = match beam.theory {
-            Theory::Slender => material.strain,
-            Theory::Shear => StrainMeasure::Engineering,
-        };
-        let (kind, limit) = match measure {
-            StrainMeasure::Green => ("Green", -0.5),
-            StrainMeasure::Engineering => ("engineering", -1.0),
-        };
-        let least = factors(&load.function).map(|f| f * strain(material)).into_iter();
-        let least = least.fold(f64::INFINITY, f64::min);
-        if least.is_finite() && least <= limit {
-            let shown = (least * 1e6).round() / 1e6;
-            let found = format!("a strain of {shown} without forces, which leaves no length");
-            let expected = format!("{kind} strains above {limit} in `{}`", beam.name);
-            return out.add(path, found, &expected);
+        let all = factors(&load.function).map(|factor| factor * strain(load, material));
+        let least = all.into_iter().fold(f64::INFINITY, f64::min);
+        if least.is_finite() && leaves_nothing(beam, material, load, (least, ""), out) {
+            return;
         }
     }
+}
+
+/// The same of the sum of loads that act all the time, each of which leaves a length.
+pub(super) fn check_sums_of_strains(model: &ModelBuilder, out: &mut Faults) {
+    for (index, beam) in model.beams.iter().enumerate() {
+        let arcs = |load: &Load| match load.kind {
+            LoadKind::Strain { beam: on, stretch, .. }
+            | LoadKind::Temperature { beam: on, stretch, .. } => {
+                let always = load.function == TimeFunction::Constant && load.from <= 0.0;
+                (always && on.0 as usize == index).then(|| stretch.map(|along| arc(beam, along)))
+            }
+            _ => None,
+        };
+        let all: Vec<(&Load, [f64; 2])> =
+            model.loads.iter().filter_map(|load| Some((load, arcs(load)?))).collect();
+        for (last, [start, _]) in &all {
+            let here = |one: &&(&Load, [f64; 2])| one.1[0] <= *start && *start < one.1[1];
+            for material in materials(model, beam) {
+                let (_, limit) = limit(beam, material);
+                let each = all.iter().filter(here).map(|one| strain(one.0, material));
+                let sum: f64 = each.clone().sum();
+                if each.clone().all(|one| one > limit)
+                    && leaves_nothing(beam, material, last, (sum, " of all loads together"), out)
+                {
+                    return;
+                }
+            }
+        }
+    }
+}
+
+/// Strain at which nothing is left of a length, and its name: `(l^2 - 1) / 2` of Green or `l - 1` of engineers, with the stretch l of zero.
+fn limit(beam: &Beam, material: &Material) -> (&'static str, f64) {
+    match (beam.theory, material.strain) {
+        (Theory::Slender, StrainMeasure::Green) => ("Green", -0.5),
+        _ => ("engineering", -1.0),
+    }
+}
+
+/// Whether nothing is left of the length by a strain, which is a fault of a load then; `whose` follows the strain in the message.
+fn leaves_nothing(
+    beam: &Beam,
+    material: &Material,
+    load: &Load,
+    (strain, whose): (f64, &str),
+    out: &mut Faults,
+) -> bool {
+    let (kind, limit) = limit(beam, material);
+    let nothing = strain <= limit;
+    if nothing {
+        let key = if matches!(load.kind, LoadKind::Strain { .. }) { "strain" } else { "change" };
+        let shown = (strain * 1e6).round() / 1e6;
+        let found = format!("a strain of {shown} without forces{whose}, which leaves no length");
+        let expected = format!("{kind} strains above {limit} in `{}`", beam.name);
+        out.add(format!("load.{}.{key}", load.name), found, &expected);
+    }
+    nothing
 }

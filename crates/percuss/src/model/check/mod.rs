@@ -21,6 +21,7 @@ use beams::{check_beam, check_point, check_stations};
 use contacts::{check_contact, check_disc, check_obstacle};
 use faults::{Faults, quantity};
 use foundations::check_foundation;
+use given_strains::check_sums_of_strains;
 use shear::{check_shear_factor, check_shear_moduli, check_stretch, check_theory};
 use supports::{check_joint, check_spring, check_support};
 use yielding::{check_fibres, check_given_fibres, check_one_sided, check_plasticity};
@@ -63,6 +64,7 @@ pub(super) fn faults(model: &ModelBuilder) -> Vec<Fault> {
     for load in &model.loads {
         check_load(model, load, &mut out);
     }
+    check_sums_of_strains(model, &mut out);
     for spring in &model.springs {
         check_spring(model, spring, &mut out);
     }
