@@ -74,6 +74,7 @@ pub fn spread_linearly(mass: &[[f64; 4]; 4], at: [&[f64; 4]; 2], on_nodes: &mut 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::element::beam::ShearedPlace;
     use crate::element::point::SectionLaw;
     use crate::element::strain::StrainMeasure;
 
@@ -89,6 +90,7 @@ mod tests {
             young: none,
             density: none,
             half_depth: none,
+            sheared: [ShearedPlace::UNKNOWN; 2],
         }
     }
 
