@@ -1,8 +1,8 @@
 //! Constraints at single nodes, such as the unit length of a node's vector, reduced inside the band.
 //!
 //! With `c x = s` at a node and forces along m, one of its components follows from the others: `x = T y + x0` with `c T = 0`, and equations are
-//! taken along the columns of Tm with `m Tm = 0`, as in a cluster. Row and column of that component are then those of one, and the band keeps its
-//! shape: the node is no interface node.
+//! taken along the columns of Tm with `m Tm = 0`, as in a cluster. Row and column of that component are then those of the identity: the band keeps its
+//! shape, and the node is no interface node.
 
 use super::super::block::Block;
 use super::super::chain::Chain;
