@@ -64,6 +64,8 @@ pub enum Addition {
     Deep,
     /// A section with a depth, of a material with a low yield stress.
     Yielding,
+    /// Sections that turn by themselves.
+    Shear,
 }
 
 /// The elastic example with another property.
@@ -83,14 +85,21 @@ fn struck(elements: usize, addition: Addition, kind: ProjectileKind) -> Model {
     let curve = vec![Hardening { from: 0.0, stress: 30e6, modulus: 2e7 }];
     let law = Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: None };
     let inelasticity = (addition == Addition::Yielding).then_some(Inelasticity::Plastic(law));
-    let material = b.material(Material { retardation, mass_damping, inelasticity, ..composite });
+    let poisson = (addition == Addition::Shear).then_some(0.3);
+    let material =
+        b.material(Material { retardation, mass_damping, inelasticity, poisson, ..composite });
     let section = b.section(match addition {
         Addition::Deep | Addition::Yielding => Section::rectangle("plank", 1.0, 0.1),
         Addition::Slender => Section::new("plank", 0.1, 8.33e-7),
+        Addition::Shear => {
+            Section { shear_factor: Some(0.85), ..Section::new("plank", 0.1, 8.33e-5) }
+        }
         _ => Section::new("plank", 0.1, 8.33e-5),
     });
     let points = vec![[0.0, 0.0], [3.0, 0.0]];
-    let girder = b.beam(Beam::new("girder", &points, elements, material, section));
+    let theory = if addition == Addition::Shear { Theory::Shear } else { Theory::Slender };
+    let girder =
+        b.beam(Beam { theory, ..Beam::new("girder", &points, elements, material, section) });
     let at =
         |label: &str, f| PointRef { label: label.into(), beam: girder, along: Along::Fraction(f) };
     let ends =

@@ -23,6 +23,7 @@ fn model(name: &str) -> Option<Model> {
         "rigid" => rigid_example(elements, 0.5),
         "deep" => varied(elements, Addition::Deep),
         "yielding" => varied(elements, Addition::Yielding),
+        "shear" => varied(elements, Addition::Shear),
         _ => return None,
     })
 }

@@ -3,7 +3,8 @@
 /// Three significant digits and a unit, with a prefix outside 1 to 10 000, stresses below 1 Pa and velocities without one: `51.2 ms`, `750 kN/m`,
 /// `91.2 kg`.
 pub fn quantity(value: f64, unit: &str) -> String {
-    let prefixed = matches!(unit, "s" | "m" | "N" | "N/m" | "J" | "m/s" | "N m" | "N s" | "Pa");
+    let prefixed =
+        matches!(unit, "s" | "m" | "N" | "N/m" | "N/m^2" | "J" | "m/s" | "N m" | "N s" | "Pa");
     if value == 0.0 || !value.is_finite() || !prefixed {
         return format!("{} {unit}", digits(value)).trim_end().to_owned();
     }

@@ -363,7 +363,7 @@ function engineering(value, unit) {
   const size = Math.abs(Number(value.toPrecision(5)));
   const steps = [[1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"], [1e-12, "p"]];
   if (size < 1e-12) return `0 ${unit}`;
-  const plain = !["s", "m", "N", "N s", "J", "N m", "Pa"].includes(unit) || (unit === "Pa" && size < 1) || (size >= 1 && size < 1e4);
+  const plain = !["s", "m", "N", "N s", "J", "N m", "Pa", "N/m", "N/m\u00b2"].includes(unit) || (unit === "Pa" && size < 1) || (size >= 1 && size < 1e4);
   const [by, prefix] = plain ? [1, ""] : steps.find(([by]) => size >= by);
   return `${fiveDigits(value / by)} ${prefix}${unit}`;
 }

@@ -75,7 +75,7 @@ mod tests {
         let page = render(&all).replace('\u{a0}', " ");
         for text in [
             "<td>rail</td><td>0 m</td><td>6 m</td><td>linear</td>",
-            "<td>30 kN/m</td><td>2.5 m</td><td>5 ms</td><td>\u{2013}</td><td>\u{2013}</td>",
+            "<td>5 MN/m\u{b2}</td><td>30 kN/m</td><td>2.5 m</td><td>5 ms</td><td>\u{2013}</td><td>\u{2013}</td>",
             "<td>compression</td>",
             "<td>1.25 m</td><td>20 ms</td><td>1.5 m</td><td>4 mm</td>",
             "<td>\u{2013}</td><td>1 kN/m</td><td>0.5 m</td>",

@@ -58,7 +58,7 @@ impl Scale {
 
 /// Whether a unit is shown with a prefix.
 fn takes_prefix(unit: &str) -> bool {
-    matches!(unit, "s" | "m" | "m/s" | "N" | "N*s" | "J" | "N*m" | "Pa")
+    matches!(unit, "s" | "m" | "m/s" | "N" | "N*s" | "J" | "N*m" | "Pa" | "N/m" | "N/m^2")
 }
 
 /// `value` of `unit` in words, five significant digits.

@@ -232,10 +232,16 @@ impl ConstraintStep<'_> {
 
     /// The gradient where the force is directed, or at the end of the step, in the places of a border vector.
     pub fn border(&self, c: &Constraint, end: bool, vector: &mut BorderVector) {
+        let share = if end { 1.0 } else { self.share };
+        if let (ConstraintKind::Length { point }, [(_, value)]) = (&c.kind, &mut vector[..]) {
+            let [d1, d2] = self.tangent(point, share);
+            *value = [0.0, 0.0, d1, d2];
+            return;
+        }
         for (_, value) in vector.iter_mut() {
             *value = [0.0; 4];
         }
-        let form = self.nodal_form(c, if end { 1.0 } else { self.share });
+        let form = self.nodal_form(c, share);
         for (node, on) in point_nodes(c).zip(&form) {
             for (_, value) in vector.iter_mut().filter(|(k, _)| *k == node) {
                 (0..4).for_each(|i| value[i] += on[i]);
@@ -257,6 +263,12 @@ impl ConstraintStep<'_> {
 #[inline(always)]
 pub fn point_nodes<S>(c: &Constraint<S>) -> impl Iterator<Item = usize> {
     c.points().iter().flat_map(|p| [p.node, p.node + 1])
+}
+
+/// The node whose vector has unit length by a constraint at its point; the point has no other node's share.
+#[inline(always)]
+pub fn node_of_length(point: &MaterialPoint) -> usize {
+    if point.slope[1] == 0.0 { point.node + 1 } else { point.node }
 }
 
 /// Nodes that a constraint touches.

@@ -181,9 +181,9 @@ impl Tangent {
                 }
             }
             ConstraintKind::Length { point } => {
-                let k = multiplier * step.share;
-                let block = [[k, 0.0], [0.0, k]];
-                self.matrix.chain.add_outer(point.node, &point.slope, &point.slope, &block);
+                let (k, node) = (multiplier * step.share, constraint::node_of_length(point));
+                let block = &mut self.matrix.chain.diag[node];
+                (2..4).for_each(|i| block[i][i] += k);
             }
             _ => {}
         }
@@ -383,6 +383,7 @@ fn condensed(model: &Model, linked: &[bool], couplings: &[(usize, usize)]) -> Co
     let pattern = |c: &Constraint| BorderPattern {
         nodes: constraint::nodes(c),
         permanent: c.until == f64::INFINITY && c.joint.is_none(),
+        in_band: matches!(c.kind, ConstraintKind::Length { .. }),
     };
     let border: Vec<BorderPattern> = model.constraints.iter().map(pattern).collect();
     let mut matrix = Condensed::new(model.node_count(), |i| linked[i], couplings, &border);

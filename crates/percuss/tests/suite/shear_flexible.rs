@@ -301,6 +301,42 @@ fn what_strikes_or_presses_a_shear_flexible_beam_balances() {
     }
 }
 
+/// Springs without effect take the unit lengths of their nodes out of the band.
+#[test]
+fn unit_lengths_inside_and_outside_the_band_give_the_same_motion() {
+    let struck = |tied: &[u32]| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(isotropic(2e9, 3e3, 0.3));
+        let section = b.section(Section::rectangle("s", 0.2, 0.5));
+        let arm = b.beam(shear(3.0, 8, material, section));
+        b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+        for k in tied {
+            let ends = [at("node", arm, f64::from(*k) / 8.0), at("tip", arm, 1.0)];
+            b.spring(Spring {
+                name: format!("spring-{k}"),
+                between: ends.map(Anchor::Point),
+                law: SpringLaw::Linear { stiffness: 1e-9 },
+                damping: 0.0,
+                length: None,
+                strength: None,
+                yielding: None,
+            });
+        }
+        b.projectile(elastic("mass", at("struck", arm, 0.43), [0.0, -20.0]));
+        let summary = run(&b.build().unwrap(), &Settings::new(0.05, 5e-5));
+        assert!(worst(&summary) < 1e-12, "{tied:?}: {:e}", worst(&summary));
+        let velocity = summary.projectiles[0].velocity_final[1];
+        [velocity, summary.momentum.linear_scale, summary.momentum.angular_scale]
+    };
+    let inside = struck(&[]);
+    assert!(inside[0] > -19.9, "nothing was struck");
+    for tied in [&[3][..], &[1, 2, 3, 4, 5, 6, 7]] {
+        for (found, expected) in struck(tied).into_iter().zip(inside) {
+            assert!((found / expected - 1.0).abs() < 1e-9, "{tied:?}: {found} {expected}");
+        }
+    }
+}
+
 #[test]
 fn a_disc_rolls_on_the_face_of_a_shear_flexible_beam() {
     let mut b = ModelBuilder::new();

@@ -36,7 +36,9 @@ impl Condensed {
             }
             i
         }
-        for b in border.iter().filter(|b| b.permanent) {
+        let tying = border.iter().enumerate().filter(|(k, _)| !self.is_nodal(*k));
+        let tying: Vec<(usize, &BorderPattern)> = tying.collect();
+        for (_, b) in tying.iter().filter(|(_, b)| b.permanent) {
             let first = find(&mut leader, self.slot(b.nodes[0]));
             for node in &b.nodes[1..] {
                 let other = find(&mut leader, self.slot(*node));
@@ -47,7 +49,7 @@ impl Condensed {
         let mut members = vec![Vec::new(); n];
         leaders.iter().enumerate().for_each(|(i, l)| members[*l].push(i));
         let mut constraints = vec![Vec::new(); n];
-        for (k, b) in border.iter().enumerate() {
+        for (k, b) in tying {
             let l = leaders[self.slot(b.nodes[0])];
             let fits = 4 * members[l].len() <= LARGEST_CLUSTER;
             if b.permanent && fits { constraints[l].push(k) } else { self.border.push(k) }

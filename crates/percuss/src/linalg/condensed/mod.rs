@@ -2,9 +2,11 @@
 //!
 //! Nodes with couplings beyond the band are interface nodes. The runs of nodes between them are eliminated by blocks, each run onto the interface
 //! nodes at its ends. Interface nodes connected by constraints form clusters, reduced to the space that their constraints leave free. The remaining
-//! system is small, dense or sparse. Order and pattern are determined once. Without interface nodes this is the chain alone.
+//! system is small, dense or sparse. Constraints at a single node may be reduced inside the band. Order and pattern are determined once. Without
+//! interface nodes this is the chain alone.
 
 mod layout;
+mod nodal;
 mod runs;
 mod solve;
 #[cfg(test)]
@@ -15,6 +17,7 @@ use super::chain::{Chain, SingularPivot};
 pub use super::cluster::BorderVector;
 use super::cluster::Cluster;
 use super::schur::SchurComplement;
+use nodal::NodalConstraint;
 use runs::{NodeRun, runs};
 
 /// Joints of up to this number of components are reduced to the space that their constraints leave free.
@@ -35,6 +38,8 @@ pub struct Condensed {
     pub rows: Vec<BorderVector>,
     /// Border diagonal: zero for a constraint, one for an inactive one, shape (constraints) \[-\].
     pub corner: Vec<f64>,
+    /// Constraints reduced inside the band, ascending, shape (such constraints).
+    nodal: Vec<NodalConstraint>,
     /// Runs of nodes between interface nodes, ascending, shape (runs).
     runs: Vec<NodeRun>,
     /// Interface nodes, ascending, shape (interface nodes) \[index of a node\].
@@ -77,6 +82,9 @@ pub struct BorderPattern {
     pub nodes: Vec<usize>,
     /// Whether it always acts: only then can a joint be reduced by it.
     pub permanent: bool,
+    /// Whether it is reduced inside the band, unless couplings or other constraints make its node an interface node: such a constraint has one node
+    /// and always acts, and no other such constraint has the same node.
+    pub in_band: bool,
 }
 
 impl Condensed {
@@ -89,10 +97,15 @@ impl Condensed {
         border: &[BorderPattern],
     ) -> Self {
         let tied = couplings.iter().flat_map(|(a, b)| [*a, *b]);
-        let mut interface: Vec<usize> =
-            tied.chain(border.iter().flat_map(|b| b.nodes.iter().copied())).collect();
+        let tying = border.iter().filter(|b| !b.in_band).flat_map(|b| b.nodes.iter().copied());
+        let mut interface: Vec<usize> = tied.chain(tying).collect();
         interface.sort_unstable();
         interface.dedup();
+        let in_band = border.iter().enumerate().filter(|(_, b)| b.in_band);
+        let within = in_band.map(|(number, b)| (number, b.nodes[0]));
+        let within = within.filter(|(_, node)| interface.binary_search(node).is_err());
+        let linked = |i: usize| [i > 0 && links(i - 1), i + 1 < n && links(i)];
+        let nodal = within.map(|(number, i)| NodalConstraint::new(number, i, linked(i))).collect();
         let adjacent = interface.windows(2).map(|w| w[1] == w[0] + 1 && links(w[0])).collect();
         let vector = |b: &BorderPattern| b.nodes.iter().map(|k| (*k, [0.0; 4])).collect();
         let extra = if interface.is_empty() { 0 } else { n };
@@ -102,6 +115,7 @@ impl Condensed {
             columns: border.iter().map(vector).collect(),
             rows: border.iter().map(vector).collect(),
             corner: vec![0.0; border.len()],
+            nodal,
             runs: runs(n, &links, &interface),
             interface,
             adjacent,
@@ -133,11 +147,19 @@ impl Condensed {
         self.interface.partition_point(|k| *k < node)
     }
 
+    /// Whether a constraint is reduced inside the band.
+    fn is_nodal(&self, constraint: usize) -> bool {
+        self.nodal.binary_search_by_key(&constraint, |one| one.number).is_ok()
+    }
+
     /// Factors the assembled matrix.
     ///
     /// # Errors
-    /// The node where it is singular; `None` for the interface system.
+    /// The node where it is singular; `None` for constraints or the interface system.
     pub fn factor(&mut self) -> Result<(), Option<SingularPivot>> {
+        if !nodal::reduce(&mut self.nodal, &mut self.chain, (&self.rows, &self.columns)) {
+            return Err(None);
+        }
         if self.interface.is_empty() {
             return self.chain.factor().map_err(Some);
         }

@@ -2,11 +2,18 @@
 
 use super::super::block;
 use super::runs::NodeRun;
-use super::{Condensed, Scratch, take};
+use super::{Condensed, Scratch, nodal, take};
 
 impl Condensed {
     /// Solves in place with the factors: nodal values in `x`, border values in `border`.
     pub fn solve(&mut self, x: &mut [[f64; 4]], border: &mut [f64]) {
+        nodal::reduce_right(&mut self.nodal, x, border);
+        self.solve_reduced(x, border);
+        nodal::complete(&self.nodal, x, border);
+    }
+
+    /// Solves without the constraints that are reduced inside the band.
+    fn solve_reduced(&mut self, x: &mut [[f64; 4]], border: &mut [f64]) {
         if self.interface.is_empty() {
             self.chain.solve(x);
             return;

@@ -56,12 +56,14 @@ fn multiply(a: &Condensed, x: &[[f64; 4]], border: &[f64]) -> (Vec<[f64; 4]>, Ve
 
 fn check(couplings: &[(usize, usize)], border: &[Vec<usize>]) {
     for permanent in [true, false] {
-        let pattern = |nodes: &Vec<usize>| BorderPattern { nodes: nodes.clone(), permanent };
+        let pattern =
+            |nodes: &Vec<usize>| BorderPattern { nodes: nodes.clone(), permanent, in_band: false };
         check_with(couplings, &border.iter().map(pattern).collect::<Vec<_>>());
     }
 }
 
-fn check_with(couplings: &[(usize, usize)], border: &[BorderPattern]) {
+/// Checks the solution, and returns it with the multipliers.
+fn check_with(couplings: &[(usize, usize)], border: &[BorderPattern]) -> (Vec<[f64; 4]>, Vec<f64>) {
     let a = sample(couplings, border);
     let b: Vec<[f64; 4]> = (0..11).map(|i| [1.0, f64::from(i), -2.0, 0.5]).collect();
     let c: Vec<f64> = (0..border.len()).map(|i| 1.0 - i as f64).collect();
@@ -74,6 +76,7 @@ fn check_with(couplings: &[(usize, usize)], border: &[BorderPattern]) {
         (0..4).for_each(|k| assert!((y[k] - b[k]).abs() < 1e-10, "{couplings:?} {border:?}"));
     }
     d.iter().zip(&c).for_each(|(d, c)| assert!((d - c).abs() < 1e-10));
+    (x, l)
 }
 
 #[test]
@@ -87,4 +90,42 @@ fn solutions_satisfy_the_system() {
         &[(0, 10), (10, 0), (3, 7), (7, 3), (4, 7), (7, 4), (1, 9), (9, 1), (2, 5), (5, 2)],
         &[vec![0, 6], vec![1], vec![3, 4, 9], vec![3, 8]],
     );
+}
+
+/// A constraint at each of some nodes, reduced inside the band and as one of the border, beside other constraints; `within` of them remain in the band.
+fn check_in_band(
+    couplings: &[(usize, usize)],
+    others: &[Vec<usize>],
+    nodes: &[usize],
+    within: usize,
+) {
+    let patterns = |in_band: bool| -> Vec<BorderPattern> {
+        let pattern =
+            |nodes: Vec<usize>, in_band| BorderPattern { nodes, permanent: true, in_band };
+        let others = others.iter().map(|nodes| pattern(nodes.clone(), false));
+        others.chain(nodes.iter().map(|node| pattern(vec![*node], in_band))).collect()
+    };
+    assert_eq!(sample(couplings, &patterns(true)).nodal.len(), within);
+    let [(x, l), (y, m)] = [true, false].map(|in_band| check_with(couplings, &patterns(in_band)));
+    let (x, y) = (x.as_flattened().iter().chain(&l), y.as_flattened().iter().chain(&m));
+    let most = y.clone().fold(1.0_f64, |most, y| most.max(y.abs()));
+    x.zip(y).for_each(|(x, y)| assert!((x - y).abs() < 1e-12 * most, "{x} {y}"));
+}
+
+#[test]
+fn constraints_at_single_nodes_are_reduced_inside_the_band() {
+    let all: Vec<usize> = (0..11).collect();
+    check_in_band(&[], &[], &all, 11);
+    check_in_band(&[], &[], &[0, 3, 4, 10], 4);
+    check_in_band(&[], &[vec![5, 6]], &all, 9);
+    check_in_band(&[(2, 8), (8, 2)], &[], &all, 9);
+    check_in_band(&[(2, 8), (8, 2)], &[vec![0, 10], vec![2, 3, 8]], &all, 6);
+}
+
+#[test]
+fn a_constraint_without_coefficients_is_singular() {
+    let pattern = BorderPattern { nodes: vec![3], permanent: true, in_band: true };
+    let mut a = sample(&[], &[pattern]);
+    a.rows[0][0].1 = [0.0; 4];
+    assert_eq!(a.factor(), Err(None));
 }
