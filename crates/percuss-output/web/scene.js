@@ -370,14 +370,15 @@ class Motion {
 }
 
 // Five digits as an engineer writes them, as in the tables of the page (report/quantity.rs): no prefix from 1 to 10 000, above and below it
-// a prefix of thousands. Velocities and stresses below 1 Pa have none.
+// a prefix of thousands. Velocities have none, nor have stresses and forces or stiffnesses per length below 1.
 function engineering(value, unit) {
   if (!Number.isFinite(value)) return "";
   // The prefix is that of the number as it is shown.
   const size = Math.abs(Number(value.toPrecision(5)));
   const steps = [[1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"], [1e-12, "p"]];
   if (size < 1e-12) return `0 ${unit}`;
-  const plain = !["s", "m", "N", "N s", "J", "N m", "Pa"].includes(unit) || (unit === "Pa" && size < 1) || (size >= 1 && size < 1e4);
+  const large = ["Pa", "N/m", "N/m\u00b2"].includes(unit) && size >= 1;
+  const plain = !(large || ["s", "m", "N", "N s", "J", "N m"].includes(unit)) || (size >= 1 && size < 1e4);
   const [by, prefix] = plain ? [1, ""] : steps.find(([by]) => size >= by);
   return `${fiveDigits(value / by)} ${prefix}${unit}`;
 }
