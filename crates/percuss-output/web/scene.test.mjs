@@ -53,6 +53,39 @@ test("a shear-flexible beam is a parabola across which its sections turn evenly"
   }
 });
 
+// What is drawn of a scene at an instant, as SVG, with a view of it.
+function drawn(m, t = 0) {
+  const drawing = new page.Drawing(m, new Proxy({}, { get: (_, name) => `#${String(name)}` }));
+  const view = page.viewOf(drawing.bounds, 600, 400);
+  const pen = new page.SvgPen(600, 400);
+  drawing.draw(pen, t, view, {});
+  return { svg: pen.finish(), view };
+}
+
+test("springs are drawn until they fail, and supports before beams", () => {
+  const springs = [{ name: "tie", between: [{ beam: 0, s: 2 }, { position: [2, 1.5] }], springs: true, until: 0.5 }];
+  const supports = [{ name: "left", kind: "pin", at: { beam: 0, s: 0 }, until: null }];
+  const m = motion({ springs, supports });
+  const count = (t) => drawn(m, t).svg.split("#symbol").length - 1;
+  assert.ok(count(0.4) > count(0.6) && count(0.6) > 0);
+  const { svg } = drawn(m, 0.6);
+  assert.ok(svg.indexOf("#symbol") > svg.indexOf("#outline"), "the beam hides its support");
+});
+
+test("springs of a foundation of compression alone stay behind where the beam lifts off", () => {
+  const foundation = { name: "bed", beam: 0, stretch: [0, 2], direction: [0, 1] };
+  const tops = (lifts) => {
+    const { svg, view } = drawn(motion({ foundations: [{ ...foundation, lifts }] }), 1);
+    // A zigzag begins at its top.
+    const all = [...svg.matchAll(/M(\S+?) (\S+?)L[^"]*"[^>]*stroke-width="1\.1"/g)];
+    return [all.map(([, , y]) => Number(y)), view.to([0, -0.1])[1]];
+  };
+  const [kept, face] = tops(true);
+  assert.ok(kept.length > 2 && kept.every((y) => Math.abs(y - face) < 0.5), `${kept} ${face}`);
+  const [drawnAlong] = tops(false);
+  assert.ok(drawnAlong.length === kept.length && drawnAlong.every((y) => y < face - 1));
+});
+
 test("a round end is drawn as half a circle from face to face", () => {
   const m = new page.Motion({ ...motion().scene, beams: [beam({ roundings: [0, 0.1] })] }, motion().frames);
   const [part] = m.curve(0, m.at(0).u);

@@ -16,7 +16,7 @@ pub fn scene_value(scene: &Scene) -> Value {
         "joints": scene.joints.iter().map(|j| json!({ "name": j.name, "at": on(j.at), "turns": j.turns, "until": null }))
             .collect::<Vec<_>>(),
         "springs": scene.springs.iter().map(|s| json!({
-            "name": s.name, "between": s.between.map(anchor), "springs": s.springs,
+            "name": s.name, "between": s.between.map(anchor), "springs": s.springs, "until": null,
         })).collect::<Vec<_>>(),
         "masses": scene.masses.iter().map(|m| json!({ "name": m.name, "at": on(m.at), "mass": m.mass }))
             .collect::<Vec<_>>(),

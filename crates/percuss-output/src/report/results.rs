@@ -331,7 +331,7 @@ fn points(summary: &Value) -> String {
             let time = quantity(peak["time"].as_f64(), "s");
             let doubtful = peak["resolved"].as_bool() == Some(false);
             row.push(if doubtful {
-                format!("{time}, largest at ends of steps: not resolved")
+                format!("{time} (largest at the ends of steps)")
             } else {
                 time
             });
