@@ -328,8 +328,10 @@ fn points(summary: &Value) -> String {
             let peak = &entry[1]["displacement_max"][component];
             let value = peak["value"].as_f64().map(|v| without_round_off(v, moved));
             row.push(quantity(value, "m"));
-            let time = quantity(peak["time"].as_f64(), "s");
-            let doubtful = peak["resolved"].as_bool() == Some(false);
+            // What is nothing has no instant.
+            let nothing = value == Some(0.0);
+            let time = quantity(peak["time"].as_f64().filter(|_| !nothing), "s");
+            let doubtful = peak["resolved"].as_bool() == Some(false) && !nothing;
             row.push(if doubtful {
                 format!("{time} (largest at the ends of steps)")
             } else {
