@@ -144,7 +144,7 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         if peak["value"].is_null() {
             row("peak contact force", "none (not closed)".into());
         } else {
-            row("peak contact force", format!("{force} at t = {time}"));
+            row("peak contact force", format!("{force} at t\u{a0}=\u{a0}{time}"));
         }
         let intervals = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
         let impulse = intervals.iter().filter_map(|i| i["impulse"].as_f64()).sum();
