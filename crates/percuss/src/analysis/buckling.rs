@@ -140,7 +140,7 @@ impl BucklingOutcome {
                 .into(),
             Self::Mechanism => "no linear buckling factor: the unloaded structure is a mechanism".into(),
             Self::Unstable => "no linear buckling factor: the structure is unstable without loads".into(),
-            Self::Inelastic => "no linear buckling factor: yielding, tension-only, compression-only or fibre sections; see `percuss static --path`"
+            Self::Inelastic => "no linear buckling factor: parts of the structure yield, bear tension or compression alone, or have fibre sections; see `percuss static --path`"
                 .into(),
             Self::Unfinished => "the search did not find all linear buckling factors".into(),
         })
