@@ -67,12 +67,12 @@ class Drawing:
         symbols.obstacles()
         if "ghost" not in hide:
             self._ghost()
-        symbols.supports()
         symbols.springs()
         symbols.foundations()
         for beam in self.fields.beams:
             for curve in beam.curves(self.u, self.scale, t=t):
                 self._beam(beam, curve)
+        symbols.supports()
         symbols.joints_and_masses()
         symbols.bodies()
         if len(self.fields):

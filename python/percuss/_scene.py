@@ -102,6 +102,8 @@ class SceneBeam:
         Places [m] and tangents [1] in the reference configuration.
     roundings : tuple of float
         Radii of the arcs from face to face at its start and its end, zero where it ends straight across [m].
+    shear_flexible : bool
+        Whether it is shear-flexible: tangents are the normals of its sections.
     begins : ndarray of int
         Stations at which an interval begins [-].
     numbers : ndarray of int
@@ -119,17 +121,18 @@ class SceneBeam:
     def __init__(self, value: dict[str, Any], first: int, interval: int) -> None:
         self.name: str = value["name"]
         self.first = first
-        column = {key: np.array([np.nan if v is None else v for v in value[key]], float) for key in value if key != "name"}
+        column = {key: np.array([np.nan if v is None else v for v in value[key]], float) for key in value if isinstance(value[key], list)}
         self.s, self.half_depth = column["s"], column["half_depth"]
         self.area, self.inertia = column["area"], column["inertia"]
         self.rest = np.stack([column["x"], column["y"], column["tx"], column["ty"]], axis=1)
         self.roundings: tuple[float, float] = tuple(value.get("roundings", (0.0, 0.0)))
+        self.shear_flexible: bool = value.get("shear_flexible", False)
         self.begins = np.flatnonzero(np.diff(self.s) > 0)
         self.numbers = interval + np.arange(len(self.begins))
         self.gaps: list[tuple[float, float, float]] = []
 
     def evaluate(self, k: Any, share: Any, u: Floats, scale: float = 1.0) -> tuple[Floats, Floats]:
-        """Places and unit tangents between stations ``k`` and ``k + 1``.
+        """Places and unit tangents between stations ``k`` and ``k + 1``; of a shear-flexible beam the normals of its sections.
 
         Parameters
         ----------
@@ -161,8 +164,14 @@ class SceneBeam:
         value = [y * y * (1 + 2 * x), length * x * y * y, x * x * (1 + 2 * y), -length * x * x * y]
         slope = [(6 * x * x - 6 * x) / length, 1 - 4 * x + 3 * x * x, (6 * x - 6 * x * x) / length, 3 * x * x - 2 * x]
         parts = [a[..., :2], a[..., 2:], b[..., :2], b[..., 2:]]
+        if self.shear_flexible:
+            # The axis is a parabola, whose slopes differ from the normals of the sections by the same at both ends.
+            shear = (parts[2] - parts[0]) / np.asarray(length)[..., None] - 0.5 * (parts[1] + parts[3])
+            tangent = y[..., None] * parts[1] + x[..., None] * parts[3]
+            parts = [parts[0], parts[1] + shear, parts[2], parts[3] + shear]
+        else:
+            tangent = sum(n[..., None] * part for n, part in zip(map(np.asarray, slope), parts))
         place = sum(n[..., None] * part for n, part in zip(map(np.asarray, value), parts))
-        tangent = sum(n[..., None] * part for n, part in zip(map(np.asarray, slope), parts))
         return np.asarray(place), np.asarray(tangent / np.maximum(np.linalg.norm(tangent, axis=-1, keepdims=True), 1e-300))
 
     def curves(self, u: Floats, scale: float = 1.0, pieces: int = 8, t: float = -np.inf) -> list[Curve]:

@@ -110,6 +110,9 @@ class Symbols:
     def springs(self) -> None:
         """Springs and dampers between points."""
         for spring in self.scene["springs"]:
+            until = spring.get("until")
+            if until is not None and until <= self.drawing.t:
+                continue
             ends = [self._end(end) for end in spring["between"]]
             if spring["springs"]:
                 self.coil(ends[0], ends[1])
@@ -120,21 +123,28 @@ class Symbols:
                     self.drawing.circle(place, 0.25 * self.unit, "symbol", "symbol")
 
     def foundations(self) -> None:
-        """Springs from a beam to a hatched line, on the side away from which its foundation pushes."""
+        """Springs from a beam to a hatched line, on the side away from which its foundation pushes.
+
+        Those of compression alone stay behind where the beam lifts off.
+        """
         for foundation in self.scene.get("foundations", []):
             start, end = foundation["stretch"]
             pieces = int(np.clip(round((end - start) / (3.5 * self.unit)), 1, 24))
             last: Floats | None = None
-            for s in np.linspace(start, end, pieces + 1):
+            # Springs in the middle of pieces, the hatched line from end to end.
+            for number, s in enumerate(np.linspace(start, end, 2 * pieces + 1)):
                 place = {"beam": foundation["beam"], "s": float(s)}
                 rest, tangent, depth = self.drawing.on(place, rest=True)
-                push = foundation["direction"] or left_of(tangent)
-                down = -np.array(push, float)
-                foot = rest + (depth + 2.0 * self.unit) * down
-                self.coil(self.drawing.on(place)[0], foot)
+                push = np.array(foundation["direction"] or left_of(tangent), float)
+                foot = rest - (depth + 2.0 * self.unit) * push
+                if number % 2:
+                    top = self.drawing.on(place)[0]
+                    lifted = foundation["lifts"] and (top - rest) @ push > 0
+                    self.coil(rest - depth * push if lifted else top, foot)
+                    continue
                 if last is not None:
                     self.drawing.line([last, foot], "symbol", 1.4)
-                    self._hatch(last, foot, down)
+                    self._hatch(last, foot, -push)
                 last = foot
 
     def _end(self, end: dict[str, Any]) -> Floats:

@@ -71,12 +71,12 @@ def unit_words(unit: str) -> str:
 def engineering(value: float, unit: str) -> str:
     """Five digits, as on the page: no prefix from 1 to 10 000, else a prefix of thousands.
 
-    Velocities and stresses below 1 Pa have none.
+    Velocities have none, nor have stresses and forces or stiffnesses per length below 1.
     """
     size = abs(float(f"{value:.5g}"))  # the prefix is that of the number as it is shown
     if size < 1e-12:
         return f"0 {unit}"
-    prefixed = unit in ("s", "m", "N", "N s", "J", "N m", "Pa", "N/m", "N/m\u00b2") and not (unit == "Pa" and size < 1)
+    prefixed = unit in ("s", "m", "N", "N s", "J", "N m") or (unit in ("Pa", "N/m", "N/m\u00b2") and size >= 1)
     if not prefixed or 1 <= size < 1e4:
         return f"{_five_digits(value)} {unit}"
     prefixes = [(1e12, "T"), (1e9, "G"), (1e6, "M"), (1e3, "k"), (1.0, ""), (1e-3, "m"), (1e-6, "\u00b5"), (1e-9, "n"), (1e-12, "p")]

@@ -339,7 +339,7 @@ impl PlannedContact<'_> {
         let (time, lasts) = (quantity(back, "s"), quantity(contact, "s"));
         let needed = quantity(least, "m");
         let (verdict, text) = if free == 0.0 {
-            let text = "the struck point is an end of the beam, or connected to another part, which affects the contact from its start";
+            let text = "the struck point is an end of the beam, is connected to another part or lies on a foundation, which affects the contact from its start";
             (Verdict::Fine, text.to_owned())
         } else if free >= least && !struck.place.is_uniform() {
             let text = format!(

@@ -277,7 +277,7 @@ pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advi
     // An equilibrium has no time.
     let passed = match first.time > 0.0 {
         true => format!(
-            "{} at s = {}, t = {}, and {} at most",
+            "{} at s = {}, t = {}; largest {}",
             stress(first.value),
             quantity(first.s, "m"),
             quantity(first.time, "s"),

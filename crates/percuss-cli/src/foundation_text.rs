@@ -1,6 +1,6 @@
 //! Foundations in words.
 
-use percuss::FoundationProperties;
+use percuss::{FoundationKind, FoundationProperties};
 
 use crate::number::quantity;
 
@@ -8,17 +8,19 @@ use crate::number::quantity;
 pub fn foundation_place(of: &FoundationProperties) -> Vec<String> {
     let [from, to] = of.stretch.map(|s| quantity(s, "m"));
     let mut parts = vec![format!("'{}' from s = {from} to {to}", of.beam)];
+    let law = match of.kind {
+        FoundationKind::Compression => "compression only",
+        kind => kind.name(),
+    };
     parts.push(match of.stiffness {
-        Some(stiffness) => format!("{} {}", of.kind.name(), quantity(stiffness, "N/m^2")),
-        None => of.kind.name().to_owned(),
+        Some(stiffness) => format!("{law}, {}", quantity(stiffness, "N/m^2")),
+        None => law.to_owned(),
     });
     parts
 }
 
 #[cfg(test)]
 mod tests {
-    use percuss::FoundationKind;
-
     use super::*;
 
     #[test]
@@ -32,6 +34,8 @@ mod tests {
         let parts = foundation_place(&of(FoundationKind::Table, None));
         assert_eq!(parts, ["'rail' from s = 0 m to 6 m", "table"]);
         let parts = foundation_place(&of(FoundationKind::Linear, Some(5e6)));
-        assert!(parts[1].starts_with("linear 5"), "{parts:?}");
+        assert_eq!(parts[1], "linear, 5 MN/m\u{b2}");
+        let parts = foundation_place(&of(FoundationKind::Compression, Some(3e7)));
+        assert_eq!(parts[1], "compression only, 30 MN/m\u{b2}");
     }
 }

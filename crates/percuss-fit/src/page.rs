@@ -36,7 +36,7 @@ pub fn fit_page(fit: &Fit) -> String {
 }
 
 fn parameters(fit: &Fit) -> Block {
-    let header = ["parameter", "value", "standard error", "95 %", "start"];
+    let header = ["parameter", "value", "standard error", "95 % interval", "start"];
     let row = |one: &crate::fit::FittedParameter| {
         let words = |x: f64| in_words(x, &one.unit);
         let [low, high] = one.interval.map(words);
@@ -61,7 +61,7 @@ fn channels(fit: &Fit) -> Block {
         "rms of the residuals",
         "standard deviation",
         "reduced chi-square",
-        "R^2",
+        "R\u{b2}",
         "autocorrelation",
         "",
     ];

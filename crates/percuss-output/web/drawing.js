@@ -55,10 +55,10 @@ class Drawing {
     pen.begin(this.palette.page);
     if (options.obstacles !== false) this.motion.scene.obstacles.forEach((o) => this.obstacle(o));
     if (options.ghost) this.ghost();
-    this.supports();
     this.springs();
     this.foundations();
     this.motion.scene.beams.forEach((_, i) => this.beam(i));
+    this.supports();
     if (options.diagram && options.diagram !== "none") this.diagrams(options.diagram);
     this.joints();
     this.masses();
@@ -262,6 +262,7 @@ class Drawing {
 
   springs() {
     for (const spring of this.motion.scene.springs) {
+      if (spring.until != null && spring.until <= this.state.time) continue;
       const [a, b] = spring.between.map((end) =>
         this.view.to(
           end.position ?? (end.body == null ? this.motion.on(end, this.state.u, this.e) : this.motion.body(end.body, this.state.u)).place,

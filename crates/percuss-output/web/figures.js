@@ -4,7 +4,7 @@
 
 const HEIGHT = 330;
 const SMALL_HEIGHT = 200;
-const DASHES = [[], [], [9, 4], [2, 3], [9, 3, 2, 3], [14, 5], [5, 2], [1, 2], [12, 3, 2, 3, 2, 3], [4, 4], [16, 3, 4, 3], [7, 2, 2, 2], [10, 2, 5, 2]];
+const DASHES = [[], [], [9, 4], [2, 3], [9, 3, 2, 3], [14, 5], [5, 2], [1, 2], [12, 3, 2, 3, 2, 3], [4, 4], [16, 3, 4, 3], [7, 2, 2, 2], [10, 2, 4, 2]];
 
 function heightOf(figure) {
   return figure.small ? SMALL_HEIGHT : HEIGHT;

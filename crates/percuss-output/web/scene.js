@@ -1,7 +1,8 @@
 "use strict";
 
 // The parts of a run and how they move: from scene.json and the frames to points in the plane.
-// Beams are the solver's own curves: Hermite cubics through the stations.
+// Beams are the solver's own curves: Hermite cubics through the stations. Between stations of shear-flexible beams the axis is a parabola and
+// the normals of sections are straight lines: the nodal vectors are these normals, and not the slopes of the axis.
 
 const PIECES = 400; // chords of all beams together, about
 const ARC = 12; // chords of a quarter of a round end
@@ -142,6 +143,14 @@ class Motion {
     return out;
   }
 
+  // Nodal values of the cubic of an axis: those of a slender beam are its places and slopes. The slopes of a shear-flexible beam differ
+  // from the normals of its sections by one angle, so that the chord has their mean.
+  axis(beam, [a, slope, b, other], length) {
+    if (!this.scene.beams[beam].shear_flexible) return [a, slope, b, other];
+    const shear = (b - a) / length - (slope + other) / 2;
+    return [a, slope + shear, b, other + shear];
+  }
+
   // Position and unit normal on a beam between stations k and k + 1 at a share of the way.
   point(beam, k, share, u, exaggeration) {
     const b = this.scene.beams[beam];
@@ -163,9 +172,11 @@ class Motion {
     };
     const sum = (n, v) => n[0] * v[0] + n[1] * v[1] + n[2] * v[2] + n[3] * v[3];
     const [v1, v2] = [moved(0), moved(1)];
-    const [g1, g2] = [sum(d, v1), sum(d, v2)];
+    const along = (v) => (b.shear_flexible ? y * v[1] + x * v[3] : sum(d, v));
+    const [g1, g2] = [along(v1), along(v2)];
     const size = Math.hypot(g1, g2) || 1;
-    return { place: [sum(h, v1), sum(h, v2)], tangent: [g1 / size, g2 / size], normal: [-g2 / size, g1 / size] };
+    const [p1, p2] = [v1, v2].map((v) => sum(h, this.axis(beam, v, length)));
+    return { place: [p1, p2], tangent: [g1 / size, g2 / size], normal: [-g2 / size, g1 / size] };
   }
 
   // A place on a beam by arc length.
@@ -279,7 +290,10 @@ class Motion {
     const length = b.s[point.k + 1] - b.s[point.k];
     const [x, y] = [point.share, 1 - point.share];
     const h = [y * y * (1 + 2 * x), length * x * y * y, x * x * (1 + 2 * y), -length * x * x * y];
-    const along = (i) => h[0] * all[at + i] + h[1] * all[at + 2 + i] + h[2] * all[at + 4 + i] + h[3] * all[at + 6 + i];
+    const along = (i) => {
+      const v = this.axis(beam, [all[at + i], all[at + 2 + i], all[at + 4 + i], all[at + 6 + i]], length);
+      return h[0] * v[0] + h[1] * v[1] + h[2] * v[2] + h[3] * v[3];
+    };
     return Math.hypot(along(0), along(1));
   }
 
@@ -356,14 +370,15 @@ class Motion {
 }
 
 // Five digits as an engineer writes them, as in the tables of the page (report/quantity.rs): no prefix from 1 to 10 000, above and below it
-// a prefix of thousands. Velocities and stresses below 1 Pa have none.
+// a prefix of thousands. Velocities have none, nor have stresses and forces or stiffnesses per length below 1.
 function engineering(value, unit) {
   if (!Number.isFinite(value)) return "";
   // The prefix is that of the number as it is shown.
   const size = Math.abs(Number(value.toPrecision(5)));
   const steps = [[1e12, "T"], [1e9, "G"], [1e6, "M"], [1e3, "k"], [1, ""], [1e-3, "m"], [1e-6, "\u00b5"], [1e-9, "n"], [1e-12, "p"]];
   if (size < 1e-12) return `0 ${unit}`;
-  const plain = !["s", "m", "N", "N s", "J", "N m", "Pa", "N/m", "N/m\u00b2"].includes(unit) || (unit === "Pa" && size < 1) || (size >= 1 && size < 1e4);
+  const large = ["Pa", "N/m", "N/m\u00b2"].includes(unit) && size >= 1;
+  const plain = !(large || ["s", "m", "N", "N s", "J", "N m"].includes(unit)) || (size >= 1 && size < 1e4);
   const [by, prefix] = plain ? [1, ""] : steps.find(([by]) => size >= by);
   return `${fiveDigits(value / by)} ${prefix}${unit}`;
 }

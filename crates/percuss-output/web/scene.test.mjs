@@ -41,6 +41,51 @@ test("between stations a beam is the cubic of its displacements and slopes", () 
   assert.equal(middle.half_depth, 0.1);
 });
 
+test("a shear-flexible beam is a parabola across which its sections turn evenly", () => {
+  // The right end rises by 1 m over 2 m: with level normals a straight line, with one of slope 1 there a parabola of slopes 0 and 1.
+  for (const [turn, rise, slope] of [[0, 0.25, 0], [1, 0.0625, 0.25]]) {
+    const { scene, frames } = motion({ beams: [beam({ shear_flexible: true })] });
+    frames.displacement[8 + 7] = turn;
+    const m = new page.Motion(scene, frames);
+    const { place, tangent } = m.point(0, 0, 0.25, m.at(1).u, 1);
+    assert.ok(Math.abs(place[0] - 0.5) < 1e-9 && Math.abs(place[1] - rise) < 1e-6, `${place}`);
+    assert.ok(Math.abs(tangent[1] / tangent[0] - slope) < 1e-6, `${tangent}`);
+  }
+});
+
+// What is drawn of a scene at an instant, as SVG, with a view of it.
+function drawn(m, t = 0) {
+  const drawing = new page.Drawing(m, new Proxy({}, { get: (_, name) => `#${String(name)}` }));
+  const view = page.viewOf(drawing.bounds, 600, 400);
+  const pen = new page.SvgPen(600, 400);
+  drawing.draw(pen, t, view, {});
+  return { svg: pen.finish(), view };
+}
+
+test("springs are drawn until they fail, and supports before beams", () => {
+  const springs = [{ name: "tie", between: [{ beam: 0, s: 2 }, { position: [2, 1.5] }], springs: true, until: 0.5 }];
+  const supports = [{ name: "left", kind: "pin", at: { beam: 0, s: 0 }, until: null }];
+  const m = motion({ springs, supports });
+  const count = (t) => drawn(m, t).svg.split("#symbol").length - 1;
+  assert.ok(count(0.4) > count(0.6) && count(0.6) > 0);
+  const { svg } = drawn(m, 0.6);
+  assert.ok(svg.indexOf("#symbol") > svg.indexOf("#outline"), "the beam hides its support");
+});
+
+test("springs of a foundation of compression alone stay behind where the beam lifts off", () => {
+  const foundation = { name: "bed", beam: 0, stretch: [0, 2], direction: [0, 1] };
+  const tops = (lifts) => {
+    const { svg, view } = drawn(motion({ foundations: [{ ...foundation, lifts }] }), 1);
+    // A zigzag begins at its top.
+    const all = [...svg.matchAll(/M(\S+?) (\S+?)L[^"]*"[^>]*stroke-width="1\.1"/g)];
+    return [all.map(([, , y]) => Number(y)), view.to([0, -0.1])[1]];
+  };
+  const [kept, face] = tops(true);
+  assert.ok(kept.length > 2 && kept.every((y) => Math.abs(y - face) < 0.5), `${kept} ${face}`);
+  const [drawnAlong] = tops(false);
+  assert.ok(drawnAlong.length === kept.length && drawnAlong.every((y) => y < face - 1));
+});
+
 test("a round end is drawn as half a circle from face to face", () => {
   const m = new page.Motion({ ...motion().scene, beams: [beam({ roundings: [0, 0.1] })] }, motion().frames);
   const [part] = m.curve(0, m.at(0).u);
@@ -306,6 +351,19 @@ test("a shape swings about its configuration, no farther than there is room", ()
   // Where next to nothing would be seen an obstacle that nothing presses on is left out.
   const near = new page.ShapeMotion({ ...scene, obstacles: [{ ...floor, point: [0, -0.045] }] }, frames, 1, 0);
   assert.ok(!near.obstacles && Math.abs(near.amplitude - 0.2004) < 1e-6);
+});
+
+test("a shape folds no faces and turns no shear-flexible section far", () => {
+  const of = (extra, turn) => {
+    const displacement = Float32Array.of(...new Array(8).fill(0), 0, 0, 0, 0, 0, 1, 0, turn);
+    const frames = { time: Float64Array.of(0, 0), displacement, sections: new Float32Array(12), contacts: new Float32Array(0), contact_count: Float32Array.of(0, 0), loads: new Float32Array(0) };
+    return new page.ShapeMotion({ beams: [beam(extra)], ...nothing }, frames, 1, 0).amplitude;
+  };
+  // Faces 0.1 m from an axis of 2 m are strained by a twentieth of the rotation between its ends.
+  assert.ok(Math.abs(of({}, 100) - 0.5 / 5) < 1e-6);
+  assert.ok(Math.abs(of({ shear_flexible: true }, 100) - 0.005) < 1e-6);
+  // A slender beam by a tenth of its size at most.
+  assert.ok(Math.abs(of({ half_depth: [null, null] }, 100) - 0.2) < 1e-6);
 });
 
 test("a place on a path is named by its load factor", () => {

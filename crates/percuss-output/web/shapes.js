@@ -62,6 +62,24 @@ class PathMotion extends RestingMotion {
 
 const SWING = 0.1; // largest displacement of a shape, as a share of the structure's size
 const LEAST = 0.25; // share of that which obstacles must leave
+const BENT = 0.5; // largest strain of the faces of a shape: at one they would fold
+const TURNED = 0.5; // largest rotation of shear-flexible sections in a shape [rad]
+
+// The factor on displacements at which bending strains the faces of beams by `BENT`, or shear-flexible sections rotate by `TURNED`.
+function factorOfSections(motion, swing) {
+  let most = 0;
+  motion.scene.beams.forEach((b, i) => {
+    for (const { k } of motion.beams[i].spans) {
+      const node = 4 * (motion.beams[i].first + k);
+      const turn = Math.hypot(swing[node + 6] - swing[node + 2], swing[node + 7] - swing[node + 3]);
+      const depth = Math.max(b.half_depth[k] ?? 0, b.half_depth[k + 1] ?? 0);
+      most = Math.max(most, (turn * depth) / (b.s[k + 1] - b.s[k]) / BENT);
+      const ends = b.shear_flexible ? [node, node + 4] : [];
+      for (const end of ends) most = Math.max(most, Math.hypot(swing[end + 2], swing[end + 3]) / TURNED);
+    }
+  });
+  return most > 0 ? 1 / most : Infinity;
+}
 
 // A shape about a configuration (the reference without one), a period in a unit of time, no farther than nothing overlaps.
 class ShapeMotion extends RestingMotion {
@@ -72,7 +90,7 @@ class ShapeMotion extends RestingMotion {
     const at = (factor) => swing.map((v, i) => base[i] + factor * v);
     const still = new Motion(scene, { ...one, displacement: base });
     // Obstacles that nothing presses on are ignored: they are left out where they would leave next to nothing to see.
-    const most = SWING * new Clearance(still).size;
+    const most = Math.min(SWING * new Clearance(still).size, factorOfSections(still, swing));
     const room = (obstacles) => {
       const clearance = new Clearance(still, { bodies: false, obstacles });
       return Math.min(clearance.share(base, at(most)), clearance.share(base, at(-most)));

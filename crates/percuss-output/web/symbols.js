@@ -69,28 +69,31 @@ Object.assign(Drawing.prototype, {
     this.hatch(end(-1), end(1), d, 6);
   },
 
-  // Springs from the beam to a hatched line on the side away from which a foundation pushes.
+  // Springs from the beam to a hatched line on the side away from which a foundation pushes. Those of compression alone stay behind where the
+  // beam lifts off.
   foundations() {
     const still = new Float32Array(4 * this.motion.nodes);
-    for (const { beam, stretch, direction } of this.motion.scene.foundations ?? []) {
+    for (const { beam, stretch, direction, lifts } of this.motion.scene.foundations ?? []) {
       const length = (stretch[1] - stretch[0]) * this.view.scale;
       const pieces = Math.min(24, Math.max(1, Math.round(length / 36)));
-      const feet = [];
-      for (let k = 0; k <= pieces; k++) {
-        const place = { beam, s: stretch[0] + ((stretch[1] - stretch[0]) * k) / pieces };
-        const at = this.motion.on(place, this.state.u, this.e);
+      const at = (share) => {
+        const place = { beam, s: stretch[0] + (stretch[1] - stretch[0]) * share };
         const rest = this.motion.on(place, still);
         const push = direction ?? rest.normal;
         const down = [-push[0], push[1]];
-        const q = this.view.to(rest.place);
-        const way = rest.half_depth * this.view.scale + 22;
-        const foot = [q[0] + way * down[0], q[1] + way * down[1]];
-        this.coil(this.view.to(at.place), foot, 4, { stroke: this.palette.symbol, width: 1.1 });
-        if (feet.length) {
-          this.pen.path([feet[feet.length - 1], foot], { stroke: this.palette.symbol, width: 1.5 });
-          this.hatch(feet[feet.length - 1], foot, down, 5);
-        }
-        feet.push(foot);
+        const below = (p, way) => [p[0] + way * down[0], p[1] + way * down[1]];
+        const surface = rest.half_depth * this.view.scale;
+        const foot = below(this.view.to(rest.place), surface + 22);
+        return { place, rest, push, down, foot, face: (p) => below(this.view.to(p), surface) };
+      };
+      for (let k = 0; k < pieces; k++) {
+        const [from, middle, to] = [k, k + 0.5, k + 1].map((n) => at(n / pieces));
+        const { place } = this.motion.on(middle.place, this.state.u, this.e);
+        const rise = [0, 1].reduce((sum, i) => sum + (place[i] - middle.rest.place[i]) * middle.push[i], 0);
+        const top = lifts && rise > 0 ? middle.face(middle.rest.place) : this.view.to(place);
+        this.coil(top, middle.foot, 4, { stroke: this.palette.symbol, width: 1.1 });
+        this.pen.path([from.foot, to.foot], { stroke: this.palette.symbol, width: 1.5 });
+        this.hatch(from.foot, to.foot, middle.down, 5);
       }
     }
   },

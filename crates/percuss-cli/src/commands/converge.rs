@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::arguments::Converge;
 use crate::interrupt;
-use crate::number::{number, small};
+use crate::number::number;
 use crate::outcome::{Failure, Status};
 use crate::progress::Progress;
 use crate::{scenario, terminal};
@@ -120,7 +120,8 @@ fn table(found: &Convergence) -> String {
         text += &match one.limit.is_nan() {
             true => format!("{}: no limit\n", value.trim_end()),
             false => {
-                let (limit, off) = (number(one.limit), small(one.uncertainty));
+                let off = format!("{:.1e}", one.uncertainty).parse().unwrap_or(one.uncertainty);
+                let (limit, off) = (number(one.limit), number(off));
                 format!("{}, limit {limit} +- {off}\n", value.trim_end())
             }
         };

@@ -31,7 +31,7 @@ pub struct Fields {
 }
 
 impl Fields {
-    /// Notes in the scene what parted in a run, so that gaps are drawn from then on.
+    /// Notes in the scene what parted or failed in a run, so that gaps are drawn from then on, and springs and hinges no longer.
     pub fn part(&mut self, run: &RunSummary) {
         let number = |name: &str| {
             let beams = self.scene["beams"].as_array()?;
@@ -50,6 +50,11 @@ impl Fields {
         for joint in self.scene["joints"].as_array_mut().into_iter().flatten() {
             let own = run.joints.iter().find(|own| joint["name"] == own.name.as_str());
             joint["until"] = own.and_then(|own| own.parted).map(|parted| parted.time).into();
+        }
+        for spring in self.scene["springs"].as_array_mut().into_iter().flatten() {
+            let is_own = |name: &str| name.strip_prefix("spring.") == spring["name"].as_str();
+            let own = run.yielding.iter().find(|own| is_own(&own.name));
+            spring["until"] = own.and_then(|own| own.failed).into();
         }
         if let Value::Object(entries) = &mut self.scene {
             entries.insert("parted".to_owned(), Value::Array(gaps));

@@ -16,7 +16,7 @@ pub fn scene_value(scene: &Scene) -> Value {
         "joints": scene.joints.iter().map(|j| json!({ "name": j.name, "at": on(j.at), "turns": j.turns, "until": null }))
             .collect::<Vec<_>>(),
         "springs": scene.springs.iter().map(|s| json!({
-            "name": s.name, "between": s.between.map(anchor), "springs": s.springs,
+            "name": s.name, "between": s.between.map(anchor), "springs": s.springs, "until": null,
         })).collect::<Vec<_>>(),
         "masses": scene.masses.iter().map(|m| json!({ "name": m.name, "at": on(m.at), "mass": m.mass }))
             .collect::<Vec<_>>(),
@@ -45,7 +45,7 @@ fn foundation_value(foundation: &SceneFoundation) -> Value {
 fn beam_value(beam: &SceneBeam) -> Value {
     let column =
         |f: &dyn Fn(&DrawnStation) -> f64| -> Vec<f64> { beam.stations.iter().map(f).collect() };
-    json!({
+    let mut value = json!({
         "name": beam.name,
         "s": column(&|s| s.s),
         "x": column(&|s| s.position[0]),
@@ -56,7 +56,11 @@ fn beam_value(beam: &SceneBeam) -> Value {
         "area": column(&|s| s.area),
         "inertia": column(&|s| s.inertia),
         "roundings": beam.roundings,
-    })
+    });
+    if beam.shear_flexible {
+        value["shear_flexible"] = json!(true);
+    }
+    value
 }
 
 fn body_value(body: &SceneBody) -> Value {

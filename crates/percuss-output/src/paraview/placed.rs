@@ -1,4 +1,4 @@
-//! Where things stand in a frame: the scene with its beams as the solver's cubics.
+//! Where things stand in a frame: the scene with its beams as the solver's cubics; see `scene.js` for those that are shear-flexible.
 
 use serde_json::Value;
 
@@ -20,6 +20,8 @@ pub(super) struct Beam {
     pub area: Vec<f64>,
     /// Second moments of area there, shape (stations) \[m^4\].
     pub inertia: Vec<f64>,
+    /// Whether it is shear-flexible: the tangents are the normals of its sections.
+    shear_flexible: bool,
     /// Number of its first station among all nodes.
     first: usize,
     /// Stations at which an interval begins, and the interval's number among those of all beams, shape (intervals, 2)
@@ -175,12 +177,16 @@ impl<'a> Placed<'a> {
             let (place, tangent) = (&beam.position[i], &beam.tangent[i]);
             [place[k], tangent[k], place[k + 1], tangent[k + 1]]
         };
-        let rest_place = [0, 1].map(|i| sum(value, rest(i)));
-        let rest_slope = [0, 1].map(|i| sum(slope, rest(i)));
-        let displacement = [0, 1].map(|i| sum(value, of(&frame.displacement, i)));
-        let turned = [0, 1].map(|i| rest_slope[i] + sum(slope, of(&frame.displacement, i)));
-        let velocity = [0, 1].map(|i| sum(value, of(&frame.velocity, i)));
-        let rate = [0, 1].map(|i| sum(slope, of(&frame.velocity, i)));
+        let placed = |v: [f64; 4]| sum(value, beam.axis(v, length));
+        let along = |v: [f64; 4]| {
+            if beam.shear_flexible { y * v[1] + x * v[3] } else { sum(slope, v) }
+        };
+        let rest_place = [0, 1].map(|i| placed(rest(i)));
+        let rest_slope = [0, 1].map(|i| along(rest(i)));
+        let displacement = [0, 1].map(|i| placed(of(&frame.displacement, i)));
+        let turned = [0, 1].map(|i| rest_slope[i] + along(of(&frame.displacement, i)));
+        let velocity = [0, 1].map(|i| placed(of(&frame.velocity, i)));
+        let rate = [0, 1].map(|i| along(of(&frame.velocity, i)));
         let stretch = (turned[0] * turned[0] + turned[1] * turned[1]).max(f64::MIN_POSITIVE);
         OnAxis {
             place: [0, 1].map(|i| rest_place[i] + displacement[i]),
@@ -239,6 +245,14 @@ impl<'a> Placed<'a> {
 }
 
 impl Beam {
+    /// Nodal values of the cubic of the axis between two stations so far apart: of a shear-flexible beam both slopes differ from the normals of
+    /// the sections by the same, so that the chord has their mean.
+    fn axis(&self, [a, slope, b, other]: [f64; 4], length: f64) -> [f64; 4] {
+        let shear = (b - a) / length - 0.5 * (slope + other);
+        let shear = if self.shear_flexible { shear } else { 0.0 };
+        [a, slope + shear, b, other + shear]
+    }
+
     fn read(value: &Value, first: usize, intervals: &mut usize) -> Result<Self, String> {
         let name = text(&value["name"]);
         let column = |key: &str| -> Vec<f64> {
@@ -252,6 +266,7 @@ impl Beam {
             half_depth: column("half_depth"),
             area: column("area"),
             inertia: column("inertia"),
+            shear_flexible: value["shear_flexible"].as_bool().unwrap_or(false),
             first,
             intervals: Vec::new(),
             name,
@@ -297,4 +312,30 @@ fn normal_of(tangent: [f64; 2]) -> [f64; 2] {
 
 fn list<'a>(scene: &'a Value, kind: &str) -> &'a [Value] {
     scene[kind].as_array().map(Vec::as_slice).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::json;
+
+    use super::*;
+
+    #[test]
+    fn a_shear_flexible_beam_is_a_parabola_across_which_its_sections_turn_evenly() {
+        let beam = json!({ "name": "b", "s": [0.0, 2.0], "x": [0.0, 2.0], "y": [0.0, 0.0], "tx": [1.0, 1.0], "ty": [0.0, 0.0],
+            "half_depth": [0.1, 0.1], "area": [1.0, 1.0], "inertia": [1.0, 1.0], "shear_flexible": true });
+        // The right end rises by 1 m over 2 m, with a level normal and with one of slope 1.
+        for (turn, rise, slope) in [(0.0, 0.25, 0.0), (1.0, 0.0625, 0.25)] {
+            let frame = StoredFrame {
+                displacement: vec![0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, turn],
+                section_forces: vec![0.0; 6],
+                ..StoredFrame::default()
+            };
+            let fields = Fields { scene: json!({ "beams": [beam] }), frames: vec![frame.clone()] };
+            let placed = Placed::new(&fields).unwrap();
+            let at = placed.point(&placed.beams[0], (0, 0), 0.25, &frame);
+            assert!((at.place[0] - 0.5).abs() < 1e-12 && (at.place[1] - rise).abs() < 1e-12);
+            assert!((-at.normal[0] / at.normal[1] - slope).abs() < 1e-12, "{:?}", at.normal);
+        }
+    }
 }

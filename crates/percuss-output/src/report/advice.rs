@@ -42,7 +42,7 @@ fn findings(summary: &Value) -> String {
         ]
     };
     let rows: Vec<Vec<Cell>> = list.iter().take(LISTED).map(|entry| row(entry)).collect();
-    let header = ["contact", "topic", "verdict", "value", "limit", "comment"];
+    let header = ["subject", "topic", "verdict", "value", "limit", "comment"];
     let table = table_of_cells("Checks", &header, &rows);
     format!("<div class=\"prose\">\n{table}</div>\n{}", more(list.len(), rows.len()))
 }

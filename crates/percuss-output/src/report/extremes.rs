@@ -176,7 +176,8 @@ fn without_shear_stress(beams: &Value) -> String {
     format!("<p class=\"more\">{}</p>\n", escape(&text))
 }
 
-/// A row a name and quantity; quantities that a name does not have are left out.
+/// A row a name and quantity; quantities that a name does not have are left out, and of things without a place those that are zero throughout beside
+/// others that are not.
 fn listing(
     caption: &str,
     header: &[&str],
@@ -189,6 +190,12 @@ fn listing(
     for (name, entry) in of.as_object().unwrap_or(&empty) {
         for (label, key, unit) in quantities {
             let range = &entry[key];
+            // What a support does not hold.
+            let is_zero =
+                |key: &str| ["min", "max"].iter().all(|end| entry[key][end]["value"] == 0.0);
+            if !place && is_zero(key) && quantities.iter().any(|(_, other, _)| !is_zero(other)) {
+                continue;
+            }
             // A magnitude has no smallest value.
             let extreme = |end: &str| match (range.get("value"), end) {
                 (None, _) => &range[end],

@@ -167,13 +167,15 @@ pub(super) fn damping(summary: &Value) -> &'static str {
 /// Where the energy is, stacked, below all that came in.
 fn energy_balance(canvas: &Canvas<'_>, summary: &Value) -> Option<Entry> {
     let damping = damping(summary);
+    let has_foundations = summary["foundation"].as_object().is_some_and(|all| !all.is_empty());
+    let springs = if has_foundations { "in springs and foundations" } else { "in springs" };
     let mut curves = canvas.curves(&[
         ("energy.kinetic_projectiles", "kinetic, projectiles", 1),
         ("energy.kinetic_beams", "kinetic, beams", 6),
         ("energy.strain_bending", "strain, bending", 2),
         ("energy.strain_axial", "strain, axial", 5),
         ("energy.strain_shear", "strain, shear", 12),
-        ("energy.springs", "in springs", 7),
+        ("energy.springs", springs, 7),
         ("energy.contact", "in contacts", 3),
         ("energy.hardening", "stored in hardening", 9),
         ("energy.plastic", "dissipated by plastic flow", 10),

@@ -1,13 +1,15 @@
-//! The table of foundations: place, law, largest reaction, lift-off, plastic deflection.
+//! The tables of foundations: place, law, largest reaction, lift-off, plastic deflection.
 
+use percuss::{FoundationKind, StaticFoundation};
 use serde_json::{Map, Value};
 
 use super::extremes::{first_rows, metres};
-use super::quantity::quantity;
+use super::quantity::{quantity, without_round_off};
 
 /// Rows shown of the table.
 const LISTED: usize = 200;
 const NONE: &str = "\u{2013}";
+const REACTION: &str = "largest reaction per length (negative: it pulls)";
 
 /// The table; nothing without foundations.
 pub(super) fn render(summary: &Value) -> String {
@@ -24,7 +26,7 @@ pub(super) fn render(summary: &Value) -> String {
         "to s",
         "law",
         "stiffness per length",
-        "largest reaction per length",
+        REACTION,
         "at s",
         "at time",
         "lift-off over",
@@ -42,13 +44,60 @@ fn row((name, one): (&String, &Value)) -> Vec<String> {
         text(&one["beam"]),
         metres(&one["stretch"][0]),
         metres(&one["stretch"][1]),
-        text(&one["law"]),
+        one["law"].as_str().map_or(NONE, law).to_owned(),
         quantity(one["stiffness"].as_f64(), "N/m^2"),
         quantity(most["value"].as_f64(), "N/m"),
         metres(&most["s"]),
         quantity(most["time"].as_f64(), "s"),
         quantity(lifted, "m"),
         quantity(one["plastic_deflection"]["value"].as_f64(), "m"),
+    ]
+}
+
+/// The name of a law as a table says it.
+fn law(name: &str) -> &str {
+    if name == FoundationKind::Compression.name() { "compression only" } else { name }
+}
+
+/// Columns of foundations at rest.
+pub(super) const AT_REST: [&str; 11] = [
+    "foundation",
+    "beam",
+    "from s",
+    "to s",
+    "law",
+    "stiffness per length",
+    "force (x, y)",
+    REACTION,
+    "at s",
+    "lift-off over",
+    "largest plastic deflection",
+];
+
+/// Rows of foundations at rest.
+pub(super) fn rows_at_rest(found: &[StaticFoundation]) -> Vec<Vec<String>> {
+    found.iter().map(row_at_rest).collect()
+}
+
+fn row_at_rest(one: &StaticFoundation) -> Vec<String> {
+    let of = &one.properties;
+    let at = |s: f64| metres(&s.into());
+    let size = one.force[0].hypot(one.force[1]);
+    let force = one.force.map(|f| quantity(Some(without_round_off(f, size)), "N"));
+    let largest = one.largest().filter(|(reaction, _)| *reaction != 0.0);
+    let positive = |value: f64| quantity((value != 0.0).then_some(value), "m");
+    vec![
+        one.name.clone(),
+        of.beam.clone(),
+        at(of.stretch[0]),
+        at(of.stretch[1]),
+        law(of.kind.name()).to_owned(),
+        quantity(of.stiffness, "N/m^2"),
+        format!("({})", force.join(", ")),
+        quantity(largest.map(|(reaction, _)| reaction), "N/m"),
+        largest.map_or(NONE.to_owned(), |(_, s)| at(s)),
+        positive(one.lifted),
+        positive(one.plastic),
     ]
 }
 
@@ -76,12 +125,40 @@ mod tests {
         for text in [
             "<td>rail</td><td>0 m</td><td>6 m</td><td>linear</td>",
             "<td>5 MN/m\u{b2}</td><td>30 kN/m</td><td>2.5 m</td><td>5 ms</td><td>\u{2013}</td><td>\u{2013}</td>",
-            "<td>compression</td>",
+            "<td>compression only</td>",
             "<td>1.25 m</td><td>20 ms</td><td>1.5 m</td><td>4 mm</td>",
             "<td>\u{2013}</td><td>1 kN/m</td><td>0.5 m</td>",
         ] {
             assert!(page.contains(text), "no {text} in {page}");
         }
         assert!(render(&json!({ "foundation": {} })).is_empty());
+    }
+
+    #[test]
+    fn foundations_at_rest_have_their_force_and_largest_reaction() {
+        let bed = StaticFoundation {
+            name: "bed".to_owned(),
+            properties: percuss::FoundationProperties {
+                beam: "rail".to_owned(),
+                stretch: [0.0, 6.0],
+                kind: FoundationKind::Compression,
+                stiffness: Some(3e7),
+            },
+            force: [1e-12, 51_738.0],
+            s: vec![0.5, 2.5],
+            pressure: vec![0.0, 31_261.0],
+            lifted: 1.5,
+            energy: 20.0,
+            plastic: 0.0,
+        };
+        let rows = rows_at_rest(std::slice::from_ref(&bed));
+        let row: Vec<String> = rows[0].iter().map(|cell| cell.replace('\u{a0}', " ")).collect();
+        assert_eq!(row.len(), AT_REST.len());
+        let place = ["bed", "rail", "0 m", "6 m", "compression only", "30 MN/m\u{b2}"];
+        assert_eq!(row[..6], place);
+        let found = ["(0 N, 51.738 kN)", "31.261 kN/m", "2.5 m", "1.5 m", NONE];
+        assert_eq!(row[6..], found);
+        let idle = StaticFoundation { pressure: vec![0.0; 2], lifted: 0.0, ..bed };
+        assert_eq!(rows_at_rest(&[idle])[0][7..], [NONE; 4]);
     }
 }

@@ -18,6 +18,16 @@ pub(crate) fn escape(text: &str) -> String {
     out
 }
 
+/// Sentences as HTML, in which numbers with an exponent such as `4e-15` are not broken across lines.
+pub(super) fn sentences(text: &str) -> String {
+    let word = |word: &str| {
+        let number = word.trim_end_matches(['.', ',', ';', ':', ')']);
+        let whole = number.contains("e-") && number.parse::<f64>().is_ok();
+        if whole { format!("<span class=\"whole\">{}</span>", escape(word)) } else { escape(word) }
+    };
+    text.split(' ').map(word).collect::<Vec<_>>().join(" ")
+}
+
 /// JSON inside a `<script>` element: no `<` is left to end it early.
 pub(super) fn json(value: &serde_json::Value) -> String {
     value.to_string().replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
@@ -98,6 +108,14 @@ mod tests {
         assert_eq!(
             escape("<b a=\"1\" b='2'>&</b>"),
             "&lt;b a=&quot;1&quot; b=&#39;2&#39;&gt;&amp;&lt;/b&gt;"
+        );
+    }
+
+    #[test]
+    fn numbers_with_an_exponent_are_kept_whole() {
+        assert_eq!(
+            sentences("Error 4e-15 of <2> J. Factor 1e-3."),
+            "Error <span class=\"whole\">4e-15</span> of &lt;2&gt; J. Factor <span class=\"whole\">1e-3.</span>"
         );
     }
 

@@ -27,7 +27,7 @@ use crate::files;
 /// Colour-blind safe (Okabe and Ito 2008, the yellows darkened), index = style of a series.
 pub(crate) const COLOURS: [&str; 13] = [
     "#1b1f24", "#0072b2", "#d55e00", "#009e73", "#a9548a", "#b27c00", "#56b4e9", "#7d8590",
-    "#7a3b00", "#4c3a9e", "#c2255c", "#5c8001", "#0b7285",
+    "#7a3b00", "#4c3a9e", "#c2255c", "#5c8001", "#00707c",
 ];
 /// Dash patterns, index = style of a series; a curve alone is solid.
 const DASHES: [&str; 13] = [
@@ -43,7 +43,7 @@ const DASHES: [&str; 13] = [
     "4 4",
     "16 3 4 3",
     "7 2 2 2",
-    "10 2 5 2",
+    "10 2 4 2",
 ];
 /// Bins per curve in a picture.
 const BINS: usize = 600;

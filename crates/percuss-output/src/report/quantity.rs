@@ -42,8 +42,9 @@ impl Scale {
             if (1.0..1e4).contains(&largest) {
                 return Self { factor: 1.0, unit: pretty };
             }
-            // Stresses are never shown in millipascals: those below 1 Pa are round-off or no stresses.
-            let exponent = exponent.clamp(if unit == "Pa" { 0 } else { -12 }, 12);
+            // Stresses are never shown in millipascals: those below 1 Pa are round-off or no stresses. Nor are forces and stiffnesses per length.
+            let least = if matches!(unit, "Pa" | "N/m" | "N/m^2") { 0 } else { -12 };
+            let exponent = exponent.clamp(least, 12);
             let prefix = PREFIXES.iter().find(|(e, _)| *e == exponent).map_or("", |(_, p)| p);
             return Self { factor: 10f64.powi(-exponent), unit: format!("{prefix}{pretty}") };
         }

@@ -144,7 +144,7 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
         if peak["value"].is_null() {
             row("peak contact force", "none (not closed)".into());
         } else {
-            row("peak contact force", format!("{force} at t = {time}"));
+            row("peak contact force", format!("{force} at t\u{a0}=\u{a0}{time}"));
         }
         let intervals = contact["intervals"].as_array().map_or(&[][..], Vec::as_slice);
         let impulse = intervals.iter().filter_map(|i| i["impulse"].as_f64()).sum();
@@ -328,10 +328,12 @@ fn points(summary: &Value) -> String {
             let peak = &entry[1]["displacement_max"][component];
             let value = peak["value"].as_f64().map(|v| without_round_off(v, moved));
             row.push(quantity(value, "m"));
-            let time = quantity(peak["time"].as_f64(), "s");
-            let doubtful = peak["resolved"].as_bool() == Some(false);
+            // What is nothing has no instant.
+            let nothing = value == Some(0.0);
+            let time = quantity(peak["time"].as_f64().filter(|_| !nothing), "s");
+            let doubtful = peak["resolved"].as_bool() == Some(false) && !nothing;
             row.push(if doubtful {
-                format!("{time}, largest at ends of steps: not resolved")
+                format!("{time} (largest at the ends of steps)")
             } else {
                 time
             });

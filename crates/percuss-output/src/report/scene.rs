@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::data::ReportData;
-use super::html::escape;
+use super::html::sentences;
 use super::story::story;
 use super::template::{PENS, STYLE, fill_holes};
 
@@ -49,7 +49,7 @@ pub fn scene_colours(dark: bool) -> Vec<(&'static str, &'static str)> {
 
 /// The section; without the shapes of a run the words alone.
 pub(super) fn render(data: &ReportData) -> String {
-    let text = escape(&story(&data.summary));
+    let text = sentences(&story(&data.summary));
     if data.fields.as_ref().is_none_or(|fields| fields.frames.is_empty()) {
         return format!("<p class=\"story\">{text}</p>\n");
     }

@@ -44,6 +44,14 @@ pub(super) fn number(summary: &Value) -> usize {
     of(summary).len()
 }
 
+/// The name of a subject in quotes: `'hammer'`, `beam 'girder'`.
+fn subject(of: &str) -> String {
+    match of.split_once(' ') {
+        Some(("beam", name)) => format!("beam '{name}'"),
+        _ => format!("'{of}'"),
+    }
+}
+
 /// The worst of them in a list; nothing where there are none.
 pub(super) fn worst(summary: &Value) -> String {
     let all = of(summary);
@@ -54,8 +62,8 @@ pub(super) fn worst(summary: &Value) -> String {
         let (code, topic, text) = (escape(w.code), escape(w.topic), escape(w.text));
         let about = match w.about.as_slice() {
             [] => String::new(),
-            [one] => format!(", '{one}'"),
-            [first, others @ ..] => format!(", '{first}' and {} more", others.len()),
+            [one] => format!(", {}", subject(one)),
+            [first, others @ ..] => format!(", {} and {} more", subject(first), others.len()),
         };
         format!("<li><strong>{code} {topic}{}:</strong> {text}</li>\n", escape(&about))
     };
@@ -94,6 +102,7 @@ mod tests {
             "{worst}"
         );
         assert!(worst.contains("All 4 warnings in full") && !worst.contains("W010"), "{worst}");
+        assert_eq!([subject("hammer"), subject("beam girder")], ["'hammer'", "beam 'girder'"]);
         assert_eq!(number(&json!({})), 0);
         assert!(super::worst(&json!({ "advice": 3 })).is_empty());
     }

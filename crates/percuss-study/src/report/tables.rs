@@ -242,6 +242,7 @@ pub(super) fn audit(table: &Table) -> Vec<Block> {
     let row = |column: &crate::Column| {
         let spread = Spread::of(&table.numbers(&column.name)?)?;
         let name = column.name.trim_start_matches("audit.").replace('_', " ");
+        let name = name.replace("newton", "Newton");
         let values = [spread.quantile(0.5), spread.max()];
         let values = values.map(|value| in_words(value, &column.unit));
         Some([name].into_iter().chain(values).collect())

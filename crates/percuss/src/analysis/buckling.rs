@@ -127,9 +127,12 @@ impl BucklingOutcome {
     pub fn reason(self) -> Option<String> {
         Some(match self {
             Self::Found => return None,
-            Self::Never { up_to } => format!(
-                "no linear buckling: the tangent stays positive up to {up_to:.3e} times the loads, where strains reach one"
-            ),
+            Self::Never { up_to } => {
+                let shown = format!("{up_to:.3e}").parse::<f64>().unwrap_or(up_to);
+                format!(
+                    "no linear buckling: the tangent stiffness stays positive up to {shown} times the loads, where strains reach one"
+                )
+            }
             Self::Unstrained => "no linear buckling: the loads move the structure on its springs and do not strain it".into(),
             Self::Unloaded => "no linear buckling: no load acts".into(),
             Self::Follower => "no linear buckling factor: follower loads have no potential (flutter is possible); see the modes about the static \
@@ -137,7 +140,7 @@ impl BucklingOutcome {
                 .into(),
             Self::Mechanism => "no linear buckling factor: the unloaded structure is a mechanism".into(),
             Self::Unstable => "no linear buckling factor: the structure is unstable without loads".into(),
-            Self::Inelastic => "no linear buckling factor: yielding, tension-only, compression-only or fibre sections; see `percuss static --path`"
+            Self::Inelastic => "no linear buckling factor: parts of the structure yield, bear tension or compression alone, or have fibre sections; see `percuss static --path`"
                 .into(),
             Self::Unfinished => "the search did not find all linear buckling factors".into(),
         })

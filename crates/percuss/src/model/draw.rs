@@ -25,7 +25,9 @@ impl ModelBuilder {
                 }
             }
             let roundings = BeamOutline::exact(self, model, i).roundings();
-            scene.beams.push(SceneBeam { name: beam.name.clone(), stations, roundings });
+            let shear_flexible = model.spans[beam.spans.clone()].iter().any(|s| s.shear.is_some());
+            let name = beam.name.clone();
+            scene.beams.push(SceneBeam { name, stations, roundings, shear_flexible });
         }
         self.scene_bodies(model, &mut scene);
         self.scene_obstacles(model, &mut scene);

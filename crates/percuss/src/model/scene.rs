@@ -43,6 +43,8 @@ pub struct SceneBeam {
     pub stations: Vec<DrawnStation>,
     /// Radii of the arcs from either face to its start and its end, zero where it ends straight across, shape (2) \[m\].
     pub roundings: [f64; 2],
+    /// Whether it is shear-flexible: the tangents of its stations, and their displacements, are the normals of its sections.
+    pub shear_flexible: bool,
 }
 
 /// A node of a beam through which it is drawn.

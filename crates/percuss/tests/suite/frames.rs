@@ -172,6 +172,20 @@ fn a_scene_says_which_ends_are_round() {
 }
 
 #[test]
+fn a_scene_says_which_beams_are_shear_flexible() {
+    let mut b = ModelBuilder::new();
+    let steel = Material { poisson: Some(0.3), ..Material::new("steel", 210e9, 7850.0) };
+    let (material, section) = (b.material(steel), b.section(Section::rectangle("bar", 0.1, 0.2)));
+    let slender = beam("slender", [0.0; 2], [3.0, 0.0], 6, material, section);
+    b.beam(Beam { name: "deep".into(), theory: Theory::Shear, ..slender.clone() });
+    b.beam(slender);
+    let model = b.build().unwrap();
+    let scene = b.scene(&model);
+    let found: Vec<_> = scene.beams.iter().map(|b| (b.name.as_str(), b.shear_flexible)).collect();
+    assert_eq!(found, [("deep", true), ("slender", false)]);
+}
+
+#[test]
 fn a_scene_names_what_stands_there_and_the_nodes_that_place_it() {
     let mut b = ModelBuilder::new();
     let girder = clamped(&mut b);

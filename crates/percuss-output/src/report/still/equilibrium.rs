@@ -10,7 +10,8 @@ use serde_json::json;
 use super::{Page, swinging};
 use crate::fields::{Fields, Places, scene_value};
 use crate::report::figure::largest;
-use crate::report::html::{escape, table};
+use crate::report::foundations::{AT_REST, rows_at_rest};
+use crate::report::html::{sentences, table};
 use crate::report::quantity::{number, quantity, without_round_off};
 use crate::report::scene;
 
@@ -43,7 +44,7 @@ pub(crate) fn render(info: &EquilibriumInfo<'_>) -> String {
         title: if info.title.is_empty() { "Static equilibrium" } else { info.title },
         status: "Static equilibrium under the loads at time zero; moving projectiles are ignored.".to_owned(),
         alarming: false,
-        scene: scene::section(&escape(&story(found, info.linear)), None),
+        scene: scene::section(&sentences(&story(found, info.linear)), None),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "static", "panels": panels }),
         tables: tables(found),
@@ -65,7 +66,7 @@ fn story(found: &Equilibrium, linear: &LinearBuckling) -> String {
     if let Some(most) = &found.largest_displacement {
         let (moved, s) = (quantity(Some(most.size()), "m"), quantity(Some(most.s), "m"));
         let beam = &most.beam;
-        out.push(format!("Largest displacement: {moved}, in '{beam}' at s = {s}."));
+        out.push(format!("Largest displacement: {moved}, in '{beam}' at s\u{a0}=\u{a0}{s}."));
     }
     out.extend(largest_section(found, |b| &b.moment, "bending moment", "N*m"));
     out.extend(largest_section(found, |b| &b.stress, "fibre stress", "Pa"));
@@ -123,7 +124,7 @@ fn largest_section(
     let known = all.filter(|(_, peak)| peak.value.is_finite() && peak.value != 0.0);
     let (name, peak) = known.max_by(|a, b| a.1.value.abs().total_cmp(&b.1.value.abs()))?;
     let (value, s) = (quantity(Some(peak.value), unit), quantity(Some(peak.s), "m"));
-    Some(format!("Largest {what}: {value}, in '{name}' at s = {s}."))
+    Some(format!("Largest {what}: {value}, in '{name}' at s\u{a0}=\u{a0}{s}."))
 }
 
 /// Displacements, reactions, contacts, section forces.
@@ -131,14 +132,16 @@ pub(super) fn tables(found: &Equilibrium) -> String {
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
     let text_of =
         |v: f64, scale: f64, unit: &str| quantity(Some(without_round_off(v, scale)), unit);
-    let turned = largest(found.rotations.iter());
+    // Rotations are compared with one radian.
+    let turned = largest(found.rotations.iter()).max(1.0);
     let points: Vec<Vec<String>> = (found.points.iter().zip(&found.rotations))
         .map(|((name, u), rotation)| {
             let [u1, u2] = u.map(|u| text_of(u, moved, "m"));
             vec![name.clone(), u1, u2, text_of(*rotation, turned, "rad")]
         })
         .collect();
-    let size = largest(found.reactions.iter().flat_map(|(_, r)| &r[..2]));
+    let all_forces = found.reactions.iter().flat_map(|(_, r)| &r[..2]);
+    let size = largest(all_forces.chain(found.foundations.iter().flat_map(|f| &f.force)));
     let turning = largest(found.reactions.iter().map(|(_, r)| &r[2])).max(size);
     let reactions: Vec<Vec<String>> = (found.reactions.iter())
         .map(|(name, r)| {
@@ -163,6 +166,7 @@ pub(super) fn tables(found: &Equilibrium) -> String {
             &["contact", "between", "force", "gap", "arc length on the beam"][..],
             contacts(found),
         ),
+        ("Foundations (forces on the structure)", &AT_REST[..], rows_at_rest(&found.foundations)),
         (
             "Springs and hinges with a limit",
             &[

@@ -8,7 +8,7 @@ use super::equilibrium::{buckling_title, tables};
 use super::{Page, swinging};
 use crate::fields::{Fields, Places, StoredFrame, scene_value};
 use crate::report::figure::largest;
-use crate::report::html::{escape, table};
+use crate::report::html::{escape, sentences, table};
 use crate::report::quantity::{Scale, number, quantity, without_round_off};
 use crate::report::scene;
 
@@ -83,7 +83,7 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
         title: if info.title.is_empty() { "Equilibrium path" } else { info.title },
         status,
         alarming: !path.reached,
-        scene: format!("<div class=\"beside\">\n{}{CHART}</div>\n", scene::section(&escape(&story(path)), None)),
+        scene: format!("<div class=\"beside\">\n{}{CHART}</div>\n", scene::section(&sentences(&story(path)), None)),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "path", "panels": panels, "chart": chart(path, along) }),
         tables: format!(
@@ -118,7 +118,7 @@ fn story(path: &Path) -> String {
         Some(moved) => format!("{} ({moved})", number(point.factor)),
         None => number(point.factor),
     };
-    match path.limit_points.as_slice() {
+    let limits = match path.limit_points.as_slice() {
         [] => "No limit point.".to_owned(),
         [one] => format!("One limit point, at load factor {}.", at(one)),
         [first, rest @ ..] => format!(
@@ -127,7 +127,15 @@ fn story(path: &Path) -> String {
             at(first),
             at(&rest[rest.len() - 1])
         ),
-    }
+    };
+    let bifurcations = match path.bifurcations.as_slice() {
+        [] => String::new(),
+        [one] => format!(" One bifurcation, at load factor {}.", at(one)),
+        [first, rest @ ..] => {
+            format!(" {} bifurcations, first at load factor {}.", rest.len() + 1, at(first))
+        }
+    };
+    limits + &bifurcations
 }
 
 fn size(u: &[f64; 2]) -> f64 {

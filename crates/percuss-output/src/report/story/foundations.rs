@@ -16,8 +16,10 @@ pub(super) fn foundations(summary: &Value) -> Option<String> {
     let peak = &most["pressure_max"];
     let (s, time) = (place(peak["s"].as_f64()), instant(peak["time"].as_f64()));
     let of = if all.len() > 1 { "foundations" } else { "foundation" };
-    let largest = quantity(Some(pressure(most)), "N/m");
-    let mut out = format!("Largest reaction of the {of}: {largest} in '{name}' at {s}, {time}");
+    let largest = quantity(Some(pressure(most).abs()), "N/m");
+    let pulls = if pressure(most) < 0.0 { ", tensile," } else { "" };
+    let mut out =
+        format!("Largest reaction of the {of}: {largest}{pulls} in '{name}' at {s}, {time}");
     if let Some(lifted) = most["lifted_max"]["value"].as_f64().filter(|lifted| *lifted > 0.0) {
         out.push_str(&format!("; lift-off over up to {}", quantity(Some(lifted), "m")));
     }
@@ -54,11 +56,17 @@ mod tests {
         );
         let soft = of(-2e3, 0.0, Value::Null);
         let text = sentence(json!({ "foundation": { "pad": soft } })).unwrap();
-        assert!(text.starts_with("Largest reaction of the foundation: -2"), "{text}");
+        assert!(
+            text.starts_with("Largest reaction of the foundation: 2000 N/m, tensile, in 'pad'"),
+            "{text}"
+        );
         assert!(!text.contains("lift-off") && !text.contains("plastic"), "{text}");
         let hard = of(3e4, 1.5, json!({ "value": 4e-3, "s": 2.0, "time": 0.1 }));
         let text = sentence(json!({ "foundation": { "pad": soft, "bed": hard } })).unwrap();
-        assert!(text.starts_with("Largest reaction of the foundations: 30"), "{text}");
+        assert!(
+            text.starts_with("Largest reaction of the foundations: 30 kN/m in 'bed'"),
+            "{text}"
+        );
         assert!(text.contains("in 'bed'") && text.contains("lift-off over up to 1.5"), "{text}");
         assert!(
             text.contains("plastic deflection 4") && text.contains("40 J dissipated"),

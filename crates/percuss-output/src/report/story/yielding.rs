@@ -175,15 +175,32 @@ pub(super) fn connectors(summary: &Value) -> Option<String> {
         format!(", {} of it in the static start", quantity(Some(energy), "J"))
     });
     out.push_str(&format!(", {} dissipated{preload}.", quantity(Some(lost(most)), "J")));
+    out.push_str(&failed_besides(all, name));
     Some(out)
+}
+
+/// Failures of springs and joints besides that of a name; a space precedes the sentence.
+fn failed_besides(all: &Map<String, Value>, name: &str) -> String {
+    let failed = failures(all.iter().filter(|(other, _)| *other != name));
+    let Some((first, time)) = failed.iter().min_by(|a, b| a.1.total_cmp(&b.1)) else {
+        return String::new();
+    };
+    let at = instant(Some(*time));
+    match failed.len() {
+        1 => format!(" {} failed at {at}.", capital(first)),
+        n => format!(" {n} others failed, {first} first at {at}."),
+    }
+}
+
+/// Springs and joints that failed, as sentences name them, and when \[s\].
+fn failures<'v>(all: impl Iterator<Item = (&'v String, &'v Value)>) -> Vec<(String, f64)> {
+    all.filter_map(|(name, one)| Some((connector(name), one["failure"]["time"].as_f64()?)))
+        .collect()
 }
 
 /// Springs and joints with a limit of yield or failure, none of which yielded: which failed first, or how far a single one was extended.
 fn elastic(all: &Map<String, Value>) -> String {
-    let failure = |(name, one): (&String, &Value)| {
-        one["failure"]["time"].as_f64().map(|time| (connector(name), time))
-    };
-    let failed: Vec<(String, f64)> = all.iter().filter_map(failure).collect();
+    let failed = failures(all.iter());
     let first = failed.iter().min_by(|a, b| a.1.total_cmp(&b.1));
     match (all.len(), all.iter().next(), first) {
         (1, _, Some((name, time))) => format!("{name} failed at {}.", instant(Some(*time))),
@@ -271,6 +288,29 @@ mod tests {
         );
         let none = json!({ "yielding": { "spring.rope": spring(None) } });
         assert_eq!(story(none), "Spring 'rope' neither yielded nor failed.");
+    }
+
+    /// The sentence is of the largest dissipation; what failed elsewhere is named, too.
+    #[test]
+    fn failures_besides_the_largest_dissipation_are_named() {
+        let of = |energy: f64, failed: Option<f64>| {
+            json!({
+                "first_yield": { "time": 0.01 }, "dissipated": energy, "plastic_extension": 0.002,
+                "failure": { "time": failed },
+            })
+        };
+        let story = |all: Value| {
+            let text = connectors(&json!({ "yielding": all })).unwrap();
+            text.replace('\u{a0}', " ").split_once("dissipated.").unwrap().1.to_owned()
+        };
+        let strut = of(90.0, None);
+        let one = json!({ "spring.strut": strut, "spring.tie": of(5.0, Some(0.019)) });
+        assert_eq!(story(one), " Spring 'tie' failed at t = 19 ms.");
+        let two = json!({
+            "spring.strut": strut, "spring.tie": of(5.0, Some(0.019)), "joint.foot": of(1.0, Some(0.012)),
+        });
+        assert_eq!(story(two), " 2 others failed, joint 'foot' first at t = 12 ms.");
+        assert_eq!(story(json!({ "spring.strut": strut, "spring.tie": of(5.0, None) })), "");
     }
 
     #[test]
