@@ -4,7 +4,7 @@ use percuss_codes::AnalysisCode;
 
 use crate::channel::Test;
 use crate::covariance::{Covariance, covariance};
-use crate::doubts::{Doubt, Evidence, doubts};
+use crate::doubts::{Doubt, DoubtKind, Evidence, doubts};
 use crate::error::{FitError, Stop};
 use crate::goodness::{Goodness, goodness};
 use crate::least_costs::Profile;
@@ -112,6 +112,15 @@ pub struct Fit {
     pub profiles: Vec<Profile>,
     /// Scenarios with the values found: file name and text, shape (scenarios).
     pub scenarios: Vec<(String, String)>,
+}
+
+impl Fit {
+    /// Adds a profile, and a warning where it leads to a lower cost.
+    pub fn add(&mut self, profile: Profile) {
+        let lower = profile.lower_minimum(self.cost);
+        self.doubts.extend(lower.map(|text| Doubt { kind: DoubtKind::Minima, text }));
+        self.profiles.push(profile);
+    }
 }
 
 impl Problem {
