@@ -338,7 +338,8 @@ class FitValues:
         Returns
         -------
         list of (str, str)
-            Kind (``convergence``, ``residuals``, ``correlation``, ``minima``, ``bound``, ``step``, ``autocorrelation``) and text.
+            Kind (``convergence``, ``residuals``, ``correlation``, ``minima``, ``bound``, ``step``, ``autocorrelation``, ``one_sided``)
+            and text.
 
         Examples
         --------

@@ -19,8 +19,8 @@ const APART_SHARE: f64 = 1e-3;
 /// Costs within this factor, or so much above the best, are similar.
 const SIMILAR: f64 = 1.5;
 const SIMILAR_BY: f64 = 5.0;
-/// Costs within this share belong to one minimum.
-const SAME: f64 = 1e-3;
+/// Costs within this share, or so near, belong to one minimum.
+pub(crate) const SAME: f64 = 1e-3;
 /// A value is at its bound within this share of the width, if that is less than a standard error, or within this share of the latter.
 const AT_BOUND: f64 = 1e-3;
 const AT_BOUND_ERRORS: f64 = 0.1;
@@ -158,11 +158,15 @@ fn correlation(e: &Evidence<'_>) -> Vec<String> {
         .filter(|(_, unresolved)| **unresolved)
         .map(|(name, _)| format!("`{name}`"))
         .collect();
-    if !unresolved.is_empty() {
-        let all = unresolved.join(", ");
-        texts.push(format!(
-            "the data do not determine {all}: fix all but one of them, give a prior, or measure something that depends on them"
-        ));
+    match &unresolved[..] {
+        [] => {}
+        [one] => texts.push(format!(
+            "the data do not determine {one}: fix it, give a prior, or measure something that depends on it"
+        )),
+        all => texts.push(format!(
+            "the data do not determine {}: fix all but one of them, give a prior, or measure something that depends on them",
+            all.join(", ")
+        )),
     }
     for i in 0..names.len() {
         for j in 0..i {
@@ -276,7 +280,9 @@ fn step(e: &Evidence<'_>) -> Vec<String> {
         .collect();
     for (i, (one, error)) in e.problem.free().zip(e.errors()).enumerate() {
         let row = &e.covariance.matrix[i];
-        let shift: f64 = -row.iter().zip(&gradient).map(|(c, g)| c * g).sum::<f64>();
+        // What the data do not determine stays where it is.
+        let known = row.iter().zip(&gradient).filter(|(c, _)| c.is_finite());
+        let shift: f64 = -known.map(|(c, g)| c * g).sum::<f64>();
         if shift.abs() >= error && error.is_finite() {
             texts.push(format!(
                 "half the step moves `{}` by {:.2} of its standard errors: reduce `time.step`",
