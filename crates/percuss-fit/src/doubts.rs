@@ -2,6 +2,7 @@
 
 use crate::covariance::Covariance;
 use crate::goodness::Goodness;
+use crate::loss::Loss;
 use crate::problem::Problem;
 use crate::solve::Minimum;
 
@@ -87,7 +88,8 @@ pub(crate) struct Evidence<'f> {
     pub covariance: &'f Covariance,
     /// Factor on the covariance.
     pub scale: f64,
-    pub reduced_chi_square: f64,
+    /// Mean square of the residuals per degree of freedom, by their median where the loss is robust.
+    pub spread: f64,
     pub freedom: usize,
     /// How well channels are met, shape (channels).
     pub channels: &'f [Goodness],
@@ -138,14 +140,17 @@ fn convergence(e: &Evidence<'_>) -> Vec<String> {
 
 fn residuals(e: &Evidence<'_>) -> Vec<String> {
     let chance = 1.0 + CHANCE * (2.0 / e.freedom.max(1) as f64).sqrt();
-    if e.problem.sigma_unknown || e.reduced_chi_square <= ABOVE.max(chance) {
+    if e.problem.sigma_unknown || e.spread <= ABOVE.max(chance) {
         return Vec::new();
     }
+    let found = match Loss::of(&e.problem.options).is_robust() {
+        true => "by their median".to_owned(),
+        false => format!("reduced chi-square {:.3}", e.spread),
+    };
     vec![format!(
-        "residuals are {:.3} times their standard deviation (reduced chi-square {:.3}): a wrong minimum, a model that lacks something, or \
+        "residuals are {:.3} times their standard deviation ({found}): a wrong minimum, a model that lacks something, or \
          standard deviations that are too small; the standard errors do not hold. Try more starting points, and look at the residuals",
-        e.reduced_chi_square.sqrt(),
-        e.reduced_chi_square
+        e.spread.sqrt()
     )]
 }
 

@@ -55,8 +55,7 @@ impl Problem {
         let sides: Result<Vec<_>, Stop> =
             self.workers.install(|| wanted.par_iter().map(side).collect());
         let sides = sides?;
-        let scale = if fit.sigma_unknown { fit.reduced_chi_square } else { 1.0 };
-        let limit = fit.cost + 0.5 * NINETY_FIVE * scale;
+        let limit = fit.cost + 0.5 * NINETY_FIVE * fit.scale;
         let middle = (parameter.value, fit.cost);
         let interval = [0, 1].map(|side| crossing(middle, &sides[side], limit));
         let below = sides[0].iter().rev().copied();
