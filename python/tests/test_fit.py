@@ -203,6 +203,20 @@ def test_columns_of_a_record_have_a_finite_number_a_row():
             percuss.fit(FITS / "hammer.toml", {"k": "projectile.hammer.stiffness"}, data, solver="basin")
 
 
+@pytest.mark.filterwarnings("ignore::percuss.PercussWarning")
+def test_a_starting_point_without_a_run_leaves_the_others():
+    for solver in ("basin", "scipy"):
+        if solver == "scipy":
+            pytest.importorskip("scipy")
+        # Stiffnesses below zero are refused.
+        stiffness = {"path": "projectile.hammer.stiffness", "bounds": (-5e6, 5e6)}
+        found = percuss.fit(FITS / "hammer.toml", {"k": stiffness}, computed(sigma="10 N"), starts=6, solver=solver)
+        failed = [start for start in found.starts if np.isnan(start["cost"])]
+        assert 0 < len(failed) < 6 and not any(start["success"] for start in failed)
+        assert all("expected a stiffness above zero" in start["message"] for start in failed)
+        assert found.success and found.x == pytest.approx([1.5e6], rel=1e-4)
+
+
 def test_records_of_a_fit_have_names_of_their_own():
     table = np.zeros(3, dtype=[("t", float), ("F", float)])
     with pytest.raises(percuss.InputError, match="two records are named 'drop'"):
