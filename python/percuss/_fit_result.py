@@ -8,8 +8,10 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from . import _percuss
+from ._errors import PercussWarning
 from ._fit_values import FitProfile, FitValues
 from ._nearest import nearest
+from ._outcome import warn
 from ._plot import pyplot
 from ._scenario import Scenario
 
@@ -103,14 +105,14 @@ class Fit(FitValues):
 
     def profile(self, name: str, points: int = 8) -> FitProfile:
         """The least cost at given values of one parameter, all others free: the interval of 95 % without the assumption that the model is
-        linear within it.
+        linear within it. A cost below that of the fit is a :class:`PercussWarning`: the fit is then no minimum.
 
         Parameters
         ----------
         name : str
             A free parameter.
         points : int
-            Values to either side, within three standard errors.
+            Values to either side, within three standard errors; fewer where a bound is nearer.
 
         Returns
         -------
@@ -137,7 +139,9 @@ class Fit(FitValues):
             raise ValueError(f"points={points}: expected one to either side, or more")
         found = self._problem.profile(self._native, inner[name], points)
         assert found is not None
-        values, costs, (low, high) = found
+        values, costs, (low, high), lower = found
+        if lower is not None:
+            warn(PercussWarning, lower, "W119")
         return FitProfile(values, costs, (low, high))
 
     def plot(self, test: str | None = None, ax: Sequence[Axes] | None = None) -> list[Axes]:

@@ -338,7 +338,8 @@ class FitValues:
         Returns
         -------
         list of (str, str)
-            Kind (``convergence``, ``residuals``, ``correlation``, ``minima``, ``bound``, ``step``, ``autocorrelation``) and text.
+            Kind (``convergence``, ``residuals``, ``correlation``, ``minima``, ``bound``, ``step``, ``autocorrelation``, ``one_sided``)
+            and text.
 
         Examples
         --------
@@ -354,7 +355,7 @@ class FitValues:
         Returns
         -------
         list of dict
-            ``x`` (values of the free parameters), ``cost``, ``success``, ``message``, ``evaluations``.
+            ``x`` (values of the free parameters), ``cost`` (NaN where there is no run), ``success``, ``message``, ``evaluations``.
 
         Examples
         --------
@@ -366,5 +367,6 @@ class FitValues:
         for one in self._value["starts"]:
             values = self._problem.values(one["coordinates"])
             kept = {key: one[key] for key in ("cost", "success", "message", "evaluations")}
+            kept["cost"] = float("nan") if one["cost"] is None else one["cost"]
             out.append({"x": np.array([values[k] for k in free]), **kept})
         return out

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 from . import _percuss
-from ._errors import MissingError
+from ._errors import AnalysisError, MissingError
 
 Item = TypeVar("Item")
 Made = TypeVar("Made")
@@ -36,13 +36,16 @@ def minima_of(problem: _percuss.FitProblem, solve: Callable[..., Any], options: 
         why = problem.residuals(start)[1]
         if why is not None:
             return start, start, float("nan"), False, f"the run at the starting point fails: {why}", 1
-        found = solve(
-            lambda z: problem.residuals(z.tolist())[0],
-            start,
-            jac=lambda z: problem.jacobian(z.tolist()),
-            bounds=(low, high),
-            **options,
-        )
+        try:
+            found = solve(
+                lambda z: problem.residuals(z.tolist())[0],
+                start,
+                jac=lambda z: problem.jacobian(z.tolist()),
+                bounds=(low, high),
+                **options,
+            )
+        except AnalysisError as error:  # other starting points may lead to a minimum
+            return start, start, float("nan"), False, f"the iteration fails: {error}", 1
         outcome = "converged" if found.success else "not converged"
         return start, found.x.tolist(), float(found.cost), bool(found.success), f"{outcome}: {found.message}", int(found.nfev)
 

@@ -196,6 +196,27 @@ def test_standard_deviations_are_known_in_all_records_or_in_none():
         percuss.fit(FITS / "hammer.toml", force, [computed(sigma="10 N"), computed()], solver="basin")
 
 
+def test_columns_of_a_record_have_a_finite_number_a_row():
+    for force, message in (([0, float("nan"), 1, 0], "NaN in row 2 of `F`"), ([0, 1, 0], "3 values of `F` beside 4 times")):
+        data = percuss.Measured({"t": [0, 1e-3, 2e-3, 3e-3], "F": force}, {"F": "contact.hammer.force"}, time="t")
+        with pytest.raises(percuss.ScenarioError, match=message):
+            percuss.fit(FITS / "hammer.toml", {"k": "projectile.hammer.stiffness"}, data, solver="basin")
+
+
+@pytest.mark.filterwarnings("ignore::percuss.PercussWarning")
+def test_a_starting_point_without_a_run_leaves_the_others():
+    for solver in ("basin", "scipy"):
+        if solver == "scipy":
+            pytest.importorskip("scipy")
+        # Stiffnesses below zero are refused.
+        stiffness = {"path": "projectile.hammer.stiffness", "bounds": (-5e6, 5e6)}
+        found = percuss.fit(FITS / "hammer.toml", {"k": stiffness}, computed(sigma="10 N"), starts=6, solver=solver)
+        failed = [start for start in found.starts if np.isnan(start["cost"])]
+        assert 0 < len(failed) < 6 and not any(start["success"] for start in failed)
+        assert all("expected a stiffness above zero" in start["message"] for start in failed)
+        assert found.success and found.x == pytest.approx([1.5e6], rel=1e-4)
+
+
 def test_records_of_a_fit_have_names_of_their_own():
     table = np.zeros(3, dtype=[("t", float), ("F", float)])
     with pytest.raises(percuss.InputError, match="two records are named 'drop'"):

@@ -2,6 +2,7 @@
 
 use crate::covariance::Covariance;
 use crate::goodness::Goodness;
+use crate::loss::Loss;
 use crate::problem::Problem;
 use crate::solve::Minimum;
 
@@ -19,8 +20,8 @@ const APART_SHARE: f64 = 1e-3;
 /// Costs within this factor, or so much above the best, are similar.
 const SIMILAR: f64 = 1.5;
 const SIMILAR_BY: f64 = 5.0;
-/// Costs within this share belong to one minimum.
-const SAME: f64 = 1e-3;
+/// Costs within this share, or so near, belong to one minimum.
+pub(crate) const SAME: f64 = 1e-3;
 /// A value is at its bound within this share of the width, if that is less than a standard error, or within this share of the latter.
 const AT_BOUND: f64 = 1e-3;
 const AT_BOUND_ERRORS: f64 = 0.1;
@@ -87,7 +88,8 @@ pub(crate) struct Evidence<'f> {
     pub covariance: &'f Covariance,
     /// Factor on the covariance.
     pub scale: f64,
-    pub reduced_chi_square: f64,
+    /// Mean square of the residuals per degree of freedom, by their median where the loss is robust.
+    pub spread: f64,
     pub freedom: usize,
     /// How well channels are met, shape (channels).
     pub channels: &'f [Goodness],
@@ -138,14 +140,17 @@ fn convergence(e: &Evidence<'_>) -> Vec<String> {
 
 fn residuals(e: &Evidence<'_>) -> Vec<String> {
     let chance = 1.0 + CHANCE * (2.0 / e.freedom.max(1) as f64).sqrt();
-    if e.problem.sigma_unknown || e.reduced_chi_square <= ABOVE.max(chance) {
+    if e.problem.sigma_unknown || e.spread <= ABOVE.max(chance) {
         return Vec::new();
     }
+    let found = match Loss::of(&e.problem.options).is_robust() {
+        true => "by their median".to_owned(),
+        false => format!("reduced chi-square {:.3}", e.spread),
+    };
     vec![format!(
-        "residuals are {:.3} times their standard deviation (reduced chi-square {:.3}): a wrong minimum, a model that lacks something, or \
+        "residuals are {:.3} times their standard deviation ({found}): a wrong minimum, a model that lacks something, or \
          standard deviations that are too small; the standard errors do not hold. Try more starting points, and look at the residuals",
-        e.reduced_chi_square.sqrt(),
-        e.reduced_chi_square
+        e.spread.sqrt()
     )]
 }
 
@@ -158,11 +163,15 @@ fn correlation(e: &Evidence<'_>) -> Vec<String> {
         .filter(|(_, unresolved)| **unresolved)
         .map(|(name, _)| format!("`{name}`"))
         .collect();
-    if !unresolved.is_empty() {
-        let all = unresolved.join(", ");
-        texts.push(format!(
-            "the data do not determine {all}: fix all but one of them, give a prior, or measure something that depends on them"
-        ));
+    match &unresolved[..] {
+        [] => {}
+        [one] => texts.push(format!(
+            "the data do not determine {one}: fix it, give a prior, or measure something that depends on it"
+        )),
+        all => texts.push(format!(
+            "the data do not determine {}: fix all but one of them, give a prior, or measure something that depends on them",
+            all.join(", ")
+        )),
     }
     for i in 0..names.len() {
         for j in 0..i {
@@ -276,7 +285,9 @@ fn step(e: &Evidence<'_>) -> Vec<String> {
         .collect();
     for (i, (one, error)) in e.problem.free().zip(e.errors()).enumerate() {
         let row = &e.covariance.matrix[i];
-        let shift: f64 = -row.iter().zip(&gradient).map(|(c, g)| c * g).sum::<f64>();
+        // What the data do not determine stays where it is.
+        let known = row.iter().zip(&gradient).filter(|(c, _)| c.is_finite());
+        let shift: f64 = -known.map(|(c, g)| c * g).sum::<f64>();
         if shift.abs() >= error && error.is_finite() {
             texts.push(format!(
                 "half the step moves `{}` by {:.2} of its standard errors: reduce `time.step`",

@@ -4,7 +4,7 @@ use percuss_codes::AnalysisCode;
 
 use crate::channel::Test;
 use crate::covariance::{Covariance, covariance};
-use crate::doubts::{Doubt, Evidence, doubts};
+use crate::doubts::{Doubt, DoubtKind, Evidence, doubts};
 use crate::error::{FitError, Stop};
 use crate::goodness::{Goodness, goodness};
 use crate::least_costs::Profile;
@@ -12,6 +12,7 @@ use crate::loss::Loss;
 use crate::problem::{Computed, Problem};
 use crate::run::{GoesOn, Share};
 use crate::solve::Minimum;
+use crate::spread::spread;
 
 /// Share of a normal distribution within so many standard deviations: 95 %.
 const NINETY_FIVE: f64 = 1.959_963_984_540_054;
@@ -90,6 +91,8 @@ pub struct Fit {
     pub reduced_chi_square: f64,
     /// Whether standard deviations of the channels follow from the residuals.
     pub sigma_unknown: bool,
+    /// Factor on the covariance that follows from the residuals, 1 where standard deviations are given.
+    pub scale: f64,
     /// Whether the iteration converged.
     pub success: bool,
     /// Why it ended, in words.
@@ -112,6 +115,15 @@ pub struct Fit {
     pub profiles: Vec<Profile>,
     /// Scenarios with the values found: file name and text, shape (scenarios).
     pub scenarios: Vec<(String, String)>,
+}
+
+impl Fit {
+    /// Adds a profile, and a warning where it leads to a lower cost.
+    pub fn add(&mut self, profile: Profile) {
+        let lower = profile.lower_minimum(self.cost);
+        self.doubts.extend(lower.map(|text| Doubt { kind: DoubtKind::Minima, text }));
+        self.profiles.push(profile);
+    }
 }
 
 impl Problem {
@@ -145,7 +157,8 @@ impl Problem {
         let freedom = residuals.len().saturating_sub(n);
         let squares: f64 = residuals.iter().map(|r| r * r).sum();
         let reduced = squares / freedom.max(1) as f64;
-        let scale = if self.sigma_unknown { reduced } else { 1.0 };
+        let spread = spread(&residuals, freedom, &loss);
+        let scale = if self.sigma_unknown { spread } else { 1.0 };
         let channels = self.channels(&computed, scale, freedom);
         let half = match self.compute_all(&self.fitted_tests(), &values, Share::Half, goes_on) {
             Ok(half) => Some(self.residuals_of(&half, &values)),
@@ -159,7 +172,7 @@ impl Problem {
             jacobian: &jacobian,
             covariance: &found,
             scale,
-            reduced_chi_square: reduced,
+            spread,
             freedom,
             channels: &channels,
             residuals: &residuals,
@@ -188,6 +201,7 @@ impl Problem {
             freedom,
             reduced_chi_square: reduced,
             sigma_unknown: self.sigma_unknown,
+            scale,
             success: best.success,
             message: best.message,
             evaluations: minima.iter().map(|one| one.evaluations).sum(),

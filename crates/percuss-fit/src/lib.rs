@@ -26,6 +26,7 @@ mod resolve;
 mod run;
 mod solve;
 mod spikes;
+mod spread;
 mod text;
 mod write;
 

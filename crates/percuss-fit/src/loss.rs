@@ -26,6 +26,11 @@ impl Loss {
         Self { kind: options.loss, scale: options.loss_scale }
     }
 
+    /// Whether large residuals count less than by their square.
+    pub fn is_robust(&self) -> bool {
+        self.kind != FitLoss::Linear
+    }
+
     /// Residual at which it leaves the square.
     pub fn scale(&self) -> f64 {
         self.scale

@@ -142,14 +142,7 @@ impl Problem {
         let latest = Mutex::default();
         let descent = Descent { problem: self, lower, upper, goes_on, latest };
         if let Err(Stop::Failed(why)) = descent.computed(start) {
-            return Ok(Minimum {
-                start: start.to_vec(),
-                coordinates: start.to_vec(),
-                cost: f64::NAN,
-                success: false,
-                message: format!("the run at the starting point fails: {why}"),
-                evaluations: 1,
-            });
+            return Ok(failed(start, format!("the run at the starting point fails: {why}")));
         }
         let loss = Loss::of(&self.options);
         let objective = RobustLeastSquares::new(descent, loss).with_scale(loss.scale());
@@ -158,7 +151,14 @@ impl Problem {
             .with_relative_step_tolerance::<Vec<f64>, f64>(STEP);
         let iterations = self.options.iterations as u64;
         let run = Executor::from_start(objective, solver, start.to_vec());
-        let result = run.max_iter(iterations).run().map_err(stopped)?;
+        let result = match run.max_iter(iterations).run().map_err(stopped) {
+            Ok(result) => result,
+            // Other starting points may lead to a minimum.
+            Err(Stop::Failed(why)) => {
+                return Ok(failed(start, format!("the iteration fails: {why}")));
+            }
+            Err(Stop::Interrupted) => return Err(Stop::Interrupted),
+        };
         let (success, message) = ended(&result.report.termination, iterations);
         Ok(Minimum {
             start: start.to_vec(),
@@ -169,6 +169,13 @@ impl Problem {
             evaluations: result.counts.residual_evals,
         })
     }
+}
+
+/// What a starting point leads to from which there is no minimum.
+fn failed(start: &[f64], message: String) -> Minimum {
+    let start = start.to_vec();
+    let coordinates = start.clone();
+    Minimum { start, coordinates, cost: f64::NAN, success: false, message, evaluations: 1 }
 }
 
 /// What ended the optimiser.

@@ -3,7 +3,7 @@
 /// Rows before and behind a value whose median, with itself, it is compared with: a rise and a level have their own values as medians.
 const HALF: usize = 2;
 /// Ratio of the standard deviation of normal noise to the median of its magnitudes.
-const NORMAL: f64 = 1.4826;
+pub(crate) const NORMAL: f64 = 1.4826;
 /// A distance of so many times the noise is none of it.
 const LEVEL: f64 = 5.0;
 /// A spike is farther from the median than this share of the range of the medians.
@@ -30,7 +30,7 @@ pub(crate) fn without_spikes(values: &[f64]) -> Vec<f64> {
 }
 
 /// The median of values, the upper one of an even number; NaN if there are none.
-fn median(mut values: Vec<f64>) -> f64 {
+pub(crate) fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }

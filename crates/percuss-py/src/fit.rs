@@ -37,8 +37,9 @@ type Curves<'py> = (
     f64,
 );
 
-/// Values, least costs, interval of a profile.
-type Profiled<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, [f64; 2]);
+/// Values, least costs, interval of a profile, and what it says against the minimum.
+type Profiled<'py> =
+    (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>, [f64; 2], Option<String>);
 
 /// Whether work is to go on.
 type GoesOn<'a> = dyn Fn() -> bool + Sync + 'a;
@@ -168,7 +169,7 @@ impl FitProblem {
         Ok(NativeFit(Arc::new(fit)))
     }
 
-    /// The profile of a parameter: values, least costs, interval; None if it is not free.
+    /// The profile of a parameter: values, least costs, interval, what it says against the minimum; None if it is not free.
     fn profile<'py>(
         &self,
         py: Python<'py>,
@@ -177,11 +178,15 @@ impl FitProblem {
         points: usize,
     ) -> PyResult<Option<Profiled<'py>>> {
         let (fit, name) = (Arc::clone(&fit.get().0), name.to_owned());
+        let cost = fit.cost;
         let work = move |problem: &Problem, goes_on: &GoesOn<'_>| {
             problem.profile(&fit, &name, points, goes_on)
         };
         let found = self.work(py, work)?.map_err(|ended| refused(py, ended.into()))?;
-        Ok(found.map(|one| (array(py, one.values), array(py, one.costs), one.interval)))
+        Ok(found.map(|one| {
+            let lower = one.lower_minimum(cost);
+            (array(py, one.values), array(py, one.costs), one.interval, lower)
+        }))
     }
 }
 

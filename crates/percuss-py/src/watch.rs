@@ -135,7 +135,9 @@ impl Watch {
             match (receiver.recv_timeout(LOOK), raised.take()) {
                 (Ok(outcome), None) => {
                     // Work that ends before signals are looked for the first time is reported, too.
-                    Python::attach(|py| tell(py))?;
+                    if outcome.is_ok() {
+                        Python::attach(|py| tell(py))?;
+                    }
                     return Ok(outcome);
                 }
                 (Err(RecvTimeoutError::Disconnected), None) => {

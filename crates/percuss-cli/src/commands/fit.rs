@@ -90,10 +90,14 @@ fn found(file: &FitFile, arguments: &FitArguments) -> Result<Fit, FitError> {
     let minima = problem.minima(&goes_on)?;
     stage("runs for the diagnosis");
     let mut fit = problem.diagnose(minima, &goes_on)?;
-    for name in &arguments.profile {
+    for (k, name) in arguments.profile.iter().enumerate() {
+        if arguments.profile[..k].contains(name) {
+            continue;
+        }
         stage("runs for a profile");
-        let profile = problem.profile(&fit, name, POINTS, &goes_on)?;
-        fit.profiles.extend(profile);
+        if let Some(profile) = problem.profile(&fit, name, POINTS, &goes_on)? {
+            fit.add(profile);
+        }
     }
     fit.runs = problem.runs();
     Ok(fit)

@@ -36,11 +36,21 @@ fn the_modulus_behind_a_published_row_is_found_and_written() {
     }
     sandbox.percuss(&["check", "out/fitted.toml"]).ends_with(0);
     // Earlier results of a fit make room, what is not of one stays.
-    let again = sandbox.percuss(&["fit", "fit.toml", "--out", "out", "--profile", "young"]);
+    let again = sandbox.percuss(&[
+        "fit",
+        "fit.toml",
+        "--out",
+        "out",
+        "--profile",
+        "young",
+        "--profile",
+        "young",
+    ]);
     assert!(again.ends_with(0).stdout.contains("[parameters]"), "{}", again.stdout);
     assert!(again.stdout.contains("[profiles]\n  young  95 %: "), "{}", again.stdout);
     let text = std::fs::read_to_string(sandbox.path("out/fit.json")).expect("fit.json");
     let again: serde_json::Value = serde_json::from_str(&text).expect("JSON");
+    assert_eq!(again["profiles"].as_array().map(Vec::len), Some(1));
     let profile = &again["profiles"][0];
     assert_eq!(profile["values"].as_array().map(Vec::len), Some(17));
     for k in [0, 1] {

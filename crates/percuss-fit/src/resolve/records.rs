@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use percuss::{Channel as HistoryColumn, Fault};
-use percuss_output::shock::Cfc;
+use percuss_output::shock::{Cfc, ShockError};
 use percuss_scenario::fit::{FitChannel, FitTest, Record};
 use percuss_scenario::{Named, one_of};
 
@@ -42,8 +42,7 @@ pub(super) fn record(
         faults.push(Fault::new(format!("{header}.{key}"), found, expected));
     };
     let record = read.map_err(|fault| tell("data", fault)).ok()?;
-    let time = record.column(&table.time).and_then(|column| column.in_unit("s"));
-    let time = time.map_err(|fault| tell("time", fault)).ok()?;
+    let time = values(&record, &table.time, "s").map_err(|fault| tell("time", fault)).ok()?;
     if let Some(k) = time.windows(2).position(|pair| pair[1] <= pair[0]) {
         let (row, before, at) = (k + 2, time[k], time[k + 1]);
         let found = format!(
@@ -53,7 +52,8 @@ pub(super) fn record(
         return None;
     }
     if time.len() < 3 {
-        let found = format!("a record of {} rows", time.len());
+        let rows = if time.len() == 1 { "row" } else { "rows" };
+        let found = format!("a record of {} {rows}", time.len());
         tell("data", (found, "three rows or more".into()));
         return None;
     }
@@ -77,6 +77,22 @@ pub(super) fn record(
     let first = first?;
     let complete = channels.len() == table.channel.len();
     complete.then(|| (Read { all: time.clone(), time, first }, channels))
+}
+
+/// Values of a column of a record, in an SI unit. What another program supplies may contain anything.
+fn values(record: &Record, name: &str, unit: &str) -> Result<Vec<f64>, (String, String)> {
+    let column = record.column(name)?;
+    let values = column.in_unit(unit)?;
+    let header = &column.header;
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(values),
+        Some(k) => {
+            let found = format!("{} in row {} of `{header}`", values[k], k + 1);
+            let expected =
+                "a finite number in every row: those in which one is missing have to be left out";
+            Err((found, expected.into()))
+        }
+    }
 }
 
 /// Key at fault, what was found and what would be right.
@@ -104,8 +120,11 @@ fn channel(
         return Err(("factor", ("0".into(), "a factor other than zero".into())));
     }
     let data = given.data.as_deref().unwrap_or(&named.name);
-    let measured = record.column(data).and_then(|column| column.in_unit(unit));
-    let measured = measured.map_err(|fault| ("data", fault))?;
+    let measured = values(record, data, unit).map_err(|fault| ("data", fault))?;
+    if measured.len() != time.len() {
+        let found = format!("{} values of `{data}` beside {} times", measured.len(), time.len());
+        return Err(("data", (found, "as many values as times".into())));
+    }
     let values: Vec<f64> = measured.iter().map(|x| given.factor * x).collect();
     let class = given.cfc.map(|number| {
         let class = u32::try_from(number).ok().and_then(Cfc::of);
@@ -143,8 +162,13 @@ fn shaped(time: &[f64], values: Vec<f64>, class: Option<Cfc>) -> Result<Vec<f64>
     let Some(class) = class else { return Ok(values) };
     let curve = Curve { time: time.to_vec(), values };
     let filtered = curve.filtered(class).map_err(|error| {
-        let expected = "a record with more samples per second, or a lower class".to_owned();
-        ("cfc", (format!("a record too coarse for it ({error})"), expected))
+        let why = match error {
+            ShockError::Coarse { what, needed, rate } => format!(
+                "a record with {rate:.0} samples per second, where {what} needs {needed:.0}"
+            ),
+            other => format!("a record that cannot be filtered ({other})"),
+        };
+        ("cfc", (why, "a record with more samples per second, or a lower class".to_owned()))
     })?;
     Ok(filtered.sampled(time, 0.0))
 }

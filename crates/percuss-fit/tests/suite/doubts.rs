@@ -41,6 +41,20 @@ fn parameters_that_cannot_be_distinguished_are_named() {
 }
 
 #[test]
+fn a_parameter_without_influence_is_to_be_fixed() {
+    let desk = desk(&record(SCENARIO, 7, 1.0));
+    // Of a test that is only compared.
+    let more = "[parameter.mass]\npath = \"projectile.hammer.mass\"\ntests = [\"second\"]\n[test.second]\ndata = \"drop.csv\"\n\
+                time = \"t\"\nalign = \"onset\"\nhold_out = true\n[test.second.channel.F]\ncolumn = \"contact.hammer.force\"\nsigma = \"30 N\"\n";
+    let fit = fitted(desk.path(), &format!("{FIT}{more}")).expect("a fit");
+    let mass = parameter(&fit, "mass");
+    assert!(mass.stderr.is_infinite() && (mass.value - mass.start).abs() < 1e-9, "{mass:?}");
+    let named = |text: &str| fit.doubts.iter().any(|doubt| doubt.text.contains(text));
+    assert!(named("the data do not determine `mass`: fix it,"), "{:?}", fit.doubts);
+    assert!(parameter(&fit, "stiffness").stderr.is_finite());
+}
+
+#[test]
 fn a_value_in_wide_bounds_is_at_its_bound_only_within_its_standard_error() {
     let desk = desk(&record(SCENARIO, 7, 1.0));
     // 0.2 s/m lies at a share of 2e-4 of these bounds, and many standard errors above their lower end.
@@ -99,6 +113,37 @@ fn a_profile_has_its_least_cost_at_the_minimum() {
         );
     }
     assert!(problem.profile(&fit, "nothing", 4, &|| true).expect("no runs").is_none());
+}
+
+#[test]
+fn a_profile_reaches_up_to_a_bound() {
+    let desk = desk(&record(SCENARIO, 7, 1.0));
+    // 2 MN/m made the record.
+    let tight = FIT.replace("\"8 MN/m\"]", "\"1.9 MN/m\"]");
+    let problem = problem(desk.path(), &tight).expect("a problem");
+    let minima = problem.minima(&|| true).expect("minima");
+    let mut fit = problem.diagnose(minima, &|| true).expect("a fit");
+    let profile =
+        problem.profile(&fit, "stiffness", 2, &|| true).expect("runs").expect("a profile");
+    let last = profile.values.last().expect("values");
+    assert!((last / 1.9e6 - 1.0).abs() < 1e-4, "{:?}", profile.values);
+    assert!(profile.interval[0] < 1.9e6 && profile.interval[1].is_nan(), "{:?}", profile.interval);
+    // What leads to a lower cost is a warning.
+    let lower =
+        percuss_fit::Profile { costs: vec![0.5 * fit.cost; profile.costs.len()], ..profile };
+    fit.add(lower);
+    assert_eq!(fit.profiles.len(), 1);
+    assert_eq!(fit.doubts.last().map(|doubt| doubt.kind.name()), Some("minima"));
+}
+
+#[test]
+fn derivatives_that_are_required_and_not_known_leave_no_minimum() {
+    let desk = desk(&record(SCENARIO, 7, 1.0));
+    let text = FIT.replace("[fit]", "[fit]\njacobian = \"exact\"").replace("\"fit\"", "\"onset\"");
+    let error = fitted(desk.path(), &text).expect_err("no derivatives");
+    let percuss_fit::FitError::Run(code, why) = error else { panic!("{error:?}") };
+    assert!(matches!(code, percuss_codes::AnalysisCode::NoFit), "{code:?}");
+    assert!(why.starts_with("the iteration fails: ") && why.contains("by their onset"), "{why}");
 }
 
 /// A ball on the floor: its restitution moves every later impact, so that the cost of a late part of the record has many minima.

@@ -1,6 +1,8 @@
 //! Bad input is reported with its place, what was found and what would be right.
 
-use percuss_fit::FitError;
+use percuss_fit::{FitError, Problem, Supplied};
+use percuss_scenario::fit::{Record, RecordColumn};
+use percuss_scenario::{FileAccess, FitFile};
 
 use crate::common::{FIT, SCENARIO, desk, problem, put, record};
 
@@ -37,7 +39,7 @@ sigma = "30 N" | sigma = "30 m" | test.drop.channel.F.sigma | a length
 sigma = "30 N" | sigma = 0 | test.drop.channel.F.sigma | above zero
 sigma = "30 N" |  | test.drop.channel.F.sigma | every channel
 sigma = "30 N" | sigma = "30 N"; cfc = 700 | test.drop.channel.F.cfc | 60, 180, 600 or 1000
-sigma = "30 N" | sigma = "30 N"; cfc = 1000 | test.drop.channel.F.cfc | too coarse
+sigma = "30 N" | sigma = "30 N"; cfc = 1000 | test.drop.channel.F.cfc | samples per second, where CFC 1000
 [fit] | [fit]; loss = "quadratic" | fit.loss | soft_l1
 align = "fit" | align = "fit"; hold_out = true | test | hold_out
 align = "fit" | align = "none"; from = "1 s" | test.drop.data | of which 0 times
@@ -136,4 +138,35 @@ fn what_follows_from_another_fault_is_not_reported_besides() {
 fn files_outside_the_folder_are_not_read() {
     let reported = reported(&FIT.replace("drop.csv", "../drop.csv"));
     assert!(reported.contains("outside the folder"), "{reported}");
+}
+
+#[test]
+fn columns_of_a_program_have_a_finite_number_a_row() {
+    let desk = desk(&record(SCENARIO, 0, 1.0));
+    let name = desk.path().join("fit.toml").display().to_string();
+    let file = FitFile::read_with(FIT, &name, FileAccess::OwnFolder).expect("a file");
+    let supplied = |time: &[f64], force: &[f64]| {
+        let column = |header, values: &[f64]| RecordColumn::new(header, values.to_vec());
+        let columns =
+            vec![column("t [ms]", time), column("F [kN]", force), column("u [mm]", &[0.0; 4])];
+        let records = [("drop".to_owned(), Record { columns })].into();
+        Supplied { records, ..Supplied::default() }
+    };
+    let times = [0.0, 1.0, 2.0, 3.0];
+    for (supplied, fault) in [
+        (
+            supplied(&times, &[0.0, f64::NAN, 0.0, 1.0]),
+            "channel.F.data: found NaN in row 2 of `F [kN]`",
+        ),
+        (supplied(&times, &[0.0; 3]), "channel.F.data: found 3 values of `F` beside 4 times"),
+        (
+            supplied(&[0.0, f64::INFINITY, 2.0, 3.0], &[0.0; 4]),
+            "time: found inf in row 2 of `t [ms]`",
+        ),
+    ] {
+        let Err(FitError::Faults(faults)) = Problem::new(&file, &supplied, 0, &|| true) else {
+            panic!("no fault: {fault}")
+        };
+        assert!(faults.to_string().contains(&format!("test.drop.{fault}")), "{faults}");
+    }
 }

@@ -93,8 +93,8 @@ impl Record {
         let text = String::from_utf8(bytes)
             .map_err(|_| (format!("\"{name}\", which is not UTF-8"), expected()))?;
         Self::parse(&text).map_err(|Wrong { line, found, expected: own }| {
-            let at = if line > 0 { format!(" in line {line}") } else { String::new() };
-            (format!("{found}{at} of \"{name}\""), own.map_or_else(expected, str::to_owned))
+            let at = if line > 0 { format!("line {line} of ") } else { String::new() };
+            (format!("{found} in {at}\"{name}\""), own.map_or_else(expected, str::to_owned))
         })
     }
 
