@@ -127,7 +127,7 @@ mod tests {
             "<td>5 MN/m\u{b2}</td><td>30 kN/m</td><td>2.5 m</td><td>5 ms</td><td>\u{2013}</td><td>\u{2013}</td>",
             "<td>compression only</td>",
             "<td>1.25 m</td><td>20 ms</td><td>1.5 m</td><td>4 mm</td>",
-            "<td>\u{2013}</td><td>1 kN/m</td><td>0.5 m</td>",
+            "<td>\u{2013}</td><td>1000 N/m</td><td>0.5 m</td>",
         ] {
             assert!(page.contains(text), "no {text} in {page}");
         }
