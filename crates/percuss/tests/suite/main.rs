@@ -42,6 +42,7 @@ mod section_forces;
 mod shear_flexible;
 mod shear_forces;
 mod shear_stresses;
+mod shear_yielding;
 mod slack;
 mod sliding;
 mod spectra;

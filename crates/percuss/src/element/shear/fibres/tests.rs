@@ -58,13 +58,13 @@ const START: [f64; 6] = [0.02, -0.05, 0.1, -0.3, -0.2, 0.15];
 const STEP: [f64; 6] = [-0.07, 0.04, 0.3, 0.2, -0.1, 0.25];
 
 /// Fibres of a law in the middle of an element, with their states.
-struct Held {
+struct MiddleFibres {
     laws: [StressLaw; 1],
     fibres: [Vec<Fibre>; GAUSS],
     states: Vec<FibreState>,
 }
 
-impl Held {
+impl MiddleFibres {
     fn new(inelasticity: Option<&Inelasticity>) -> Self {
         let all = FIBRES.map(|[height, area]| Fibre::bearing(height, area, 0)).to_vec();
         Self {
@@ -132,7 +132,9 @@ fn fibres_measure_the_angle_of_turning_to_fourth_order() {
 #[test]
 fn forces_of_steps_do_the_work_of_stored_and_dissipated_energy() {
     let table = bent();
-    for mut held in [Held::new(None), Held::yielding(20.0), Held::yielding(80.0)] {
+    for mut held in
+        [MiddleFibres::new(None), MiddleFibres::yielding(20.0), MiddleFibres::yielding(80.0)]
+    {
         for lag in [0.0, 0.3] {
             let mut u = START;
             let mut lost = 0.0;
@@ -162,7 +164,7 @@ fn forces_of_steps_do_the_work_of_stored_and_dissipated_energy() {
 
 #[test]
 fn forces_of_a_step_have_no_resultant_moment() {
-    let (table, held) = (bent(), Held::yielding(20.0));
+    let (table, held) = (bent(), MiddleFibres::yielding(20.0));
     let [c, a, b] = [table.chord, table.directors[0], table.directors[1]];
     let times = (1e-3, 0.0);
     let f = table.mean_with_fibres::<false>(&held.of(), &values(START), &values(STEP), times).force;
@@ -181,7 +183,9 @@ type Forces<'a> = &'a dyn Fn([f64; 6]) -> ElementSums<f64>;
 #[test]
 fn tangents_are_the_derivatives_of_the_forces() {
     let (table, start) = (bent(), values(START));
-    for held in [Held::new(None), Held::yielding(20.0), Held::yielding(80.0)] {
+    for held in
+        [MiddleFibres::new(None), MiddleFibres::yielding(20.0), MiddleFibres::yielding(80.0)]
+    {
         let own = held.of();
         let mean: Forces =
             &|d| table.mean_with_fibres::<true>(&own, &start, &values(d), (1e-3, 0.3));
@@ -211,7 +215,7 @@ fn tangents_are_the_derivatives_of_the_forces() {
 fn the_elastic_tangent_has_the_geometric_stiffness_of_the_forces() {
     // Heights whose first moment vanishes: the elastic tangent has no coupling.
     let pair = [[-0.1, 0.3], [0.1, 0.3]].map(|[y, area]| Fibre::bearing(y, area, 0));
-    let mut held = Held::new(None);
+    let mut held = MiddleFibres::new(None);
     (held.fibres[MIDDLE], held.states) = (pair.to_vec(), vec![FibreState::default(); 2]);
     let [axial, bending] = [600.0, 6.0];
     let mut table = bent();
