@@ -90,10 +90,13 @@ impl Measures {
                     own.bending += row.weighed.bending * kappa * kappa;
                 }
             }
-            if let Some(shear) = span.shear_at(k) {
+            if let Some(shear) = span.shear_at(k).filter(|_| !state.has_parted(a)) {
                 let [axial, sheared, bent] = shear.energies(&u);
-                own.axial += axial;
-                own.bending += sheared + bent;
+                own.bending += sheared;
+                if span.fibres.is_none() {
+                    own.axial += axial;
+                    own.bending += bent;
+                }
                 self.strain_shear += 0.5 * sheared * shear.shear_share();
             }
             if let (Some(samples), None) = (&table.membrane, &span.fibres) {

@@ -35,7 +35,7 @@ table! {
         /// Shear modulus (Pa) of a material that is not isotropic, such as timber; used by shear-flexible beams alone. Beside `poisson` it must be
         /// `young / (2 (1 + poisson))` within 2 %.
         shear_modulus: Option<f64> as Maybe<Quantity<measure::Pressure>> = None,
-        /// Strain measure of the strain energy; shear-flexible beams have strains of their own.
+        /// Strain measure of the strain energy; shear-flexible beams have engineering strains, and require them of a material that yields.
         strain: StrainMeasure as Word<Strain> = StrainMeasure::Green,
         /// Retardation time of Kelvin-Voigt damping (s), which adds E times this time the strain rate to the stress: stiffness-proportional
         /// damping, Rayleigh's beta.

@@ -172,6 +172,12 @@ fn so_do_all_schemes_rows_now_and_then_and_a_start_in_equilibrium() {
 }
 
 #[test]
+fn so_does_a_shear_flexible_beam_that_yields() {
+    let beam = scenarios().join("yielding-beam.toml");
+    compare(&beam, &["beam.girder.theory=\"shear\"", "material.steel.poisson=0.3"]);
+}
+
+#[test]
 fn a_run_goes_on_beyond_the_end_it_was_given_first() {
     let path = scenarios().join("rattling-tube.toml");
     let text = std::fs::read_to_string(&path).unwrap();

@@ -1,6 +1,8 @@
-//! Springs and hinges that yield: what they accept and what they say of the rest.
+//! Springs, hinges and beams that yield: what they accept and what they say of the rest.
 
+use percuss::{NoRecorder, RunSummary, Termination, simulate};
 use percuss_scenario::content::SpringLaw;
+use percuss_scenario::{apply_overrides, read};
 
 use crate::structures::{BEAM, HEAD, bad, file, good};
 
@@ -175,4 +177,37 @@ fn a_scheme_that_cannot_account_for_what_yields_is_one_fault() {
          tension-only, compression-only or fibre sections, expected energy-momentum: the work of \
          plastic flow is exact only in it",
     );
+}
+
+/// The scenario of a weight on a beam that yields, with changes.
+fn struck(changes: &[&str]) -> Result<RunSummary, String> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenarios/yielding-beam.toml");
+    let changes: Vec<String> = changes.iter().map(|c| (*c).to_owned()).collect();
+    let text = std::fs::read_to_string(path).unwrap();
+    let text = apply_overrides(&text, "beam.toml", &changes).unwrap();
+    let scenario = read(&text, "beam.toml").and_then(|content| content.compile());
+    let compiled = scenario.map_err(|faults| faults.to_string())?;
+    Ok(simulate(&compiled.model, &compiled.settings, &mut NoRecorder).unwrap())
+}
+
+/// It is 25 times as long as deep: shear changes little.
+#[test]
+fn a_shear_flexible_beam_yields_as_a_slender_one_if_it_is_slender() {
+    let fine = "beam.girder.elements=32";
+    let (theory, poisson) = ("beam.girder.theory=\"shear\"", "material.steel.poisson=0.3");
+    let slender = struck(&[fine]).unwrap();
+    let found = struck(&[fine, theory, poisson]).unwrap();
+    assert!(matches!(found.termination, Termination::Completed), "{:?}", found.termination);
+    let (energy, momentum) = (&found.energy, &found.momentum);
+    let residuals =
+        [energy.residual_max, momentum.linear_residual_max, momentum.angular_residual_max];
+    assert!(residuals.iter().all(|r| *r < 1e-10), "{residuals:?}");
+    let off = energy.plastic / slender.energy.plastic - 1.0;
+    assert!(off.abs() < 0.05, "{off}");
+    let set = |run: &RunSummary| run.plastic[0].permanent_set.unwrap().size();
+    let off = set(&found) / set(&slender) - 1.0;
+    assert!(off.abs() < 0.1, "{off}");
+    // Its fibres have engineering strains.
+    let green = struck(&[theory, poisson, "material.steel.strain=\"green\""]).unwrap_err();
+    assert!(green.contains("material.steel.strain: found Green strains"), "{green}");
 }

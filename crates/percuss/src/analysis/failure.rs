@@ -5,11 +5,10 @@ use std::fmt;
 use super::static_search::StaticSearch;
 use crate::element::beam::ElementValues;
 use crate::element::fibre::StressLaw;
-use crate::element::yielding::gauss_strains;
 use crate::math::hermite::gauss_points;
 use crate::model::Model;
 use crate::state::State;
-use crate::step::fibres::part_at_rest;
+use crate::step::fibres::{fibre_strains, part_at_rest};
 
 /// Uses of strengths within this difference are equal: parts that reach their limit at the same load fail at the same load.
 pub(super) const SIMULTANEOUS: f64 = 1e-8;
@@ -216,7 +215,7 @@ impl StaticSearch<'_> {
         for (span, k, a, _) in model.each_element() {
             let Some(fibres) = &span.fibres else { continue };
             let u = ElementValues::new(&displacement[a], &displacement[a + 1]);
-            let strains = gauss_strains(span.table(k), span.measure, &u);
+            let strains = fibre_strains(span, k, &u);
             let mut numbers = fibres.range(k);
             for (gauss, points) in fibres.of(k).iter().enumerate() {
                 let [membrane, bending] = strains[gauss];

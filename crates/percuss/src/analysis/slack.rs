@@ -1,10 +1,10 @@
 //! Slack tension-only and compression-only members, and open stops.
 
 use crate::element::beam::ElementValues;
-use crate::element::yielding::gauss_strains;
 use crate::model::Model;
 use crate::model::frozen::Span;
 use crate::state::State;
+use crate::step::fibres::fibre_strains;
 
 /// A beam that is slack, entirely or in part: sections without stress in any fibre have mass and no stiffness.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +37,7 @@ fn is_slack(span: &Span, k: usize, state: &State) -> bool {
     let Some(fibres) = &span.fibres else { return false };
     let (a, u) = (span.nodes.start + k, &state.displacement);
     let u = ElementValues::new(&u[a], &u[a + 1]);
-    let strains = gauss_strains(span.table(k), span.measure, &u);
+    let strains = fibre_strains(span, k, &u);
     let of = state.fibres_of(fibres, k);
     strains.iter().enumerate().all(|(j, [membrane, bending])| {
         let own = of.at(j).filter(|(fibre, _)| fibre.carries_force);

@@ -9,6 +9,7 @@
 //! in (x, d) as well correct them: `|d_b - d_a|^2 / 6` in Gamma1, and the square of turning `(1 - cos t) / l^2` in the energy of bending. With t less
 //! that of the reference, `EI l (4/3 (1 - cos t) - 1/6 sin^2 t) / l^2` is `EI t^2 / 2 l` to sixth order.
 
+mod fibres;
 mod inertia;
 
 pub use inertia::spread_linearly;
@@ -44,6 +45,9 @@ pub struct ShearStrains<S> {
     /// One less the cosine of that angle, over the square of the length \[1/m^2\].
     square: S,
 }
+
+/// Number of the Gauss point in the middle of an element.
+pub const MIDDLE: usize = GAUSS / 2;
 
 /// Share of EI that acts on the square of turning, twice that of its energy, and share that acts on its sine.
 const BENDING: [f64; 2] = [4.0 / 3.0, -1.0 / 3.0];
@@ -90,10 +94,12 @@ impl ShearTable {
     }
 
     /// The table that shares mass, loads and drawing with slender elements: mass, rotary inertia on d, and no stiffness, which is that of `self`.
+    /// All of the length is at the middle, where its fibres are if it has some.
     pub fn carried_by(&self, table: ElementTable, middle: &SectionValues) -> ElementTable {
         let mut rows = table.rows;
-        for row in &mut rows {
+        for (j, row) in rows.iter_mut().enumerate() {
             (row.weighed.axial, row.weighed.bending, row.weighed.rotary) = (0.0, 0.0, 0.0);
+            row.weight = if j == MIDDLE { self.length } else { 0.0 };
         }
         ElementTable { rows, mass: inertia::mass(self.length, middle), membrane: None, ..table }
     }
@@ -249,6 +255,12 @@ impl ShearTable {
     pub fn viscous_loss(&self, start: &ElementValues<f64>, end: &ElementValues<f64>) -> f64 {
         let (old, new) = (self.strains(start).linear, self.strains(end).linear);
         (0..3).map(|k| self.stiffness[k] * (new[k] - old[k]).powi(2)).sum()
+    }
+
+    /// What viscous stresses of shear alone lose in a step, likewise \[J\].
+    pub fn viscous_loss_across(&self, start: &ElementValues<f64>, end: &ElementValues<f64>) -> f64 {
+        let [old, new] = [start, end].map(|u| self.strains(u).linear[1]);
+        self.stiffness[1] * (new - old).powi(2)
     }
 
     fn sums<S: Real, const TANGENT: bool>(&self, of: &Evaluated<S>) -> ElementSums<S> {

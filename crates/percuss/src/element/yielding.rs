@@ -15,14 +15,16 @@ use super::strain::{StrainMeasure, strains};
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, dot};
 use crate::scalar::{Mask, Number, Real, Task, array};
-use forms::{SectionResponse, add_section, add_turned, interpolate, interpolated, sampled, spread};
+use forms::{add_turned, interpolate, interpolated, sampled, spread};
+
+pub use forms::{ElementForm, SectionResponse, add_section};
 
 /// The fibres of an element and their state variables.
 #[derive(Clone, Copy, Debug)]
 pub struct ElementFibres<'a, S = f64> {
     /// Their laws, shape (laws of the span).
     pub laws: &'a [StressLaw<S>],
-    /// Fibres at the Gauss points, shape (Gauss points, fibres at one).
+    /// Fibres at the Gauss points, shape (Gauss points, fibres at one); of a shear-flexible element at the second one, its middle, alone.
     pub fibres: &'a [Vec<Fibre<S>>; GAUSS],
     /// State variables at the start of the step, Gauss point after Gauss point, shape (fibres of the element).
     pub states: &'a [FibreState<S>],
@@ -116,6 +118,9 @@ impl<S: Number> ElementFibres<'_, S> {
         let none = table.length.constant(0.0);
         let mut out = FibreEnergies { stretching: none, elastic: none, hardening: none };
         for j in 0..GAUSS {
+            if self.fibres[j].is_empty() {
+                continue; // a shear-flexible element has fibres in its middle alone
+            }
             let (weight, [membrane, bending]) = (table.rows[j].weight, strains[j]);
             let (mut force, mut stiffness) = (none, none);
             for (fibre, state) in self.at(j) {
@@ -132,16 +137,17 @@ impl<S: Number> ElementFibres<'_, S> {
         out
     }
 
-    /// Mean forces of the section over the step, from membrane and bending strain at its ends and their change from the increment.
+    /// Mean forces of the section over a step, from membrane and bending strain at its ends and their change from the increment; the last are the
+    /// size of the step \[s\] and the retardation time over it.
     #[inline(always)]
-    fn mean(
+    pub fn mean(
         &self,
         j: usize,
         [from, to, change]: [[S; 2]; 3],
-        step: &ElementStep<S>,
+        (h, lag): (S, S),
     ) -> SectionResponse<S> {
-        let none = step.h.constant(0.0);
-        let viscous = none.less(step.lag).any();
+        let none = h.constant(0.0);
+        let viscous = none.less(lag).any();
         let mut out = SectionResponse::zero(none);
         for (fibre, state) in self.at(j) {
             if !fibre.carries_force {
@@ -150,9 +156,9 @@ impl<S: Number> ElementFibres<'_, S> {
             let law = &self.laws[fibre.law];
             let e0 = from[0] + fibre.height * from[1];
             let e1 = to[0] + fibre.height * to[1];
-            let mut found = law.step(state, e0, e1, step.h);
+            let mut found = law.step(state, e0, e1, h);
             if viscous && !state.failed {
-                let viscous = law.young() * step.lag;
+                let viscous = law.young() * lag;
                 found.mean += viscous * (change[0] + fibre.height * change[1]);
                 found.slope += viscous;
             }
@@ -164,7 +170,7 @@ impl<S: Number> ElementFibres<'_, S> {
 
 impl ElementFibres<'_> {
     /// Forces of the section at the end of a rate-independent step.
-    fn end(&self, j: usize, [membrane, bending]: [f64; 2]) -> SectionResponse<f64> {
+    pub fn end(&self, j: usize, [membrane, bending]: [f64; 2]) -> SectionResponse<f64> {
         let mut out = SectionResponse::zero(0.0);
         for (fibre, state) in self.at(j).filter(|(fibre, _)| fibre.carries_force) {
             let strain = membrane + fibre.height * bending;
@@ -233,7 +239,7 @@ impl<S: Number> ElementStep<'_, S> {
             let step = new.bending(&row.section, &starts[j]);
             let [k0, k1] = step.strain;
             let change = [interpolate(at, &changes), step.change];
-            let found = fibres.mean(j, [[eps0, k0], [eps1, k1], change], self);
+            let found = fibres.mean(j, [[eps0, k0], [eps1, k1], change], (self.h, self.lag));
             let mut response = step.response(row.weight * found.moment);
             let (rotary, rate) = (row.weighed.rotary, turn.rate);
             new.turn.add_inertia::<TANGENT>(&mut response, rotary, spin[j], rate, turn.damping);

@@ -141,7 +141,8 @@ impl ModelBuilder {
             (0..n).map(|k| table(k, stations[k + 1] - stations[k])).collect()
         };
         let (first, element) = (model.nodes.len(), model.element_count());
-        let stretch = fibres::Stretch { stations, total, uniform: tables.len() == 1, count: n };
+        let (uniform, in_middle) = (tables.len() == 1, theory == Theory::Shear);
+        let stretch = fibres::Stretch { stations, total, uniform, count: n, in_middle };
         // The count continues from the last span with fibres, past all without.
         let fibres_before = if make.has_fibres() { model.fibre_count() } else { 0 };
         let span = Span {

@@ -6,6 +6,7 @@ use super::definition::{
 use super::frozen::SpanFibres;
 use crate::element::fibre::{Fibre, StressLaw};
 use crate::element::point::SectionLaw;
+use crate::element::shear::MIDDLE;
 use crate::math::hermite::{self, GAUSS};
 
 /// Position of the elements of a span.
@@ -18,6 +19,8 @@ pub(super) struct Stretch<'a> {
     pub uniform: bool,
     /// Number of its elements.
     pub count: usize,
+    /// Whether they have fibres in their middle alone.
+    pub in_middle: bool,
 }
 
 /// Material and section of a span.
@@ -73,6 +76,12 @@ impl Make<'_> {
         Some(out)
     }
 
+    /// Sum of shear moduli times areas over its fibres, if they are given one by one; NaN if a modulus is unknown \[N\].
+    pub fn shear_stiffness(&self) -> Option<f64> {
+        let of = |f: &SectionFibre| self.of(f).shear_stiffness().unwrap_or(f64::NAN) * f.area;
+        Some(self.section.given_fibres()?.iter().map(of).sum())
+    }
+
     /// Section law and mass per length \[kg/m\] of a section that is given by its fibres.
     pub fn law(&self, measure: StrainMeasure) -> Option<(SectionLaw<f64>, f64)> {
         let Weighed { stiffness: [axial, _, bending], mass: [mass, turning] } = self.weighed()?;
@@ -100,9 +109,10 @@ pub(super) fn of_span(make: &Make, stretch: &Stretch, first: usize) -> Option<Sp
     let points = hermite::gauss_points();
     let element = |k: usize| -> [Vec<Fibre>; GAUSS] {
         let (a, b) = (stretch.stations[k], stretch.stations[k + 1]);
-        points.map(|xi| match &given {
+        std::array::from_fn(|j| match &given {
+            _ if stretch.in_middle && j != MIDDLE => Vec::new(),
             Some(fibres) => fibres.clone(),
-            None => layout.at((a + xi * (b - a)) / stretch.total),
+            None => layout.at((a + points[j] * (b - a)) / stretch.total),
         })
     };
     let at: Vec<_> = (0..if stretch.uniform { 1 } else { stretch.count }).map(element).collect();

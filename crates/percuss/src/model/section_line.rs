@@ -84,7 +84,9 @@ fn values(make: &Make, (size, profile): (SectionSize, &Profile)) -> SectionValue
         let (young, density) = (law.axial / area, mass / area);
         let young = if plain { material.young } else { young };
         let density = if plain { material.density } else { density };
-        let (shear, sheared) = (f64::NAN, [ShearedPlace::UNKNOWN; 2]);
+        let factor = section.shear_factor.unwrap_or(f64::NAN);
+        let shear = factor * make.shear_stiffness().unwrap_or(f64::NAN);
+        let sheared = [ShearedPlace::UNKNOWN; 2];
         return SectionValues {
             law,
             mass,

@@ -11,7 +11,7 @@ pub struct SpanFibres<S = f64> {
     /// Laws of its materials, shape (laws).
     pub laws: Vec<StressLaw<S>>,
     /// Fibres at the Gauss points, one entry for each table of the span, shape (tables, Gauss points, fibres at one); those of a shape end with two
-    /// without area, at the lower and the upper surface.
+    /// without area, at the lower and the upper surface. Elements of shear-flexible beams have fibres at the second point, their middle, alone.
     pub at: Vec<[Vec<Fibre<S>>; GAUSS]>,
     /// Fibres of an element, all its Gauss points together.
     pub count: usize,

@@ -167,6 +167,10 @@ impl StepState<'_> {
             if let Some(shear) = at.span.shear_at(at.k) {
                 // As fibres, they support only the invariant scheme and rest.
                 let foreseen = self.state.strain.get(at.element).map(from_stored);
+                if let Some(own) = &at.span.fibres {
+                    let fibres = self.state.fibres_of(own, at.k);
+                    return shear.end_with_fibres::<TANGENT>(&fibres, &at.old, &at.step, foreseen);
+                }
                 return shear.at_end::<f64, TANGENT>(&at.old, &at.step, foreseen);
             }
             let mut sums = ElementSums::zero(0.0);
@@ -246,11 +250,14 @@ impl StepState<'_> {
         at: &ElementAt,
         sweep: &mut Sweep,
     ) -> ElementSums<f64> {
-        if let Some(shear) = at.span.shear_at(at.k) {
-            return shear.mean::<f64, TANGENT>(&at.old, &at.step, at.lag);
-        }
         let fibres = at.span.fibres.as_ref().map(|own| self.state.fibres_of(own, at.k));
         let h = self.integration.h;
+        if let Some(shear) = at.span.shear_at(at.k) {
+            return match &fibres {
+                Some(own) => shear.mean_with_fibres::<TANGENT>(own, &at.old, &at.step, (h, at.lag)),
+                None => shear.mean::<f64, TANGENT>(&at.old, &at.step, at.lag),
+            };
+        }
         let step = InvariantStep {
             table: at.table,
             measure: at.span.measure,

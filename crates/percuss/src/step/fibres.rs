@@ -4,6 +4,7 @@ use super::integration::Integration;
 use super::sweep::{AdvanceFibres, Sweep};
 use crate::element::beam::{ElementTable, ElementValues};
 use crate::element::fibre::{Fibre, FibreFlow, FibreLosses, FibreState, StressLaw};
+use crate::element::shear::{moved, stored};
 use crate::element::yielding::{
     ElementFibres, ElementStep, FibreEnergies, GaussStrains, gauss_strains,
 };
@@ -17,6 +18,14 @@ impl State {
     pub(crate) fn fibres_of<'a>(&'a self, fibres: &'a SpanFibres, k: usize) -> ElementFibres<'a> {
         let states = &self.fibres[fibres.range(k)];
         ElementFibres { laws: &fibres.laws, fibres: fibres.of(k), states }
+    }
+}
+
+/// Membrane and bending strain of the fibres of an element at its Gauss points; a shear-flexible one has one point, whose strains they all have.
+pub fn fibre_strains(span: &Span, k: usize, u: &ElementValues<f64>) -> GaussStrains {
+    match span.shear_at(k) {
+        Some(shear) => [shear.strains_of_fibres(u); GAUSS],
+        None => gauss_strains(span.table(k), span.measure, u),
     }
 }
 
@@ -86,11 +95,25 @@ struct Moved<'a> {
 impl Moved<'_> {
     /// Strains of an element at both ends of the step.
     fn strains(&self, k: usize) -> [GaussStrains; 2] {
-        let (a, table, u) =
-            (self.span.nodes.start + k, self.span.table(k), &self.state.displacement);
-        let start = ElementValues::new(&u[a], &u[a + 1]);
-        let change = ElementValues::new(&self.increment[a], &self.increment[a + 1]);
-        element_step((self.span, table), [&start, &change], self.rule).strains()
+        let [start, change] = self.values(k);
+        if self.span.shear.is_some() {
+            let end = moved(&start, &change, 1.0);
+            return [&start, &end].map(|u| fibre_strains(self.span, k, u));
+        }
+        element_step((self.span, self.span.table(k)), [&start, &change], self.rule).strains()
+    }
+
+    /// Nodal values of an element at the start of the step, and their increments.
+    fn values(&self, k: usize) -> [ElementValues<f64>; 2] {
+        let a = self.span.nodes.start + k;
+        [&self.state.displacement[..], self.increment].map(|u| ElementValues::new(&u[a], &u[a + 1]))
+    }
+
+    /// Energy of the shear force of an element at the end of the step \[J\].
+    fn sheared(&self, k: usize) -> f64 {
+        let [start, change] = self.values(k);
+        let end = moved(&start, &change, 1.0);
+        self.span.shear_at(k).map_or(0.0, |shear| 0.5 * shear.energies(&end)[1])
     }
 
     /// Moves those of an element; returns whether any has reached its failure strain.
@@ -116,13 +139,14 @@ impl Moved<'_> {
     /// Lets the fibres of an element fail that have reached their failure strain, and all others if none is left at a Gauss point.
     fn fail(&mut self, k: usize) -> Option<PartedElement> {
         let fibres = self.fibres;
-        let [_, strains] = self.strains(k);
+        let ([_, strains], sheared) = (self.strains(k), self.sheared(k));
         let states = &mut self.state.fibres[fibres.range(k)];
         let broken = |law: &StressLaw, strain: f64| law.fails(strain);
         let mut energy = fail_those((fibres, k), self.span.table(k), &strains, states, broken);
         let gap = gap(fibres.of(k), states);
         if gap.is_some() {
             energy += fail_those((fibres, k), self.span.table(k), &strains, states, |_, _| true);
+            energy += sheared;
         }
         self.losses.failure += energy;
         gap.map(|gauss| PartedElement { node: self.span.nodes.start + k, gauss, energy })
@@ -136,7 +160,7 @@ fn gap(fibres: &[Vec<Fibre>; GAUSS], mut states: &[FibreState]) -> Option<usize>
         states = rest;
         let carries_force =
             |(fibre, state): (&Fibre, &FibreState)| fibre.carries_force && !state.failed;
-        !points.iter().zip(here).any(carries_force)
+        !points.is_empty() && !points.iter().zip(here).any(carries_force)
     })
 }
 
@@ -168,7 +192,7 @@ pub fn bring_to_rest(model: &Model, displacement: &[[f64; 4]], all: &mut [FibreS
     for (span, k, a, _) in model.each_element() {
         let Some(fibres) = &span.fibres else { continue };
         let u = ElementValues::new(&displacement[a], &displacement[a + 1]);
-        let strains = gauss_strains(span.table(k), span.measure, &u);
+        let strains = fibre_strains(span, k, &u);
         let mut states = all[fibres.range(k)].iter_mut();
         for (points, [membrane, bending]) in fibres.of(k).iter().zip(strains) {
             for (fibre, state) in points.iter().zip(&mut states) {
@@ -215,19 +239,21 @@ pub fn energies(
     k: usize,
     u: &ElementValues<f64>,
 ) -> FibreEnergies<f64> {
-    let table = span.table(k);
-    state.fibres_of(fibres, k).energies(table, &gauss_strains(table, span.measure, u))
+    state.fibres_of(fibres, k).energies(span.table(k), &fibre_strains(span, k, u))
 }
 
 /// Elastic strains for the forces of a fibre element in the current state: membrane strains at the sampling points, bending strains at the Gauss
-/// points.
+/// points; of a shear-flexible one as it stores them.
 pub fn equivalent_strains(state: &State, span: &Span, k: usize) -> Option<GaussStrains> {
     let fibres = span.fibres.as_ref()?;
     let (table, a) = (span.table(k), span.nodes.start + k);
-    let at_gauss = &table.membrane.as_ref()?.at_gauss;
     let u = ElementValues::new(&state.displacement[a], &state.displacement[a + 1]);
-    let strains = gauss_strains(table, span.measure, &u);
     let of = state.fibres_of(fibres, k);
+    if let Some(shear) = span.shear_at(k) {
+        return Some(stored(shear.elastic_strains(&of, &u)));
+    }
+    let at_gauss = &table.membrane.as_ref()?.at_gauss;
+    let strains = gauss_strains(table, span.measure, &u);
     let mut out = [[0.0; 2]; GAUSS];
     let mut membrane = [0.0; GAUSS];
     for j in 0..GAUSS {

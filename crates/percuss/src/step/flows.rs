@@ -195,7 +195,9 @@ impl Entry<'_> {
                 if span.mass_damping > 0.0 {
                     self.mass_damping(span, k, &mut sum);
                 }
-                if span.retardation > 0.0 && span.fibres.is_none() {
+                // That of fibres is known already.
+                let sheared = span.shear.is_some() && !self.state.has_parted(span.nodes.start + k);
+                if span.retardation > 0.0 && (span.fibres.is_none() || sheared) {
                     self.state.ledger.loss_damping +=
                         self.viscous_loss(span, k) * span.retardation / h;
                 }
@@ -222,7 +224,7 @@ impl Entry<'_> {
         damping.rotation(&slopes, &ElementValues::new(&d[a], &d[a + 1]), sum);
     }
 
-    /// Viscous dissipation of an element, without the factor `tau/h`, for the changes of strain in the scheme.
+    /// Viscous dissipation of an element, of one of fibres by shear alone, without the factor `tau/h`, for the changes of strain in the scheme.
     fn viscous_loss(&self, span: &Span, k: usize) -> f64 {
         let (a, table) = (span.nodes.start + k, span.table(k));
         let (u, d) = (&self.state.displacement, &self.work.increment);
@@ -231,7 +233,10 @@ impl Entry<'_> {
         let [at_a, at_b] = [a, a + 1].map(|n| array(|i| u[n][i] + d[n][i]));
         let end = ElementValues::new(&at_a, &at_b);
         if let Some(shear) = span.shear_at(k) {
-            return shear.viscous_loss(&old, &end);
+            return match span.fibres {
+                Some(_) => shear.viscous_loss_across(&old, &end),
+                None => shear.viscous_loss(&old, &end),
+            };
         }
         let invariant =
             Integration::new(Scheme::EnergyMomentum, self.rule.h).rule == self.rule.rule;

@@ -43,6 +43,7 @@ mod shear_faults;
 mod shear_flexible;
 mod shear_forces;
 mod shear_stresses;
+mod shear_yielding;
 mod slack;
 mod sliding;
 mod spectra;

@@ -45,7 +45,7 @@ fn shear_flexible_beams_need_shear_stiffness_and_rotary_inertia() {
     assert_eq!(faults(steel(), still, none), ["section.s.rotary_inertia"]);
     let slack =
         Material { inelasticity: Some(Inelasticity::OneSided(Slack::Compression)), ..steel() };
-    assert_eq!(faults(slack, bar(), none), ["beam.arm.theory"]);
+    assert!(faults(slack, bar(), none).is_empty());
     let stretch = |b: &mut ModelBuilder, arm: BeamId| {
         let kind = SupportKind::Fix { components: vec![Component::Stretch] };
         b.support(Support::new("end", at("end", arm, 1.0), kind));

@@ -39,7 +39,7 @@ pub(super) struct ElementForces<'a> {
     pub(super) inner: &'a [Inner],
     /// Strains at both nodes, where they do not follow from the forces, shape (2).
     pub(super) strained: Option<[Strained; 2]>,
-    /// Extreme fibres at the Gauss points of an element that can yield, shape (Gauss points).
+    /// Extreme fibres at the Gauss points of an element that can yield, shape (Gauss points); those of the middle of a shear-flexible one.
     pub(super) yielded: Option<[Fibres; GAUSS]>,
     /// Whether its stresses and strains are asked for.
     pub(super) stresses: bool,
@@ -104,7 +104,8 @@ impl<'a> ElementForces<'a> {
             }
         }
         for (j, fibres) in self.yielded.iter().flatten().enumerate() {
-            self.take_fibres(out, hermite::gauss_points()[j], fibres, time);
+            let xi = if self.span.shear.is_some() { 0.5 } else { hermite::gauss_points()[j] };
+            self.take_fibres(out, xi, fibres, time);
             let [least, most] = fibres.stress;
             widen(&mut out.envelope.stress, index + j, least, most);
         }

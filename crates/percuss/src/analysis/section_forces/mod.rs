@@ -16,12 +16,13 @@ mod sheared;
 mod span_lines;
 
 use crate::element::beam::ElementValues;
-use crate::element::yielding::gauss_strains;
+use crate::element::shear::MIDDLE;
 use crate::math::hermite::GAUSS;
 use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span, SpanFibres};
 use crate::scalar::in_lanes;
 use crate::state::State;
+use crate::step::fibres::fibre_strains;
 use crate::summary::{
     Envelope, PointForces, PointStress, SectionForceSummary, SectionPeak, SectionRange,
 };
@@ -121,6 +122,9 @@ fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
             *range = [range[0].min(value), range[1].max(value)];
         }
     });
+    if span.shear.is_some() {
+        out = [out[MIDDLE]; GAUSS]; // it has one point
+    }
     Some(out)
 }
 
@@ -128,6 +132,7 @@ fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
 /// height that of larger magnitude.
 fn yielded_faces(span: &Span, fibres: &SpanFibres, k: usize, state: &State, at: usize) -> [f64; 2] {
     let (mut heights, mut out) = ([f64::NEG_INFINITY; 2], [f64::NAN; 2]);
+    let at = if span.shear.is_some() { MIDDLE } else { at };
     each_fibre(span, fibres, k, state, |j, height, _, stress| {
         if j != at {
             return;
@@ -152,7 +157,7 @@ fn each_fibre(
 ) {
     let (a, u) = (span.nodes.start + k, &state.displacement);
     let u = ElementValues::new(&u[a], &u[a + 1]);
-    let strains = gauss_strains(span.table(k), span.measure, &u);
+    let strains = fibre_strains(span, k, &u);
     let of = state.fibres_of(fibres, k);
     for j in 0..GAUSS {
         for (fibre, memory) in of.at(j) {

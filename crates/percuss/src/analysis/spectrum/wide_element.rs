@@ -28,7 +28,11 @@ pub(super) fn element(
     let zero = [Wide::ZERO; 2];
     let still = ElementValues { chord: zero, slope_a: zero, slope_b: zero };
     if let Some(shear) = span.shear_at(k) {
-        return shear.tangent(&old, stored.map(from_stored));
+        let stored = stored.map(from_stored);
+        return match span.fibres {
+            Some(_) => shear.tangent_with_fibres(&old, stored),
+            None => shear.tangent(&old, stored),
+        };
     }
     let stored = stored.unwrap_or(&[[0.0; 2]; 3]);
     let mut sums = ElementSums::zero(Wide::ZERO);

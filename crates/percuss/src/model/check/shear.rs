@@ -2,6 +2,7 @@
 
 use super::super::builder::ModelBuilder;
 use super::super::definition::*;
+use super::super::fibres::Make;
 use super::faults::{Faults, quantity};
 
 /// Share by which a shear modulus may differ from that of an isotropic material with the Poisson's ratio given beside it: tables round both.
@@ -38,7 +39,7 @@ pub(super) fn check_shear_factor(s: &Section, out: &mut Faults) {
     }
 }
 
-/// A shear-flexible beam needs a shear stiffness, and its sections need rotary inertia; it is elastic.
+/// A shear-flexible beam needs a shear stiffness, and its sections need rotary inertia; it yields by engineering strains.
 pub(super) fn check_theory(model: &ModelBuilder, beam: &Beam, out: &mut Faults) {
     if beam.theory == Theory::Slender {
         return;
@@ -53,26 +54,23 @@ pub(super) fn check_theory(model: &ModelBuilder, beam: &Beam, out: &mut Faults) 
         else {
             continue; // a fault of its own
         };
-        check_pair(beam, m, s, out);
+        check_pair(beam, &Make { material: m, section: s, materials: &model.materials }, out);
     }
 }
 
-fn check_pair(beam: &Beam, m: &Material, s: &Section, out: &mut Faults) {
-    let theory = || format!("beam.{}.theory", beam.name);
-    let elastic = "an elastic material of one kind, or theory = \"slender\"";
-    if m.inelasticity.is_some() {
-        let found = format!("\"shear\", with the nonlinear material `{}`", m.name);
-        return out.add(theory(), found, elastic);
-    }
-    if s.given_fibres().is_some() {
-        let found = format!("\"shear\", with the section `{}`, which is made of fibres", s.name);
-        return out.add(theory(), found, elastic);
-    }
-    if m.shear_stiffness().is_none() {
-        let found =
-            format!("neither Poisson's ratio nor shear modulus for shear-flexible `{}`", beam.name);
-        let expected = "`poisson`, such as 0.3, or `shear_modulus`";
-        out.add(format!("material.{}.poisson", m.name), found, expected);
+fn check_pair(beam: &Beam, make: &Make, out: &mut Faults) {
+    let (m, s) = (make.material, make.section);
+    match s.given_fibres() {
+        Some(fibres) => {
+            let mut known: Vec<&str> = Vec::new();
+            for material in fibres.iter().map(|fibre| make.of(fibre)) {
+                if !known.contains(&material.name.as_str()) {
+                    known.push(&material.name);
+                    check_material(beam, material, out);
+                }
+            }
+        }
+        None => check_material(beam, m, out),
     }
     let known = |(profile, _)| !s.shear_factor_of(profile, m.poisson_in_shear()).is_nan();
     if !s.profiles().all(known) {
@@ -85,6 +83,26 @@ fn check_pair(beam: &Beam, m: &Material, s: &Section, out: &mut Faults) {
         let found = format!("no rotary inertia for shear-flexible `{}`", beam.name);
         let expected = "true, or a value above zero: its sections turn by themselves";
         out.add(format!("section.{}.rotary_inertia", s.name), found, expected);
+    }
+}
+
+/// The shear stiffness of a material, and the measure of its stress and strain if it yields.
+fn check_material(beam: &Beam, m: &Material, out: &mut Faults) {
+    if m.shear_stiffness().is_none() {
+        let found =
+            format!("neither Poisson's ratio nor shear modulus for shear-flexible `{}`", beam.name);
+        let expected = "`poisson`, such as 0.3, or `shear_modulus`";
+        out.add(format!("material.{}.poisson", m.name), found, expected);
+    }
+    let yields = matches!(
+        m.inelasticity,
+        Some(Inelasticity::Plastic(_) | Inelasticity::OneSidedPlastic(..))
+    );
+    if yields && m.strain == StrainMeasure::Green {
+        let found =
+            format!("Green strains of a material that yields in shear-flexible `{}`", beam.name);
+        let expected = "\"engineering\": its fibres have engineering strains";
+        out.add(format!("material.{}.strain", m.name), found, expected);
     }
 }
 

@@ -5,12 +5,11 @@ use serde::{Deserialize, Serialize};
 use crate::analysis::{Equilibrium, permanent_sets};
 use crate::element::beam::ElementValues;
 use crate::element::fibre::{Fibre, FibreState, StressLaw};
-use crate::element::yielding::gauss_strains;
 use crate::math::hermite;
 use crate::model::Model;
 use crate::model::frozen::{BeamData, Span, SpanFibres};
 use crate::state::State;
-use crate::step::fibres::PartedElement;
+use crate::step::fibres::{PartedElement, fibre_strains};
 use crate::summary::{
     FirstYield, NoPermanentSet, Parting, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
 };
@@ -69,7 +68,7 @@ impl GaussFibres<'_> {
     }
 }
 
-/// Gauss points of a beam with fibres, along it; strains are evaluated if `strained`.
+/// Gauss points of a beam at which it has fibres, along it; strains are evaluated if `strained`.
 fn points<'a>(
     model: &'a Model,
     state: &'a State,
@@ -79,13 +78,13 @@ fn points<'a>(
     let xi = hermite::gauss_points();
     let spans = model.spans[beam.spans.clone()].iter();
     let with = spans.filter_map(|span| span.fibres.as_ref().map(|fibres| (span, fibres)));
-    with.flat_map(move |(span, of)| {
+    let all = with.flat_map(move |(span, of)| {
         (0..span.elements.len()).flat_map(move |k| {
             let a = span.nodes.start + k;
             let table = span.table(k);
             let u = &state.displacement;
             let strains = if strained {
-                gauss_strains(table, span.measure, &ElementValues::new(&u[a], &u[a + 1]))
+                fibre_strains(span, k, &ElementValues::new(&u[a], &u[a + 1]))
             } else {
                 Default::default()
             };
@@ -99,7 +98,8 @@ fn points<'a>(
                 GaussFibres { s, weight, length: table.length, span, of, fibres, states, strains }
             })
         })
-    })
+    });
+    all.filter(|point| !point.fibres.is_empty())
 }
 
 /// Enters the state at the end of a step into the records, one per beam.
