@@ -151,8 +151,7 @@ def test_a_killed_worker_of_a_cluster_loses_nothing(study, tmp_path, cluster):
 def write_study(study: dict, path: Path) -> Path:
     study["scenario"].save(path / "base.toml")
     path = path / "speed.toml"
-    text = percuss._study._text({**study, "scenario": study["scenario"]})
-    path.write_text(text)
+    path.write_text(percuss._study._text(percuss._study._merged(study, {})))
     return path
 
 
