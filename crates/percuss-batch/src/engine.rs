@@ -175,9 +175,7 @@ impl<S: Number> Engine<S> {
         if !self.numbers.loads.is_empty() {
             self.resist_loads();
         }
-        self.push_springs::<TANGENT>();
-        self.contacts::<TANGENT>();
-        self.constrain();
+        self.connect::<TANGENT>();
         for k in 0..self.numbers.prescribed.len() {
             let dofs = &self.numbers.prescribed[k];
             let free = &mut self.residual[dofs.node];
@@ -188,6 +186,14 @@ impl<S: Number> Engine<S> {
                 *mine = S::choose(self.settled, *mine, all[i] - free[i]);
             }
         }
+    }
+
+    /// Forces of springs, contacts and constraints.
+    #[inline(always)]
+    pub fn connect<const TANGENT: bool>(&mut self) {
+        self.push_springs::<TANGENT>();
+        self.contacts::<TANGENT>();
+        self.constrain();
     }
 
     /// Forces of the guided projectiles, and their own balance.

@@ -133,7 +133,8 @@ impl<S: Number> Engine<S> {
         self.forget_answer();
         let turns =
             self.numbers.constraints.iter().any(|c| matches!(c.kind, ConstraintKind::Angle { .. }));
-        for _ in 0..if turns { FOLLOWING } else { 1 } {
+        let steps = if turns { FOLLOWING } else { 1 };
+        for step in 1..=steps {
             self.correct();
             self.press(all);
             for (d, c) in self.increment.iter_mut().zip(&self.correction) {
@@ -143,8 +144,22 @@ impl<S: Number> Engine<S> {
                 guide.increment += guide.correction;
             }
             self.constraints.correct(all);
-            self.evaluate::<false>();
+            if step < steps {
+                self.evaluate::<false>();
+            }
         }
+        self.h.apart(Connect(self));
+    }
+}
+
+/// Forces of contacts, springs and constraints at an increment, without those of the beams, on which nothing depends any more in a solved step.
+struct Connect<'a, S: Number>(&'a mut Engine<S>);
+
+impl<S: Number> Task for Connect<'_, S> {
+    type Output = ();
+    #[inline(always)]
+    fn run(self) {
+        self.0.connect::<false>();
     }
 }
 
