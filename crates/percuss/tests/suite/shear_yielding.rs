@@ -28,8 +28,10 @@ fn cantilever(mut b: ModelBuilder, beam: Beam, force: f64) -> Model {
     b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
     let tip = at("tip", arm, 1.0);
     b.record_point(tip.clone());
-    let kind = LoadKind::Point { at: tip, force: [0.0, force], moment: 0.0, follower: false };
-    b.load(Load::new("tip", kind));
+    if force != 0.0 {
+        let kind = LoadKind::Point { at: tip, force: [0.0, force], moment: 0.0, follower: false };
+        b.load(Load::new("tip", kind));
+    }
     b.build().unwrap_or_else(|faults| panic!("{faults:?}"))
 }
 
@@ -126,7 +128,8 @@ const FORCE: f64 = 300.0;
 fn flanges(elements: usize, shear_modulus: f64, theory: Theory) -> Model {
     let mut b = ModelBuilder::new();
     let material = metal(2e6, 10e9, |_| {});
-    let material = b.material(Material { shear_modulus: Some(shear_modulus), ..material });
+    let material =
+        b.material(Material { poisson: None, shear_modulus: Some(shear_modulus), ..material });
     let fibre = |height| SectionFibre { height, area: 1e-3, material: None };
     let two = Section::of_fibres("flanges", [-0.05, 0.05].map(fibre).to_vec());
     let section = b.section(Section { shear_factor: Some(0.5), ..two });

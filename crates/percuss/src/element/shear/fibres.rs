@@ -179,8 +179,10 @@ impl ShearTable {
         let (gradients, ends) = ([&at[0], &bent_at], [&end[0], &bent_end]);
         add_section::<S, TANGENT>(&mut sums, weight, &of.response, gradients, ends);
         let [across, slope] = of.shear.map(|x| x * self.length);
+        let moment = of.response.moment * self.length;
         for i in 0..6 {
-            sums.force[i] = sums.force[i].add_product(across, at[1][i]);
+            sums.force[i] =
+                sums.force[i].add_product(across, at[1][i]).add_product(moment, bent_at[i]);
         }
         if !TANGENT {
             return sums;

@@ -86,7 +86,8 @@ pub fn interpolated<S: Real>(
     array(|k| interpolate(at, &[forms[0][k], forms[1][k], forms[2][k]]))
 }
 
-/// Contribution of a Gauss point to an element: forces along the gradients of its strains, and their tangent.
+/// Contribution of a Gauss point to an element: axial force along the gradient of membrane strain, and the tangent of the section along the gradients
+/// of both strains. The moment acts with the bending response of the element.
 #[inline(always)]
 pub fn add_section<S: Real, const TANGENT: bool>(
     sums: &mut ElementSums<S>,

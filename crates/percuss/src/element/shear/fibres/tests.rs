@@ -177,8 +177,8 @@ fn forces_of_a_step_have_no_resultant_moment() {
     assert!(parts.iter().sum::<f64>().abs() < 1e-14 * gross, "{parts:?}");
 }
 
-/// Forces for an increment.
-type Forces<'a> = &'a dyn Fn([f64; 6]) -> ElementSums<f64>;
+/// FibreForces for an increment.
+type FibreForces<'a> = &'a dyn Fn([f64; 6]) -> ElementSums<f64>;
 
 #[test]
 fn tangents_are_the_derivatives_of_the_forces() {
@@ -187,9 +187,9 @@ fn tangents_are_the_derivatives_of_the_forces() {
         [MiddleFibres::new(None), MiddleFibres::yielding(20.0), MiddleFibres::yielding(80.0)]
     {
         let own = held.of();
-        let mean: Forces =
+        let mean: FibreForces =
             &|d| table.mean_with_fibres::<true>(&own, &start, &values(d), (1e-3, 0.3));
-        let end: Forces = &|d| table.end_with_fibres::<true>(&own, &start, &values(d), None);
+        let end: FibreForces = &|d| table.end_with_fibres::<true>(&own, &start, &values(d), None);
         for forces in [mean, end] {
             let tangent = forces(STEP).tangent;
             let most = tangent.as_flattened().iter().fold(0.0_f64, |m, k| m.max(k.abs()));
