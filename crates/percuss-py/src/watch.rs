@@ -136,7 +136,7 @@ impl Watch {
                 (Ok(outcome), None) => {
                     // Work that ends before signals are looked for the first time is reported, too.
                     if outcome.is_ok() {
-                        Python::attach(|py| tell(py))?;
+                        Python::attach(&mut *tell)?;
                     }
                     return Ok(outcome);
                 }

@@ -6,11 +6,14 @@ use percuss_scenario::{Field, Scenario};
 
 use crate::parameter::Adjustable;
 
+/// Fields of a scenario that parameters change, each with the index of its parameter.
+type ChangedFields = Vec<(usize, Field)>;
+
 /// Faults of the scenarios of the tests at the starting values, each at the value that causes it. Scenarios that are not valid without them are
 /// left out.
 pub(super) fn starts_at_fault(
     content: &FitContent,
-    (adjustables, fields): (&[Adjustable], &[Vec<(usize, Field)>]),
+    (adjustables, fields): (&[Adjustable], &[ChangedFields]),
     scenarios: &[Scenario],
 ) -> Vec<Fault> {
     let mut faults = Vec::new();
@@ -59,7 +62,7 @@ fn wrong<'f>(
     }
     let faults = scenario.compile().err()?;
     let first = faults.all().first()?;
-    let own = paths.iter().any(|path| *path == first.path.as_str());
+    let own = paths.contains(&first.path.as_str());
     let place = if own { String::new() } else { format!(" in `{}`", first.path) };
     Some(Fault::new("parameter", format!("{}{place}", first.message), first.help.clone()))
 }

@@ -1,5 +1,7 @@
 //! Temperatures and given strains: balances, schemes, spans, faults.
 
+use std::f64::consts::FRAC_PI_2;
+
 use crate::common;
 
 use common::*;
@@ -330,7 +332,7 @@ fn modes_about_the_reference_have_the_heat_that_supports_bear() {
 /// which strains at a few places would be the same.
 #[test]
 fn a_given_curvature_rolls_a_beam_up_without_folds() {
-    for curvature in [1.56, 1.5707963, 1.58] {
+    for curvature in [1.56, FRAC_PI_2, 1.58] {
         let mut b = ModelBuilder::new();
         let material = b.material(Material::new("composite", 1e10, 2e3));
         let section = b.section(Section::rectangle("bar", 0.1, 0.2));

@@ -257,7 +257,7 @@ fn a_struck_beam_closes_its_balance_while_it_yields() {
             let summary = struck(material.clone(), kind, 25.0);
             assert_balances(&summary, name);
             let girder = &summary.plastic[0];
-            assert!(summary.energy.plastic > 0.1 * summary.energy.initial, "{name}: {girder:?}");
+            assert!(summary.energy.plastic > 0.03 * summary.energy.initial, "{name}: {girder:?}");
             assert!(!girder.hinges.is_empty() && girder.permanent_set.is_ok(), "{girder:?}");
         }
     }
@@ -281,7 +281,7 @@ fn a_free_beam_that_yields_keeps_its_momenta() {
     for (i, f) in [0.3, 0.8].into_iter().enumerate() {
         let (name, strikes) = (format!("ball{i}"), at(&format!("p{i}"), bar, f));
         let kind = ProjectileKind::spring(2e7);
-        b.projectile(Projectile::new(name, kind, 1.0, [0.0, -30.0], strikes));
+        b.projectile(Projectile::new(name, kind, 1.0, [0.0, -90.0], strikes));
     }
     let model = b.build().unwrap();
     let summary = simulate(&model, &Settings::new(2e-3, 2e-6), &mut NoRecorder).unwrap();
