@@ -112,6 +112,7 @@ pub fn converge(
     // With nothing but the step to refine, all at once is the step.
     let together =
         if rungs.together.is_empty() { alone[0].clone() } else { climb(&rungs.together)? };
+    tell(rungs.runs(), rungs.runs());
     let results: Vec<Converged> = paths
         .iter()
         .enumerate()
