@@ -202,8 +202,8 @@ def missing(value, path: str) -> list[str]:
     if not isinstance(value, dict):
         return []
     out = [f"{path}.{key}" for key, one in value.items() if one is None and key not in NULLS]
-    if value.keys() <= {"value", "time"} and not value.get("value"):
-        out = []  # what never was has no time
+    if value.keys() <= {"value", "s", "time"} and not value.get("value"):
+        out = []  # what never was has no time, and what is not known (stresses of sections without a shape) no place
     if path.endswith(".permanent_set_at") and not any(value.get("displacement") or []):
         out = []  # nor has a set that is zero a place
     return out + [found for key, one in value.items() for found in missing(one, f"{path}.{key}")]
