@@ -148,6 +148,7 @@ fn converged(
         sequence(Refined::Fibres, fibres),
     ];
     let mut together = sequence(Refined::Together, together);
+    together.found = together.found.with_parts([&step.found, &mesh.found, &fibres.found]);
     let none = [&step, &mesh, &fibres].iter().any(|one| one.no_limit);
     together.no_limit = none || together.found.uncertainty.is_nan();
     let (limit, uncertainty) = match together.no_limit {

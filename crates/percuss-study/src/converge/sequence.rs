@@ -18,11 +18,25 @@ pub struct Extrapolation {
     pub limit: f64,
     /// Uncertainty of the limit. With an order that four values or more agree upon, what the limits of neighbouring triples differ by, and
     /// 1.25 times what is extrapolated at least; else 1.25 times what would still change if changes fell at first order from here on, from
-    /// the largest of all changes seen, each reduced at that order to the finest level. Over random scenes more than nine of ten limits lie
+    /// the largest of all changes seen, each reduced at that order to the finest level. Refined together, it is no less than that of a step, mesh or
+    /// fibres that have no order alone. Over random scenes more than nine of ten limits lie
     /// within it (`limits_lie_within_their_uncertainty` in the tests).
     pub uncertainty: f64,
     /// Whether the values are the same to round-off.
     pub constant: bool,
+}
+
+impl Extrapolation {
+    /// The same of steps, meshes and fibres refined together, of which the sequences alone are `parts`: where one of these has no order, that of all
+    /// together may be chance, and what is left of the part is uncertain.
+    pub fn with_parts(mut self, parts: [&Self; 3]) -> Self {
+        for part in parts {
+            if part.order.is_none() && !part.constant && part.uncertainty > self.uncertainty {
+                self.uncertainty = part.uncertainty;
+            }
+        }
+        self
+    }
 }
 
 /// Order, limit and uncertainty of a sequence of three values or more, coarsest first.
@@ -117,6 +131,21 @@ mod tests {
         assert!((found.uncertainty - 1.25 * 0.2).abs() < 1e-12, "{found:?}");
         let found = extrapolate(&[1.0, 1.01, 1.02, 1.22]);
         assert!((found.uncertainty - 1.25 * 0.2).abs() < 1e-12, "{found:?}");
+    }
+
+    /// Velocities on 100 to 800 elements after an impact on a shear-flexible beam, with a limit of 14.1394579: the step has an order, the mesh has none.
+    #[test]
+    fn an_order_together_is_no_surer_than_its_parts() {
+        let step = extrapolate(&[14.128_068, 14.129_349, 14.129_657, 14.129_728]);
+        let mesh = extrapolate(&[14.128_068, 14.140_903, 14.138_970, 14.139_038]);
+        let together = extrapolate(&[14.128_068, 14.137_108, 14.138_578, 14.138_787]);
+        assert!(together.order.is_some() && mesh.order.is_none());
+        assert!((together.limit - 14.139_457_9).abs() > together.uncertainty);
+        let held = together.with_parts([&step, &mesh, &step]);
+        assert!((held.limit - 14.139_457_9).abs() < held.uncertainty, "{held:?}");
+        assert_eq!(together.with_parts([&step; 3]), together);
+        let unknown = extrapolate(&[1.0, f64::NAN, 1.0]).with_parts([&mesh; 3]);
+        assert!(unknown.uncertainty.is_nan());
     }
 
     #[test]
