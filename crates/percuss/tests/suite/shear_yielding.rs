@@ -197,13 +197,7 @@ fn an_end_moment_bends_a_perfectly_plastic_cantilever_to_the_closed_form() {
         let material = b.material(metal(limit, 0.0, |_| {}));
         let section = b.section(Section { fibres, ..Section::rectangle("r", 3e-3, h) });
         let arm = beam("arm", [0.0, 0.0], [length, 0.0], 8, material, section);
-        let arm = b.beam(Beam { theory: Theory::Shear, ..arm });
-        b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
-        let tip = at("tip", arm, 1.0);
-        b.record_point(tip.clone());
-        let kind = LoadKind::Point { at: tip, force: [0.0; 2], moment, follower: false };
-        b.load(Load::new("end", kind));
-        equilibrium(&b.build().unwrap())
+        bent_by_end_moment(b, Beam { theory: Theory::Shear, ..arm }, moment)
     };
     let miss = |fibres: usize| {
         let found = found(fibres, moment).unwrap();

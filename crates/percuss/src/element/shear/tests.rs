@@ -1,9 +1,9 @@
 use super::examples::*;
 use super::*;
 
-/// Stiffnesses against stretching, shear and bending.
+/// Stiffnesses against stretching, shear and bending, shape (3) \[N, N, N m^2\].
 const STIFFNESS: [f64; 3] = [400.0, 150.0, 4.0];
-/// Mass and rotary inertia.
+/// Mass and rotary inertia, shape (2) \[kg/m, kg m\].
 const INERTIA: [f64; 2] = [2.0, 0.01];
 
 /// A bent element that is not aligned with the axes.
