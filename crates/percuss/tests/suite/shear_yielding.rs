@@ -152,6 +152,7 @@ fn a_bilinear_cantilever_has_its_plastic_deflection_beside_those_of_bending_and_
     let from = YIELD_MOMENT / FORCE;
     let whole = (plastic_curvature(FORCE) / (FORCE - YIELD_MOMENT))
         * (FORCE * (1.0 - from.powi(3)) / 3.0 - YIELD_MOMENT * (1.0 - from * from) / 2.0);
+    // The sums below miss the integral by 9.0e-3, 5.5e-4 and 1.4e-4 of the deflection.
     for (elements, off) in [(8, 9.5e-3), (32, 6e-4), (64, 2e-4)] {
         let model = flanges(elements, 1e9, Theory::Shear);
         let found = equilibrium(&model).unwrap();
