@@ -16,6 +16,13 @@ pub fn root_angle(t: f64) -> f64 {
     }
 }
 
+/// A clamp at the start of a beam that turns by [`root_angle`].
+pub fn turning_root(arm: BeamId) -> Support {
+    let function = TimeFunction::function(root_angle);
+    let motion = Some(Motion { displacement: [0.0; 2], rotation: 1.0, function });
+    Support { motion, ..Support::new("root", at("root", arm, 0.0), SupportKind::Clamp) }
+}
+
 /// C1: spin-up of a beam (Simo and Vu-Quoc 1986; ANSYS VM258).
 pub fn spin_up() -> Report {
     let mut c = Checks::new();
@@ -30,10 +37,7 @@ pub fn spin_up() -> Report {
         section.rotary_inertia = RotaryInertia::Given(6e-4);
         let section = b.section(section);
         let arm = b.beam(Beam::new("arm", &[[0.0, 0.0], [10.0, 0.0]], 16, material, section));
-        let mut root = Support::new("root", at("root", arm, 0.0), SupportKind::Clamp);
-        let function = TimeFunction::function(root_angle);
-        root.motion = Some(Motion { displacement: [0.0; 2], rotation: 1.0, function });
-        b.support(root);
+        b.support(turning_root(arm));
         let model = b.build().expect("a verification case builds");
         let mut run = Simulation::new(&model, &Settings::new(20.0, 1e-2)).expect("valid settings");
         let (mut axial, mut across) = ((0.0, 0.0), (0.0, 0.0));

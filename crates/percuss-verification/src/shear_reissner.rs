@@ -3,9 +3,9 @@
 use percuss::*;
 
 use crate::check::{Checks, Report};
-use crate::motion::root_angle;
+use crate::motion::{root_angle, turning_root};
 use crate::shear::limit;
-use crate::structure::{at, or_nan};
+use crate::structure::{at, lee, or_nan};
 
 /// A straight uniform beam.
 struct Straight {
@@ -53,10 +53,7 @@ fn spun(elements: usize) -> [f64; 4] {
         inertia: [1.2, 6e-4],
     };
     let (mut b, arm) = beam.begun(elements);
-    let mut root = Support::new("root", at("root", arm, 0.0), SupportKind::Clamp);
-    let function = TimeFunction::function(root_angle);
-    root.motion = Some(Motion { displacement: [0.0; 2], rotation: 1.0, function });
-    b.support(root);
+    b.support(turning_root(arm));
     let model = b.build().expect("a verification case builds");
     let mut run = Simulation::new(&model, &Settings::new(20.0, 1e-2)).expect("valid settings");
     let (mut least, mut stretch, mut residual) = ([0.0_f64; 2], Vec::new(), 0.0);
@@ -176,30 +173,16 @@ pub fn flying_beam() -> Report {
 }
 
 /// Lee's frame with shear (E 7.2e6, nu 0.3, shear factor 5/6) under a load down.
-fn lee(elements: usize) -> Model {
-    let mut b = ModelBuilder::new();
-    let material = b.material(Material { poisson: Some(0.3), ..Material::new("m", 7.2e6, 1.0) });
-    let section =
-        b.section(Section { shear_factor: Some(5.0 / 6.0), ..Section::new("s", 6.0, 2.0) });
-    let points = [[0.0, 0.0], [0.0, 120.0], [120.0, 120.0]];
-    let slender = Beam::new("frame", &points, elements, material, section);
-    let frame = b.beam(Beam { theory: Theory::Shear, ..slender });
-    for (name, f) in [("foot", 0.0), ("wall", 1.0)] {
-        b.support(Support::new(name, at(name, frame, f), SupportKind::Pin));
-    }
-    let along = Along::Distance(144.0);
-    let point = PointRef { label: "load".into(), beam: frame, along };
-    let (force, moment) = ([0.0, -1.0], 0.0);
-    let kind = LoadKind::Point { at: point.clone(), force, moment, follower: false };
-    b.load(Load::new("load", kind));
-    b.record_point(point);
-    b.build().expect("a verification case builds")
+fn sheared_lee(elements: usize) -> Model {
+    let material = Material { poisson: Some(0.3), ..Material::new("m", 7.2e6, 1.0) };
+    let section = Section { shear_factor: Some(5.0 / 6.0), ..Section::new("s", 6.0, 2.0) };
+    lee(elements, material, section, Theory::Shear)
 }
 
 /// Load and displacement to the side of Lee's frame where the load has moved down by 20 and 40, and at the limit point, where the last number is the
 /// displacement down.
 fn bent(elements: usize) -> [[f64; 3]; 3] {
-    let model = lee(elements);
+    let model = sheared_lee(elements);
     let down_to = |v: f64| {
         let point = "load".into();
         let end = PathEnd::Displacement { point, component: 2, value: -v };

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use percuss::*;
 
 use crate::check::{Checks, Report};
-use crate::structure::{at, or_nan};
+use crate::structure::{at, lee, or_nan};
 
 const BOTH: [(&str, StrainMeasure); 2] =
     [("Green", StrainMeasure::Green), ("engineering", StrainMeasure::Engineering)];
@@ -181,29 +181,12 @@ pub fn buckled_column() -> Report {
     c.into_report()
 }
 
-fn lee(elements: usize) -> Model {
-    let mut b = ModelBuilder::new();
-    let strain = StrainMeasure::Engineering;
-    let material = b.material(Material { strain, ..Material::new("m", 7.2e6, 1.0) });
-    let section = b.section(Section::new("s", 6.0, 2.0));
-    let points = [[0.0, 0.0], [0.0, 120.0], [120.0, 120.0]];
-    let frame = b.beam(Beam::new("frame", &points, elements, material, section));
-    for (name, f) in [("foot", 0.0), ("wall", 1.0)] {
-        b.support(Support::new(name, at(name, frame, f), SupportKind::Pin));
-    }
-    let along = Along::Distance(144.0);
-    let point = PointRef { label: "load".into(), beam: frame, along };
-    let (force, moment) = ([0.0, -1.0], 0.0);
-    let kind = LoadKind::Point { at: point.clone(), force, moment, follower: false };
-    b.load(Load::new("load", kind));
-    b.record_point(point);
-    b.build().expect("a verification case builds")
-}
-
 /// A5: Lee's frame, a rigid corner and a path beyond its limit points; engineering strains, independent shooting.
 pub fn lees_frame() -> Report {
     let mut c = Checks::new();
-    let model = lee(80);
+    let strain = StrainMeasure::Engineering;
+    let material = Material { strain, ..Material::new("m", 7.2e6, 1.0) };
+    let model = lee(80, material, Section::new("s", 6.0, 2.0), Theory::Slender);
     let down_to = |v: f64| {
         let point = "load".into();
         let end = PathEnd::Displacement { point, component: 2, value: -v };

@@ -194,6 +194,25 @@ pub fn completed(summary: &RunSummary) -> bool {
     matches!(summary.termination, Termination::Completed)
 }
 
+/// Lee's frame: two legs with a rigid corner between pinned ends, and a unit load down.
+pub fn lee(elements: usize, material: Material, section: Section, theory: Theory) -> Model {
+    let mut b = ModelBuilder::new();
+    let (material, section) = (b.material(material), b.section(section));
+    let points = [[0.0, 0.0], [0.0, 120.0], [120.0, 120.0]];
+    let slender = Beam::new("frame", &points, elements, material, section);
+    let frame = b.beam(Beam { theory, ..slender });
+    for (name, f) in [("foot", 0.0), ("wall", 1.0)] {
+        b.support(Support::new(name, at(name, frame, f), SupportKind::Pin));
+    }
+    let along = Along::Distance(144.0);
+    let point = PointRef { label: "load".into(), beam: frame, along };
+    let (force, moment) = ([0.0, -1.0], 0.0);
+    let kind = LoadKind::Point { at: point.clone(), force, moment, follower: false };
+    b.load(Load::new("load", kind));
+    b.record_point(point);
+    b.build().expect("a verification case builds")
+}
+
 /// Value of an entry, NaN if it is missing: a check on it then fails.
 pub fn or_nan(value: Option<f64>) -> f64 {
     value.unwrap_or(f64::NAN)

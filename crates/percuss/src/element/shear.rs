@@ -9,6 +9,8 @@
 //! in (x, d) as well correct them: `|d_b - d_a|^2 / 6` in Gamma1, and the square of turning `(1 - cos t) / l^2` in the energy of bending. With t less
 //! that of the reference, `EI l (4/3 (1 - cos t) - 1/6 sin^2 t) / l^2` is `EI t^2 / 2 l` to sixth order.
 
+#[cfg(test)]
+mod examples;
 mod fibres;
 mod inertia;
 

@@ -1,19 +1,18 @@
 //! The frozen model, which never changes once built.
 
 use std::ops::Range;
-use std::sync::Arc;
 
 pub use super::acting::*;
-use super::definition::{InitialMotion, StrainMeasure, Strength};
+use super::definition::{InitialMotion, StrainMeasure};
 pub use super::founded::*;
 pub use super::point::*;
 pub use super::section_line::SectionLine;
 pub use super::span_fibres::*;
+pub use super::spans::*;
 pub use super::striking::*;
 pub use super::ties::*;
 use super::time_function::PreparedFunction;
-use crate::element::beam::{ElementTable, NodeFrame, SectionValues};
-use crate::element::shear::ShearTable;
+use crate::element::beam::NodeFrame;
 use crate::geometry::Axes;
 use crate::geometry::axis::AxisElements;
 use crate::geometry::pair::Pair;
@@ -87,79 +86,6 @@ pub struct Model {
     /// Mass of beams, point masses and projectiles, a scale \[kg\].
     #[doc(hidden)]
     pub total_mass: f64,
-}
-
-/// A beam: common data of its spans.
-#[derive(Clone, Debug)]
-pub struct BeamData {
-    pub name: String,
-    pub spans: Range<usize>,
-    pub nodes: Range<usize>,
-    pub elements: Range<usize>,
-    /// Arc length \[m\].
-    pub length: f64,
-    /// Its elements for contact; copies of a model share them.
-    pub axis: Arc<AxisElements>,
-}
-
-/// A part of a beam without corner, of one material and one section.
-#[derive(Clone, Debug)]
-pub struct Span {
-    pub nodes: Range<usize>,
-    pub elements: Range<usize>,
-    /// One table for all elements, or one for each, shape (1 or elements).
-    pub tables: Vec<ElementTable>,
-    /// Its section along the beam.
-    pub section: SectionLine,
-    /// Arc length from the start of the beam at the nodes, shape (nodes of the span) \[m\].
-    pub stations: Vec<f64>,
-    pub measure: StrainMeasure,
-    /// Retardation time of Kelvin-Voigt damping \[s\].
-    pub retardation: f64,
-    /// Mass-proportional damping \[1/s\].
-    pub mass_damping: f64,
-    /// Thermal expansion of its material \[1/K\].
-    pub expansion: f64,
-    /// Usual yield stresses of an elastic material, if known.
-    pub strength: Option<Strength>,
-    /// Shear modulus of its material \[Pa\]; `None` where neither it nor Poisson's ratio is given.
-    pub shear_modulus: Option<f64>,
-    /// Its fibres, if its material is nonlinear or its section is given by them.
-    pub fibres: Option<SpanFibres>,
-    /// Elements of a shear-flexible beam, as many as tables, shape (1 or elements).
-    pub shear: Option<Vec<ShearTable>>,
-}
-
-impl Span {
-    /// Table of the element of number `k` in the span.
-    #[inline(always)]
-    pub fn table(&self, k: usize) -> &ElementTable {
-        &self.tables[if self.tables.len() == 1 { 0 } else { k }]
-    }
-
-    /// The element of number `k` in the span of a shear-flexible beam.
-    #[inline]
-    pub fn shear_at(&self, k: usize) -> Option<&ShearTable> {
-        let tables = self.shear.as_ref()?;
-        Some(&tables[if tables.len() == 1 { 0 } else { k }])
-    }
-
-    /// Section of the element of number `k` in the span at a share `xi` of its length.
-    pub fn section_at(&self, k: usize, xi: f64) -> SectionValues {
-        let (from, to) = (self.stations[k], self.stations[k + 1]);
-        let s = if xi == 1.0 { to } else { from + xi * (to - from) };
-        self.section.at(s)
-    }
-
-    /// Whether its extreme fibres are known.
-    pub fn has_depth(&self) -> bool {
-        !self.section.at(self.stations[0]).half_depth.is_nan()
-    }
-
-    /// Whether any part has material damping.
-    pub fn is_damped(&self) -> bool {
-        self.retardation > 0.0 || self.mass_damping > 0.0
-    }
 }
 
 impl Axes for Model {

@@ -36,6 +36,8 @@ pub mod scene;
 mod section_line;
 mod span_fibres;
 #[allow(missing_docs)]
+pub(crate) mod spans;
+#[allow(missing_docs)]
 pub(crate) mod striking;
 #[allow(missing_docs)]
 pub(crate) mod ties;

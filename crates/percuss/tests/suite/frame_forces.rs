@@ -220,17 +220,7 @@ fn a_frame_has_all_impulses_of_a_sequence() {
 #[test]
 fn contacts_held_after_the_zeno_limit_have_impulses() {
     for h in [1e-3, 2.5e-4] {
-        let mut b = ModelBuilder::new();
-        let material = b.material(Material::new("stuff", 1e9, 1e3));
-        let section = b.section(Section::new("bar", 0.01, 1e-5));
-        b.beam(beam("far", [0.0, 9.0], [1.0, 9.0], 1, material, section));
-        let ball = b.disc(disc("ball", 3.0, 0.1, [0.0, 0.1 + 0.2 * h], [0.0, -2.0]));
-        let shape = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] };
-        let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
-        let between = [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)];
-        let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
-        b.contact(Contact::new("c", between, law));
-        let model = b.build().unwrap();
+        let model = common::ball_above_floor(0.2 * h);
         let mut simulation = Simulation::new(&model, &Settings::new(10.0 * h, h)).unwrap();
         simulation.advance_held(h).unwrap();
         let mut frames = Frames::default();

@@ -226,18 +226,7 @@ fn a_stop_has_the_force_of_its_compression_in_impacts_too() {
 #[test]
 fn an_obstacle_struck_in_time_stepping_has_an_impulse_and_no_force() {
     for step in [1e-3, 2.5e-4] {
-        let mut b = ModelBuilder::new();
-        let material = b.material(Material::new("stuff", 1e9, 1e3));
-        let section = b.section(Section::new("bar", 0.01, 1e-5));
-        b.beam(beam("far", [0.0, 9.0], [1.0, 9.0], 1, material, section));
-        let ball = common::disc("ball", 3.0, 0.1, [0.0, 0.1 + 2.5 * step], [0.0, -2.0]);
-        let ball = b.disc(ball);
-        let shape = ObstacleShape::HalfPlane { point: [0.0, 0.0], normal: [0.0, 1.0] };
-        let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
-        let between = [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)];
-        let law = TouchLaw::Rigid(RigidLaw::frictionless(0.5));
-        b.contact(Contact::new("c", between, law));
-        let model = b.build().unwrap();
+        let model = common::ball_above_floor(2.5 * step);
         let summary =
             simulate(&model, &settings(10.0 * step, step, false), &mut NoRecorder).unwrap();
         let [force, impulse] = reaction(&summary, 0);

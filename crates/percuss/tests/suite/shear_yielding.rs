@@ -152,6 +152,7 @@ fn a_bilinear_cantilever_has_its_plastic_deflection_beside_those_of_bending_and_
     let from = YIELD_MOMENT / FORCE;
     let whole = (plastic_curvature(FORCE) / (FORCE - YIELD_MOMENT))
         * (FORCE * (1.0 - from.powi(3)) / 3.0 - YIELD_MOMENT * (1.0 - from * from) / 2.0);
+    // The sums below miss the integral by 9.0e-3, 5.5e-4 and 1.4e-4 of the deflection.
     for (elements, off) in [(8, 9.5e-3), (32, 6e-4), (64, 2e-4)] {
         let model = flanges(elements, 1e9, Theory::Shear);
         let found = equilibrium(&model).unwrap();
@@ -197,13 +198,7 @@ fn an_end_moment_bends_a_perfectly_plastic_cantilever_to_the_closed_form() {
         let material = b.material(metal(limit, 0.0, |_| {}));
         let section = b.section(Section { fibres, ..Section::rectangle("r", 3e-3, h) });
         let arm = beam("arm", [0.0, 0.0], [length, 0.0], 8, material, section);
-        let arm = b.beam(Beam { theory: Theory::Shear, ..arm });
-        b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
-        let tip = at("tip", arm, 1.0);
-        b.record_point(tip.clone());
-        let kind = LoadKind::Point { at: tip, force: [0.0; 2], moment, follower: false };
-        b.load(Load::new("end", kind));
-        equilibrium(&b.build().unwrap())
+        bent_by_end_moment(b, Beam { theory: Theory::Shear, ..arm }, moment)
     };
     let miss = |fibres: usize| {
         let found = found(fibres, moment).unwrap();

@@ -88,13 +88,8 @@ fn bent_cantilever(moment: f64, fibres: usize) -> Result<Equilibrium, Error> {
     let material = steel(|p| p.curve[0] = first);
     let material = b.material(Material { young: 200e9, ..material });
     let section = b.section(Section { fibres, ..Section::rectangle("r", 3e-3, 5e-3) });
-    let arm = b.beam(beam("arm", [0.0, 0.0], [0.05, 0.0], 8, material, section));
-    b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
-    let tip = at("tip", arm, 1.0);
-    b.record_point(tip.clone());
-    let kind = LoadKind::Point { at: tip, force: [0.0; 2], moment, follower: false };
-    b.load(Load::new("end", kind));
-    equilibrium(&b.build().unwrap())
+    let arm = beam("arm", [0.0, 0.0], [0.05, 0.0], 8, material, section);
+    bent_by_end_moment(b, arm, moment)
 }
 
 #[test]

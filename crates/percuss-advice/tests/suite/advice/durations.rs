@@ -6,7 +6,7 @@ use super::*;
 #[test]
 fn contacts_last_as_long_as_the_modes_say() {
     let near = |[reported, found]: [f64; 2], off: f64| {
-        assert!((reported / found - 1.0).abs() < off, "{reported} s told, {found} s found");
+        assert!((reported / found - 1.0).abs() < off, "{reported} s reported, {found} s found");
     };
     let mut b = ModelBuilder::new();
     let column = bar(&mut b, 5.0, 10, [0.1, 0.2]);
@@ -49,7 +49,7 @@ fn contacts_last_as_long_as_the_modes_say() {
 fn contacts_that_no_modes_describe_last_as_long_as_a_trial_says() {
     let near = |b: &ModelBuilder, settings: &Settings| {
         let [reported, found] = durations(b, settings);
-        assert!((reported / found - 1.0).abs() < 0.1, "{reported} s told, {found} s found");
+        assert!((reported / found - 1.0).abs() < 0.1, "{reported} s reported, {found} s found");
         // That the modes say something else is said.
         let advice = advise(&freeze(b), settings);
         let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);
@@ -139,7 +139,7 @@ fn a_flat_end_presses_with_both_corners_on_any_mesh() {
         let [reported, found] = durations(&b, &settings);
         // A rigid bar on 2 k.
         let rigid = std::f64::consts::PI * (7850.0 * 0.0025 / 2e6_f64).sqrt();
-        assert!((reported / rigid - 1.0).abs() < 0.02, "{elements}: {reported} told, {rigid}");
+        assert!((reported / rigid - 1.0).abs() < 0.02, "{elements}: {reported} reported, {rigid}");
         assert!((found / rigid - 1.0).abs() < 0.02, "{elements}: {found} found, {rigid}");
         let advice = advise(&freeze(&b), &settings);
         let text = advice.iter().find(|a| a.topic == Topic::ContactDuration).map(|a| &a.text);

@@ -74,24 +74,10 @@ pub fn spread_linearly(mass: &[[f64; 4]; 4], at: [&[f64; 4]; 2], on_nodes: &mut 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::element::beam::ShearedPlace;
-    use crate::element::point::SectionLaw;
-    use crate::element::strain::StrainMeasure;
+    use crate::element::shear::examples;
 
     fn section(shear: f64, bending: f64, mass: f64, rotary: f64) -> SectionValues {
-        let law = SectionLaw { axial: 1.0, bending, rotary, measure: StrainMeasure::Engineering };
-        let none = f64::NAN;
-        SectionValues {
-            law,
-            shear,
-            mass,
-            area: none,
-            inertia: none,
-            young: none,
-            density: none,
-            half_depth: none,
-            sheared: [ShearedPlace::UNKNOWN; 2],
-        }
+        examples::section([1.0, shear, bending], [mass, rotary])
     }
 
     /// Pivots of the elimination of a symmetric matrix.

@@ -1,40 +1,20 @@
+use super::examples::*;
 use super::*;
-use crate::element::beam::ShearedPlace;
-use crate::element::point::SectionLaw;
-use crate::element::strain::StrainMeasure;
 
-const LENGTH: f64 = 0.3;
-
-fn section(axial: f64, shear: f64, bending: f64) -> SectionValues {
-    let law = SectionLaw { axial, bending, rotary: 0.01, measure: StrainMeasure::Engineering };
-    let none = f64::NAN;
-    SectionValues {
-        law,
-        shear,
-        mass: 2.0,
-        area: none,
-        inertia: none,
-        young: none,
-        density: none,
-        half_depth: none,
-        sheared: [ShearedPlace::UNKNOWN; 2],
-    }
-}
+/// Stiffnesses against stretching, shear and bending, shape (3) \[N, N, N m^2\].
+const STIFFNESS: [f64; 3] = [400.0, 150.0, 4.0];
+/// Mass and rotary inertia, shape (2) \[kg/m, kg m\].
+const INERTIA: [f64; 2] = [2.0, 0.01];
 
 /// A bent element that is not aligned with the axes.
 fn element() -> ShearTable {
-    let frame = |position, angle: f64| NodeFrame { position, tangent: [angle.cos(), angle.sin()] };
-    let ends = [frame([0.1, -0.2], 0.4), frame([0.37, -0.08], 0.7)];
-    ShearTable::new(LENGTH, ends, &section(400.0, 150.0, 4.0))
+    bent(&section(STIFFNESS, INERTIA))
 }
 
-fn values(x: [f64; 6]) -> ElementValues<f64> {
-    let [c1, c2, a1, a2, b1, b2] = x;
-    ElementValues { chord: [c1, c2], slope_a: [a1, a2], slope_b: [b1, b2] }
+/// A bar along the first axis, or an arc that turns by an angle in the reference.
+fn bar(angle: f64) -> ShearTable {
+    examples::bar(angle, &section(STIFFNESS, INERTIA))
 }
-
-const START: [f64; 6] = [0.02, -0.05, 0.1, -0.3, -0.2, 0.15];
-const STEP: [f64; 6] = [-0.07, 0.04, 0.3, 0.2, -0.1, 0.25];
 
 fn energy(table: &ShearTable, x: [f64; 6]) -> f64 {
     0.5 * table.energies(&values(x)).iter().sum::<f64>()
@@ -75,16 +55,6 @@ fn forces_of_a_step_do_the_work_of_its_energy() {
     assert!(expected > 0.0 && (lost - expected).abs() < 1e-12 * expected, "{lost:e} {expected:e}");
 }
 
-/// A bar along the first axis, or an arc that turns by an angle in the reference.
-fn bar(angle: f64) -> ShearTable {
-    let half = 0.5 * angle;
-    let chord = if angle == 0.0 { LENGTH } else { LENGTH * half.sin() / half };
-    let frame =
-        |x: f64, angle: f64| NodeFrame { position: [x, 0.0], tangent: [angle.cos(), angle.sin()] };
-    let ends = [frame(0.0, -half), frame(chord, half)];
-    ShearTable::new(LENGTH, ends, &section(400.0, 150.0, 4.0))
-}
-
 #[test]
 fn an_arc_has_no_stretch_and_the_energy_of_its_turning_to_fourth_order() {
     let straight = bar(0.0);
@@ -111,43 +81,16 @@ fn an_arc_has_no_stretch_and_the_energy_of_its_turning_to_fourth_order() {
 #[test]
 fn forces_of_a_step_have_no_resultant_moment() {
     let table = element();
-    let [c, a, b] = [table.chord, table.directors[0], table.directors[1]];
-    let f = table.mean::<f64, false>(&values(START), &values(STEP), 0.0).force;
-    let at = |x: [f64; 2], k: usize| {
-        let middle = [0, 1].map(|i| x[i] + START[k + i] + 0.5 * STEP[k + i]);
-        cross(middle, [f[k], f[k + 1]])
-    };
-    let parts = [at(c, 0), at(a, 2), at(b, 4)];
-    let gross: f64 = parts.iter().map(|m| m.abs()).sum();
-    assert!(parts.iter().sum::<f64>().abs() < 1e-14 * gross, "{parts:?}");
+    let sums = table.mean::<f64, false>(&values(START), &values(STEP), 0.0);
+    assert_no_resultant_moment(&table, sums.force);
 }
-
-/// Forces for an increment.
-type Forces<'a> = &'a dyn Fn([f64; 6]) -> ElementSums<f64>;
 
 #[test]
 fn tangents_are_the_derivatives_of_the_forces() {
     let table = element();
     let start = values(START);
-    let mean: Forces = &|d| table.mean::<f64, true>(&start, &values(d), 0.3);
-    let end: Forces = &|d| table.at_end::<f64, true>(&start, &values(d), None);
-    for forces in [mean, end] {
-        let tangent = forces(STEP).tangent;
-        let most = tangent.as_flattened().iter().fold(0.0_f64, |m, k| m.max(k.abs()));
-        for j in 0..6 {
-            let e = 1e-6;
-            let beside = |by: f64| {
-                let mut step = STEP;
-                step[j] += by;
-                forces(step).force
-            };
-            let (up, down) = (beside(e), beside(-e));
-            for i in 0..6 {
-                let found = (up[i] - down[i]) / (2.0 * e);
-                assert!((tangent[i][j] - found).abs() < 1e-8 * most, "{i} {j}: {found}");
-            }
-        }
-    }
+    assert_tangent_of_forces(|d| table.mean::<f64, true>(&start, &values(d), 0.3));
+    assert_tangent_of_forces(|d| table.at_end::<f64, true>(&start, &values(d), None));
 }
 
 #[test]
@@ -183,7 +126,7 @@ fn one_element_bends_as_a_cantilever_of_any_slenderness() {
         let (axial, bending, shear) = (depth, f64::powi(depth, 3) / 12.0, depth / 3.6);
         let ends =
             [[0.0, 0.0], [1.0, 0.0]].map(|position| NodeFrame { position, tangent: [1.0, 0.0] });
-        let table = ShearTable::new(1.0, ends, &section(axial, shear, bending));
+        let table = ShearTable::new(1.0, ends, &section([axial, shear, bending], INERTIA));
         let still = values([0.0; 6]);
         let k = table.at_end::<f64, true>(&still, &still, None).tangent;
         // Deflection of the tip, and its turn: the other values stay zero, to first order.
@@ -199,7 +142,7 @@ fn one_element_bends_as_a_cantilever_of_any_slenderness() {
 
 #[test]
 fn its_mass_has_the_inertia_of_a_rigid_bar_and_the_moments_of_a_uniform_load() {
-    let of = section(400.0, 150.0, 4.0);
+    let of = section(STIFFNESS, INERTIA);
     let ends =
         [[0.0, 0.0], [LENGTH, 0.0]].map(|position| NodeFrame { position, tangent: [1.0, 0.0] });
     let slender = ElementTable::new(LENGTH, ends, false, |_| of);

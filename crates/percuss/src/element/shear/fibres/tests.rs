@@ -1,12 +1,10 @@
 use super::*;
-use crate::element::beam::{NodeFrame, SectionValues, ShearedPlace};
+use crate::element::beam::SectionValues;
 use crate::element::fibre::{Fibre, FibreState, Hardening, Inelasticity, Plasticity, StressLaw};
-use crate::element::point::SectionLaw;
-use crate::element::strain::StrainMeasure;
+use crate::element::shear::examples::{self, *};
 use crate::math::hermite::GAUSS;
-use crate::math::vec2::{cross, sub};
+use crate::math::vec2::sub;
 
-const LENGTH: f64 = 0.3;
 const YOUNG: f64 = 1000.0;
 /// Heights and areas, shape (fibres, 2) \[m, m^2\].
 const FIBRES: [[f64; 2]; 4] = [[-0.1, 0.3], [-0.03, 0.2], [0.05, 0.25], [0.12, 0.22]];
@@ -16,46 +14,20 @@ fn stiffness() -> [f64; 2] {
     [0, 2].map(|power| FIBRES.iter().map(|[y, area]| YOUNG * area * y.powi(power)).sum())
 }
 
-fn element(ends: [NodeFrame; 2]) -> ShearTable {
+fn of_stiffness() -> SectionValues {
     let [axial, bending] = stiffness();
-    let law = SectionLaw { axial, bending, rotary: 0.01, measure: StrainMeasure::Engineering };
-    let none = f64::NAN;
-    let section = SectionValues {
-        law,
-        shear: 150.0,
-        mass: 2.0,
-        area: none,
-        inertia: none,
-        young: none,
-        density: none,
-        half_depth: none,
-        sheared: [ShearedPlace::UNKNOWN; 2],
-    };
-    ShearTable::new(LENGTH, ends, &section)
-}
-
-fn frame(position: [f64; 2], angle: f64) -> NodeFrame {
-    NodeFrame { position, tangent: [angle.cos(), angle.sin()] }
+    section([axial, 150.0, bending], [2.0, 0.01])
 }
 
 /// A bent element that is not aligned with the axes.
 fn bent() -> ShearTable {
-    element([frame([0.1, -0.2], 0.4), frame([0.37, -0.08], 0.7)])
+    examples::bent(&of_stiffness())
 }
 
 /// A bar along the first axis, or an arc that turns by an angle in the reference.
 fn bar(angle: f64) -> ShearTable {
-    let half = 0.5 * angle;
-    let chord = if angle == 0.0 { LENGTH } else { LENGTH * half.sin() / half };
-    element([frame([0.0, 0.0], -half), frame([chord, 0.0], half)])
+    examples::bar(angle, &of_stiffness())
 }
-
-fn values([c1, c2, a1, a2, b1, b2]: [f64; 6]) -> ElementValues<f64> {
-    ElementValues { chord: [c1, c2], slope_a: [a1, a2], slope_b: [b1, b2] }
-}
-
-const START: [f64; 6] = [0.02, -0.05, 0.1, -0.3, -0.2, 0.15];
-const STEP: [f64; 6] = [-0.07, 0.04, 0.3, 0.2, -0.1, 0.25];
 
 /// Fibres of a law in the middle of an element, with their states.
 struct MiddleFibres {
@@ -165,20 +137,10 @@ fn forces_of_steps_do_the_work_of_stored_and_dissipated_energy() {
 #[test]
 fn forces_of_a_step_have_no_resultant_moment() {
     let (table, held) = (bent(), MiddleFibres::yielding(20.0));
-    let [c, a, b] = [table.chord, table.directors[0], table.directors[1]];
-    let times = (1e-3, 0.0);
-    let f = table.mean_with_fibres::<false>(&held.of(), &values(START), &values(STEP), times).force;
-    let at = |x: [f64; 2], k: usize| {
-        let middle = [0, 1].map(|i| x[i] + START[k + i] + 0.5 * STEP[k + i]);
-        cross(middle, [f[k], f[k + 1]])
-    };
-    let parts = [at(c, 0), at(a, 2), at(b, 4)];
-    let gross: f64 = parts.iter().map(|m| m.abs()).sum();
-    assert!(parts.iter().sum::<f64>().abs() < 1e-14 * gross, "{parts:?}");
+    let (start, step, times) = (values(START), values(STEP), (1e-3, 0.0));
+    let sums = table.mean_with_fibres::<false>(&held.of(), &start, &step, times);
+    assert_no_resultant_moment(&table, sums.force);
 }
-
-/// FibreForces for an increment.
-type FibreForces<'a> = &'a dyn Fn([f64; 6]) -> ElementSums<f64>;
 
 #[test]
 fn tangents_are_the_derivatives_of_the_forces() {
@@ -187,26 +149,11 @@ fn tangents_are_the_derivatives_of_the_forces() {
         [MiddleFibres::new(None), MiddleFibres::yielding(20.0), MiddleFibres::yielding(80.0)]
     {
         let own = held.of();
-        let mean: FibreForces =
-            &|d| table.mean_with_fibres::<true>(&own, &start, &values(d), (1e-3, 0.3));
-        let end: FibreForces = &|d| table.end_with_fibres::<true>(&own, &start, &values(d), None);
-        for forces in [mean, end] {
-            let tangent = forces(STEP).tangent;
-            let most = tangent.as_flattened().iter().fold(0.0_f64, |m, k| m.max(k.abs()));
-            for j in 0..6 {
-                let e = 1e-6;
-                let beside = |by: f64| {
-                    let mut step = STEP;
-                    step[j] += by;
-                    forces(step).force
-                };
-                let (up, down) = (beside(e), beside(-e));
-                for i in 0..6 {
-                    let found = (up[i] - down[i]) / (2.0 * e);
-                    assert!((tangent[i][j] - found).abs() < 1e-8 * most, "{i} {j}: {found}");
-                }
-            }
-        }
+        let times = (1e-3, 0.3);
+        assert_tangent_of_forces(|d| {
+            table.mean_with_fibres::<true>(&own, &start, &values(d), times)
+        });
+        assert_tangent_of_forces(|d| table.end_with_fibres::<true>(&own, &start, &values(d), None));
     }
 }
 
