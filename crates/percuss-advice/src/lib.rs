@@ -19,6 +19,7 @@ mod magnitudes;
 mod millimetres;
 mod neglected_shear;
 mod planned;
+mod property_magnitudes;
 mod resolution;
 mod review;
 mod shear;

@@ -9,7 +9,7 @@ use super::advice::magnitude_finding;
 use super::case::{self, Meeting};
 use super::structure::{BeamPlace, gravity};
 use super::words::{digits, quantity};
-use super::{Advice, Verdict, millimetres};
+use super::{Advice, Verdict, millimetres, property_magnitudes};
 use percuss::Settings;
 use percuss::inspect::{BodyKind, ConnectorCoordinate, ConnectorLaw};
 use percuss::math::vec2::norm;
@@ -40,6 +40,7 @@ pub fn findings(model: &Model, settings: &Settings) -> Vec<Advice> {
     for (index, stub) in stubs(model).into_iter().enumerate() {
         beam(&BeamPlace::new(model, index, 0.0), stub, settings, &mut all);
     }
+    all.extend(property_magnitudes::findings(model));
     bodies(model, &mut all);
     springs(model, &mut all);
     let (pull, _) = gravity(model);

@@ -376,7 +376,7 @@ fn given_strain(model: &Model) -> f64 {
     let factors = given_strains::factors_at(model, 0.0);
     let mut most = 0.0_f64;
     for (load, factor) in model.loads.iter().zip(&factors) {
-        if let LoadAction::Strain { elements } = &load.kind {
+        if let LoadAction::Strain { elements, .. } = &load.kind {
             most = elements.iter().map(|e| (factor * e.strain).abs()).fold(most, f64::max);
         }
     }

@@ -100,6 +100,16 @@ impl<'m> SpanView<'m> {
         self.data.shear_modulus
     }
 
+    /// Thermal expansion of its material, strain per change of temperature \[1/K\]; zero where none is given.
+    pub fn expansion(&self) -> f64 {
+        self.data.expansion
+    }
+
+    /// Whether it is computed by fibres: its material is nonlinear or its section is given by them.
+    pub fn has_fibres(&self) -> bool {
+        self.data.fibres.is_some()
+    }
+
     /// Whether its section varies from element to element.
     pub fn varies(&self) -> bool {
         !self.data.section.is_uniform()

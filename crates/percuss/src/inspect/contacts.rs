@@ -90,7 +90,27 @@ fn shape(target: &Target) -> TargetShape {
 #[derive(Clone, Copy, Debug)]
 pub struct LoadView<'m>(pub(super) &'m LoadData);
 
-impl LoadView<'_> {
+impl<'m> LoadView<'m> {
+    /// Name given by the user.
+    pub fn name(&self) -> &'m str {
+        &self.0.name
+    }
+
+    /// The membrane strain without forces of largest magnitude that it gives to an element, for a factor of one \[-\]; `None` unless it gives
+    /// strains or temperatures.
+    pub fn given_strain(&self) -> Option<f64> {
+        let LoadAction::Strain { elements, .. } = &self.0.kind else { return None };
+        elements.iter().map(|one| one.strain).max_by(|a, b| a.abs().total_cmp(&b.abs()))
+    }
+
+    /// The change of temperature, for a factor of one, if that is what it gives \[K\].
+    pub fn temperature_change(&self) -> Option<f64> {
+        match self.0.kind {
+            LoadAction::Strain { change, .. } => change,
+            _ => None,
+        }
+    }
+
     /// The acceleration of all masses, for a factor of one, if it is gravity or an acceleration of the base \[m/s^2\].
     pub fn gravity(&self) -> Option<[f64; 2]> {
         match self.0.kind {

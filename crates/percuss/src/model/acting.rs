@@ -40,6 +40,8 @@ pub enum LoadAction {
     Strain {
         /// The elements, shape (elements of the load).
         elements: Vec<StrainedElement>,
+        /// The change of temperature that gives them, if that does \[K\].
+        change: Option<f64>,
     },
     /// Forces per length along (tangent, normal) at quadrature points.
     Follower {

@@ -27,11 +27,13 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
             LoadKind::Strain { beam, stretch, strain, curvature } => {
                 // Bending strains are positive where they turn the tangent clockwise.
                 let of = |_: &Span| [*strain, -curvature];
-                LoadAction::Strain { elements: strained(model, beam.0 as usize, *stretch, of) }
+                let elements = strained(model, beam.0 as usize, *stretch, of);
+                LoadAction::Strain { elements, change: None }
             }
             LoadKind::Temperature { beam, stretch, change, gradient } => {
                 let of = |span: &Span| [change, gradient].map(|rise| span.expansion * rise);
-                LoadAction::Strain { elements: strained(model, beam.0 as usize, *stretch, of) }
+                let elements = strained(model, beam.0 as usize, *stretch, of);
+                LoadAction::Strain { elements, change: Some(*change) }
             }
             LoadKind::Distributed { beam, stretch, force, follower } => {
                 let points = distributed(model, beam.0 as usize, *stretch, *force);

@@ -31,7 +31,7 @@ fn each<'m>(
     let loads = model.loads.iter().zip(factors).filter(|(_, factor)| **factor != 0.0);
     loads.flat_map(move |(load, factor)| {
         let elements: &[StrainedElement] = match &load.kind {
-            LoadAction::Strain { elements } => elements,
+            LoadAction::Strain { elements, .. } => elements,
             _ => &[],
         };
         elements.iter().map(move |own| {

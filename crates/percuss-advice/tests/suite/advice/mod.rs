@@ -3,6 +3,7 @@
 mod after_runs;
 mod beams;
 mod durations;
+mod properties;
 mod starts;
 
 use crate::common;
