@@ -128,8 +128,8 @@ fn mathml(tex: &str, display_mode: DisplayMode, faults: &mut Vec<String>) -> Str
     if done.is_err() || out.contains("<merror") {
         faults.push(format!("an equation that cannot be set: {}", tex.trim()));
     }
-    // A line break within would end the block of HTML, a bar a cell of a table.
-    out.replace('\n', " ").replace('|', "&#124;")
+    // A line break within would end the block of HTML, a bar a cell of a table, and a sign of inequality is no start of a tag.
+    out.replace('\n', " ").replace('|', "&#124;").replace("<mo><</mo>", "<mo>&lt;</mo>")
 }
 
 #[cfg(test)]
@@ -151,6 +151,16 @@ mod tests {
             Span::Text("."),
         ];
         assert_eq!(spans(line), wanted);
+    }
+
+    #[test]
+    fn inequalities_and_bars_are_escaped() {
+        for text in ["Where $`a < |b|`$.", "```math,eq=less\na < |b|\n```\n"] {
+            let (out, faults) = set(text, "1");
+            assert!(faults.is_empty(), "{faults:?}");
+            assert!(out.contains("<mo>&lt;</mo>") && !out.contains("<mo><</mo>"), "{out}");
+            assert!(out.contains("&#124;") && !out.contains('|'), "{out}");
+        }
     }
 
     #[test]

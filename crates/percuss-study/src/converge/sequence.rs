@@ -18,7 +18,7 @@ pub struct Extrapolation {
     pub limit: f64,
     /// Uncertainty of the limit. With an order that four values or more agree upon, what the limits of neighbouring triples differ by, and
     /// 1.25 times what is extrapolated at least; else 1.25 times what would still change if changes fell at first order from here on, from
-    /// the largest of all changes seen, each reduced at that order to the finest level. Refined together, it is no less than that of a step, mesh or
+    /// the largest of all changes seen, each reduced at that order to the finest level. An order of all together makes it no less than that of a step, mesh or
     /// fibres that have no order alone. Over random scenes more than nine of ten limits lie
     /// within it (`limits_lie_within_their_uncertainty` in the tests).
     pub uncertainty: f64,
@@ -31,7 +31,8 @@ impl Extrapolation {
     /// together may be chance, and what is left of the part is uncertain.
     pub fn with_parts(mut self, parts: [&Self; 3]) -> Self {
         for part in parts {
-            if part.order.is_none() && !part.constant && part.uncertainty > self.uncertainty {
+            let chance = self.order.is_some() && part.order.is_none() && !part.constant;
+            if chance && part.uncertainty > self.uncertainty {
                 self.uncertainty = part.uncertainty;
             }
         }
