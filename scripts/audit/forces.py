@@ -55,12 +55,16 @@ def gravity(run: Run) -> list[float]:
 
 def weight_on(run: Run, projectile: dict) -> list[float]:
     """Gravity on a projectile; what is guided feels that along its line of flight alone."""
-    g = [projectile["mass"] * x for x in gravity(run)]
-    if is_guided(projectile):
-        d = direction(projectile)
-        along = g[0] * d[0] + g[1] * d[1]
-        return [along * x for x in d]
-    return g
+    return along_guide(projectile, [projectile["mass"] * x for x in gravity(run)])
+
+
+def along_guide(projectile: dict, force: list[float]) -> list[float]:
+    """What a projectile feels of a force: one that is guided, the part along its line of flight."""
+    if not is_guided(projectile):
+        return force
+    d = direction(projectile)
+    along = force[0] * d[0] + force[1] * d[1]
+    return [along * x for x in d]
 
 
 def course_value(shape: dict | None, t: float) -> float:
@@ -109,9 +113,37 @@ def resultant(run: Run, load: dict) -> list[float]:
         return [beam_mass(run) * load["acceleration"][k] + sum(w[k] for w in on_projectiles) for k in (0, 1)]
     if load["kind"] == "point":
         return load["force"]
+    if load["kind"] == "temperature":
+        return [0.0, 0.0]
+    if load["kind"] == "base":
+        return inertia_of_base(run, load["acceleration"])
     length = lengths(run)[load["on"]]
     share = 1.0 if load["stretch"] == ["start", "end"] else load["stretch"][1] - load["stretch"][0]
     return [length * share * (load["force"][k] + load["force_end"][k]) / 2 for k in (0, 1)]
+
+
+def inertia_of_base(run: Run, acceleration: list[float]) -> list[float]:
+    """The force of inertia on everything while the ground shakes: what moves relative to it is told relative to it."""
+    on_projectiles = [inertia_on(p, acceleration) for p in run.scene["projectile"].values()]
+    return [-beam_mass(run) * acceleration[k] + sum(w[k] for w in on_projectiles) for k in (0, 1)]
+
+
+def inertia_on(projectile: dict, acceleration: list[float]) -> list[float]:
+    return along_guide(projectile, [-projectile["mass"] * a for a in acceleration])
+
+
+def shaken(run: Run, projectile: dict) -> list[float]:
+    """The impulse of inertia on a projectile while the ground shakes."""
+    quake = run.scene["load"].get("quake")
+    if not quake:
+        return [0.0, 0.0]
+    long = course_integral(quake, run.time[-1])
+    return [force * long for force in inertia_on(projectile, quake["acceleration"])]
+
+
+def held_by_springs(scene: dict) -> bool:
+    """Whether a rope or a bed holds beams against the ground beside the supports."""
+    return "foundation" in scene or "rope" in scene.get("spring", {})
 
 
 def load_impulse(run: Run) -> list[float]:

@@ -102,7 +102,7 @@ def at_supports(run: Run) -> list[str]:
     out = []
     if not run.is_whole() or run.every > 1 or "damping" in run.scene or "obstacle" in run.scene:
         return out
-    tied = {end for spring in run.scene.get("spring", {}).values() for end in spring["between"]}
+    tied = {end for spring in run.scene.get("spring", {}).values() for end in spring["between"] if isinstance(end, str)}
     for name, support in run.scene.get("support", {}).items():
         if support["at"] in tied:
             continue
@@ -134,7 +134,7 @@ def stresses(run: Run) -> list[str]:
         return out
     a, w = area(made), inertia(made) / (made["section"]["s"]["depth"] / 2)
     for beam, told in run.summary["section_forces"].items():
-        lumps = {"b@0.4"} | {lump["at"] for lump in made.get("mass", {}).values()}
+        lumps = {"b@0.4", "b@0.35"} | {lump["at"] for lump in made.get("mass", {}).values()}
         for point in [p for p in made["record"]["points"] if p in points_of(run, beam) and p not in lumps]:
             parts = [run.column(f"section.{point}.{part}") for part in ("axial", "moment", "stress")]
             # Axial forces have the round-off of EA.
@@ -186,7 +186,7 @@ def yielding(run: Run) -> list[str]:
 # What may be null without a word beside it, by its meaning in docs/results.md.
 NULLS = {
     "end", "restitution", "separation_velocity", "duration", "first_yield", "parted", "multiple_impacts", "reason", "error", "error_code",
-    "permanent_set", "permanent_set_at", "direction", "strikes", "reference", "restitution_why", "value", "strain_max_at", "advice",
+    "plastic_deflection", "permanent_set", "permanent_set_at", "direction", "strikes", "reference", "restitution_why", "value", "strain_max_at", "advice",
 }
 
 

@@ -7,6 +7,8 @@ the file back. Steps are sane: a contact takes a dozen of them or more (that is 
 import math
 import random
 
+from . import extras
+
 STEEL = {"young": 2.1e11, "density": 7850.0}
 ALUMINIUM = {"young": 7e10, "density": 2700.0}
 
@@ -20,6 +22,7 @@ def scene(seed: int) -> dict:
     strikers(chance, made, step)
     surroundings(chance, made)
     loads(chance, made, step)
+    extras.add(seed, made, step)
     settings(chance, made, step)
     return made
 
