@@ -41,6 +41,9 @@ impl GroundSpringNumbers<f64> {
         if !drive.is_empty() {
             return Err("supports that move");
         }
+        if c.damping > 0.0 && c.law.side().is_some() {
+            return Err("dampers of springs that only push or only pull");
+        }
         Ok(Self {
             point: point.clone(),
             direction: *direction,

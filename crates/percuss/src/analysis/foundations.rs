@@ -60,7 +60,7 @@ pub(super) fn at_rest(model: &Model, state: &State) -> Vec<StaticFoundation> {
             energy: 0.0,
             plastic: 0.0,
         };
-        for place in foundation.places(model, &state.coordinates, &state.memories) {
+        for place in foundation.places_at_rest(model, &state.coordinates, &state.memories) {
             (0..2).for_each(|i| found.force[i] += place.force[i]);
             found.s.push(place.s);
             found.pressure.push(place.pressure);

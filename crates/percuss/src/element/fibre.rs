@@ -163,10 +163,43 @@ impl<S: Number> StressLaw<S> {
         (h, lag): (S, S),
     ) -> [S; 2] {
         let found = self.step(state, from, to, h);
-        *state = found.state;
         let change = to - from;
-        let viscous = if state.failed { h.constant(0.0) } else { self.young() * lag };
-        [found.dissipated, viscous * change * change]
+        let viscous = if state.failed {
+            h.constant(0.0)
+        } else {
+            self.viscous(state, [from, to, change], lag, [found.mean, found.slope])[0]
+        };
+        *state = found.state;
+        [found.dissipated, viscous * change]
+    }
+
+    /// Mean stress by the viscosity of the material over a step from and to a strain, by a change, and its derivative with respect to the strain at
+    /// the end, shape (2) \[Pa\]; beside the mean of the stress without it and its derivative. `lag` is as in [`Self::advance`].
+    ///
+    /// A material with stress of one sign alone has it where it does not gape, and both together keep that sign: where they would not, it takes the
+    /// elastic energy that is set free.
+    #[inline(always)]
+    pub fn viscous(
+        &self,
+        state: &FibreState<S>,
+        [from, to, change]: [S; 3],
+        lag: S,
+        [mean, slope]: [S; 2],
+    ) -> [S; 2] {
+        let viscous = self.young() * lag;
+        let Some(slack) = self.slack() else { return [viscous * change, viscous] };
+        let sign = match slack {
+            Slack::Tension => -1.0,
+            Slack::Compression => 1.0,
+        };
+        let none = from.constant(0.0);
+        let [first, last] = [from, to].map(|strain| (strain - state.plastic) * sign);
+        let (starts, ends) = (none.less(first), none.less(last));
+        let crossing = (last.max(none) - first.max(none)) * sign;
+        let own = viscous * S::choose(starts & ends, change, crossing);
+        let cut = ((mean + own) * sign).less(none);
+        let rise = S::choose(ends, viscous, none);
+        [S::choose(cut, none - mean, own), S::choose(cut, none - slope, rise)]
     }
 
     /// Elastic strain of a fibre that has reached a strain: none of one that gapes \[-\].

@@ -158,9 +158,10 @@ impl<S: Number> ElementFibres<'_, S> {
             let e1 = to[0] + fibre.height * to[1];
             let mut found = law.step(state, e0, e1, h);
             if viscous && !state.failed {
-                let viscous = law.young() * lag;
-                found.mean += viscous * (change[0] + fibre.height * change[1]);
-                found.slope += viscous;
+                let strained = [e0, e1, change[0] + fibre.height * change[1]];
+                let [own, rise] = law.viscous(state, strained, lag, [found.mean, found.slope]);
+                found.mean += own;
+                found.slope += rise;
             }
             out.add(fibre, found.mean, found.slope);
         }

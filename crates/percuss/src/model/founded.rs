@@ -28,7 +28,7 @@ pub struct FoundationPlace {
     pub s: f64,
     /// Length that it stands for \[m\].
     pub length: f64,
-    /// Reaction per length, positive where it pushes the beam, without damping \[N/m\].
+    /// Reaction per length, positive where it pushes the beam \[N/m\].
     pub pressure: f64,
     /// Force on the beam, shape (2) \[N\].
     pub force: [f64; 2],

@@ -328,6 +328,8 @@ pub struct ForceTable<S = f64> {
     pub above: Vec<[S; 2]>,
     /// Bends below zero, likewise, shape (bends, 2) \[m, N/m\].
     pub below: Vec<[S; 2]>,
+    /// If it has forces of one sign alone: the side on which it acts, and the extension from which on it does.
+    pub side: Option<(ActsFrom, S)>,
 }
 
 impl<S: Copy> ConnectorLaw<S> {
@@ -342,12 +344,13 @@ impl<S: Copy> ConnectorLaw<S> {
             Self::OneSided { stiffness, gap, from } => {
                 ConnectorLaw::OneSided { stiffness: f(*stiffness), gap: f(*gap), from: *from }
             }
-            Self::Tabulated { table: ForceTable { slope, above, below }, rest } => {
+            Self::Tabulated { table: ForceTable { slope, above, below, side }, rest } => {
                 let slope = f(*slope);
                 let mut bends =
                     |all: &[[S; 2]]| all.iter().map(|bend| bend.map(&mut *f)).collect::<Vec<_>>();
                 let (above, below) = (bends(above), bends(below));
-                let table = ForceTable { slope, above, below };
+                let side = side.map(|(from, at)| (from, f(at)));
+                let table = ForceTable { slope, above, below, side };
                 ConnectorLaw::Tabulated { table, rest: f(*rest) }
             }
         }
@@ -356,6 +359,19 @@ impl<S: Copy> ConnectorLaw<S> {
     /// Whether it presses only while its gap is closed.
     pub fn is_one_sided(&self) -> bool {
         matches!(self, Self::OneSided { .. })
+    }
+
+    /// The side on which it acts and the coordinate from which on it does, of a law that pulls alone or pushes alone.
+    #[inline(always)]
+    pub fn side(&self) -> Option<(ActsFrom, S)>
+    where
+        S: std::ops::Add<Output = S>,
+    {
+        match self {
+            Self::Linear { .. } => None,
+            Self::OneSided { gap, from, .. } => Some((*from, *gap)),
+            Self::Tabulated { table, rest } => table.side.map(|(from, at)| (from, *rest + at)),
+        }
     }
 
     /// A value of the coordinate without force and energy.

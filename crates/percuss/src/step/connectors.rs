@@ -115,6 +115,40 @@ impl Connector {
         }
     }
 
+    /// Force of the connector of number `i` in a state, that of its damper included, without the rate of prescribed motions \[N, N m\].
+    pub fn force_now(&self, i: usize, state: &State) -> f64 {
+        let (q, memories) = (state.coordinates[i], &state.memories[..]);
+        let elastic = self.reached_force(q, memories);
+        if self.damping == 0.0 || self.has_failed(memories) {
+            return elastic;
+        }
+        let damper = self.damping * self.rate(&state.displacement, &state.velocity);
+        self.law.with_damper(q - self.permanent_gap(memories), elastic, damper)
+    }
+
+    /// By how much the gap of what acts on one side alone has grown by yielding.
+    fn permanent_gap(&self, memories: &[FibreState]) -> f64 {
+        let one_sided = |own: &YieldingLaw| own.law.as_ref().is_some_and(|l| l.slack().is_some());
+        self.memory(memories).filter(|(own, _)| one_sided(own)).map_or(0.0, |(_, m)| m.plastic)
+    }
+
+    /// Rate of the coordinate in a configuration with velocities, without prescribed motion.
+    fn rate(&self, u: &[[f64; 4]], v: &[[f64; 4]]) -> f64 {
+        match &self.coordinate {
+            Coordinate::Displacement { point, direction, .. } => dot(*direction, point.value(v)),
+            Coordinate::Distance { ends } => {
+                let along = sub(ends[0].position(u), ends[1].position(u));
+                let apart = sub(ends[0].increment(v), ends[1].increment(v));
+                dot(along, apart) / norm(along).max(f64::MIN_POSITIVE)
+            }
+            Coordinate::Angle { .. } => {
+                let (at, moved) = (self.tangents(u), self.tangent_increments(v));
+                let turns = |k: usize| cross(at[k], moved[k]) / dot(at[k], at[k]);
+                turns(0) - turns(1)
+            }
+        }
+    }
+
     /// What the connector of number `i` does in the step from a state by the increment.
     pub fn step(
         &self,
@@ -144,9 +178,12 @@ impl Connector {
         let [elastic, slope] = self.force(rule, q0, form.change, &state.memories);
         let gone = self.has_failed(&state.memories);
         let rate = if gone { 0.0 } else { rule.lag(self.damping) };
-        let [damped, share] = self.law.damped(q0, form.change);
-        let damper = rate * damped;
-        let (force, slope) = (elastic + damper, slope + rate * share);
+        let reached = q0 - self.permanent_gap(&state.memories);
+        let [damper, share] = match rate {
+            0.0 => [0.0; 2],
+            _ => self.law.damper(rate, [reached, form.change], [elastic, slope]),
+        };
+        let (force, slope) = (elastic + damper, slope + share);
         let turning = form.bend.map(|row| row.map(|b| b.map(|row| row.map(|k| force * k))));
         let mut tangent = turning;
         add_to(&mut tangent, &product(&form.mean, &form.end, slope));

@@ -40,7 +40,7 @@ pub struct FoundationProperties {
     pub stiffness: Option<f64>,
 }
 
-/// Results of a foundation, at ends of steps; dampers are left out.
+/// Results of a foundation, at ends of steps; forces and reactions are those of springs and dampers together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FoundationSummary {
     /// The user's name for it.

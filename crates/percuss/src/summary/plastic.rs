@@ -146,7 +146,7 @@ pub struct YieldingSummary {
     /// Extension from the length without force, or rotation, of largest magnitude up to the end or its failure, signed, and when
     /// \[m, rad\]; of a tension- or compression-only spring from its slack or gap, while it acts.
     pub extension_max: Peak,
-    /// Force, positive in tension, or moment of largest magnitude at the ends of steps before its failure, signed, without that of its damper, and
+    /// Force, positive in tension, or moment of largest magnitude at the ends of steps before its failure, signed, that of its damper included, and
     /// when \[N, N m\].
     pub force_max: Peak,
     /// End of the step of first yield, if any \[s\].

@@ -116,6 +116,43 @@ fn balances_close_on_every_kind_of_foundation() {
     }
 }
 
+/// A free beam that moves into a bed of compression alone with dampers: its mass per length on k and c leaves it with the share
+/// `exp(-tan(phi) (pi - 2 phi))`, `sin(phi) = zeta`, of its speed, when the force becomes zero (Schwager and Poeschel 2007); the reaction never pulls.
+#[test]
+fn a_damped_foundation_of_compression_never_pulls() {
+    for (zeta, gap, limit) in [(0.2_f64, 0.0, None), (0.6, 1e-3, None), (0.6, 0.0, Some(0.0))] {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let mass = 3e3 * 0.1;
+        let plank = b.beam(beam("plank", [0.0, 0.0], [3.0, 0.0], 4, material, section));
+        let law = FoundationLaw::Compression { stiffness: STIFFNESS, gap };
+        let damping = 2.0 * zeta * (STIFFNESS * mass).sqrt();
+        let yielding = limit.map(|isotropic| yields(isotropic, 0.0));
+        b.foundation(Foundation { damping, ..ground(plank, law, yielding) });
+        let velocity = [0.0, -1.0];
+        b.initial_motion(InitialMotion { velocity, spin: 0.0, about: [0.0; 2] });
+        b.record_point(at("middle", plank, 0.5));
+        let mut rows = MemoryRecorder::default();
+        let model = b.build().unwrap();
+        let summary = simulate(&model, &Settings::new(0.2, 5e-5), &mut rows).unwrap();
+        assert_balances(&summary, "damped");
+        let found = &summary.foundations[0];
+        assert!(found.pressure.min.value >= 0.0, "{zeta}: {found:?}");
+        let speed = rows.column("point.middle.velocity_2").unwrap();
+        assert!(speed.windows(2).all(|w| w[1] - w[0] > -1e-9), "{zeta}: it is pulled");
+        let phi = zeta.asin();
+        let expected = (-phi.tan() * (std::f64::consts::PI - 2.0 * phi)).exp();
+        let last = speed[speed.len() - 1];
+        if limit.is_none() {
+            assert!((last / expected - 1.0).abs() < 5e-3, "{zeta}: {last} {expected}");
+        }
+        // What is told as reaction is what moves the beam.
+        let force = rows.column("foundation.ground.force_2").unwrap();
+        let impulse: f64 = force.iter().map(|f| f * 5e-5).sum();
+        assert!((impulse / (3.0 * mass * (last + 1.0)) - 1.0).abs() < 1e-2, "{zeta}: {impulse}");
+    }
+}
+
 /// A long beam under a force in its middle, `w = P / (2 sqrt(b + 2 c)) (1 / (EI c) + 1 / S)` with `b = k / S`, `c = sqrt(k / EI)` and the shear
 /// stiffness S (Timoshenko's beam on Winkler's foundation, by Fourier transformation).
 #[test]

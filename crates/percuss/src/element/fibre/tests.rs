@@ -188,3 +188,36 @@ fn steady_flow_has_the_overstress_of_cowper_and_symonds() {
     let expected = 250e6 * (1.0 + (rate / 40.4_f64).powf(0.2));
     assert!((stress / expected - 1.0).abs() < 1e-9, "{stress:e} {expected:e}");
 }
+
+/// Stress and viscous stress of a material of one sign keep it over any step, the viscosity never gives energy, and their slope is the derivative.
+#[test]
+fn viscosity_of_one_sign_of_stress_keeps_it() {
+    let curve = vec![Hardening { from: 0.0, stress: 250e6, modulus: 1e9 }];
+    let plasticity = Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: None };
+    for (slack, sign) in [(Slack::Tension, -1.0), (Slack::Compression, 1.0)] {
+        let elastic = Inelasticity::OneSided(slack);
+        let plastic = Inelasticity::OneSidedPlastic(slack, plasticity.clone());
+        for law in [elastic, plastic].map(|own| StressLaw::new(200e9, Some(&own))) {
+            let (mut state, mut strain, mut seed) = (FibreState::default(), 0.0, 11);
+            for _ in 0..20_000 {
+                let next = 4e-3 * random(&mut seed);
+                let lag = 2.0 * random(&mut seed).abs();
+                let sum = |next: f64| {
+                    let found = law.step(&state, strain, next, 1e-4);
+                    let own = [found.mean, found.slope];
+                    let viscous = law.viscous(&state, [strain, next, next - strain], lag, own);
+                    [own[0] + viscous[0], own[1] + viscous[1], viscous[0] * (next - strain)]
+                };
+                let [stress, slope, loss] = sum(next);
+                assert!(stress * sign >= 0.0 && loss >= 0.0, "{law:?}: {strain} {next} {stress}");
+                let e = 1e-9;
+                let given = (sum(next + e)[0] - sum(next - e)[0]) / (2.0 * e);
+                assert!((slope - given).abs() < 1e-3 * 200e9, "{law:?}: {strain} {next}");
+                let before = state;
+                let [_, viscous] = law.advance(&mut state, [strain, next], (1e-4, lag));
+                assert_eq!(viscous, loss, "{law:?}: {before:?}");
+                strain = next;
+            }
+        }
+    }
+}

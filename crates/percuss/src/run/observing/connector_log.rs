@@ -14,7 +14,7 @@ pub struct ConnectorRecord {
     plastic: Peak,
     /// Its own coordinate, relative to the force-free one.
     extension: Peak,
-    /// Its own force, or moment, at ends of steps.
+    /// Its own force, or moment, at ends of steps, that of its damper included.
     force: Peak,
     first_yield: Option<f64>,
     /// Dissipation in the static start \[J\].
@@ -43,7 +43,7 @@ pub fn note(model: &Model, state: &State, records: &mut [ConnectorRecord]) {
         let extension = if acts { own.sign * (q - c.law.free()) } else { 0.0 };
         take(&mut record.extension, extension, state.time);
         if !memory.failed {
-            take(&mut record.force, own.sign * c.reached_force(q, &state.memories), state.time);
+            take(&mut record.force, own.sign * c.force_now(i, state), state.time);
         }
         if memory.accumulated > 0.0 {
             take(&mut record.plastic, own.sign * memory.plastic, state.time);

@@ -27,7 +27,7 @@ impl FoundationSums {
     /// Those of a foundation in a state.
     pub fn of(model: &Model, state: &State, foundation: &FoundationData) -> Self {
         let mut sums = Self { pressure: [0.0, f64::NAN], ..Self::default() };
-        for place in foundation.places(model, &state.coordinates, &state.memories) {
+        for place in foundation.places(model, state) {
             for i in 0..2 {
                 sums.force[i] += place.force[i];
                 sums.flow[i] += place.flow[i];
@@ -71,7 +71,7 @@ pub fn unset(model: &Model) -> Vec<FoundationSummary> {
 pub fn note(model: &Model, state: &State, records: &mut [FoundationSummary]) {
     for (foundation, record) in model.foundations.iter().zip(records) {
         let sums = FoundationSums::of(model, state, foundation);
-        for place in foundation.places(model, &state.coordinates, &state.memories) {
+        for place in foundation.places(model, state) {
             record.pressure.take(place.pressure, place.s, state.time);
         }
         for i in 0..2 {

@@ -288,9 +288,9 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
 fn foundation_channels(model: &Model) -> Vec<Channel> {
     let each = model.foundations.iter().flat_map(|foundation| {
         let name = &foundation.name;
-        let force = "Resultant force of the foundation on the beam, without damping";
+        let force = "Resultant force of the foundation on the beam, that of its dampers included";
         let pressure =
-            "Reaction per length of largest magnitude, positive where it pushes the beam";
+            "Reaction per length of largest magnitude, that of the dampers included, positive where it pushes the beam";
         let lifted = "Length over which the beam has lifted off";
         [
             ("force_1", "N", force),
@@ -326,7 +326,7 @@ fn connector_channels(model: &Model) -> Vec<Channel> {
         [
             (format!("{name}.{what}"), unit, format!("Its {what} from the state without {force}")),
             (format!("{name}.plastic_{what}"), unit, plastic),
-            (format!("{name}.{force}"), of, format!("Its {force} without that of the damper")),
+            (format!("{name}.{force}"), of, format!("Its {force}, that of its damper included")),
         ]
     });
     each.map(|(name, unit, description)| Channel { name, unit, description }).collect()
@@ -336,7 +336,7 @@ fn connector_channels(model: &Model) -> Vec<Channel> {
 fn add_connectors(model: &Model, state: &State, row: &mut Vec<f64>) {
     for (i, c, own) in model.yielding() {
         let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
-        let force = c.reached_force(q, &state.memories);
+        let force = c.force_now(i, state);
         let values = [q - c.law.free(), memory.plastic, force];
         row.extend(values.map(|value| own.sign * value + 0.0));
     }

@@ -2,12 +2,26 @@
 
 use crate::element::fibre::FibreState;
 use crate::math::vec2::scale;
-use crate::model::frozen::{Coordinate, FoundationData, FoundationPlace};
+use crate::model::frozen::{Connector, Coordinate, FoundationData, FoundationPlace};
 use crate::model::{FoundationLaw, Model};
+use crate::state::State;
 
 impl FoundationData {
-    /// Its places in a state given by the connectors' coordinates and memories.
+    /// Its places in a state, with the forces of its dampers.
     pub fn places<'a>(
+        &'a self,
+        model: &'a Model,
+        state: &'a State,
+    ) -> impl Iterator<Item = FoundationPlace> + 'a {
+        let at_rest = self.places_at_rest(model, &state.coordinates, &state.memories);
+        self.connectors.clone().zip(at_rest).map(|(i, place)| match &model.connectors[i] {
+            damped if damped.damping > 0.0 => place.under(damped, damped.force_now(i, state)),
+            _ => place,
+        })
+    }
+
+    /// Its places, given by the connectors' coordinates and memories, without dampers.
+    pub fn places_at_rest<'a>(
         &'a self,
         model: &'a Model,
         coordinates: &'a [f64],
@@ -35,5 +49,14 @@ impl FoundationData {
                 flow: [memory.dissipated, c.hardening_energy(memories)],
             })
         })
+    }
+}
+
+impl FoundationPlace {
+    /// The same with another force of its spring.
+    fn under(self, spring: &Connector, force: f64) -> Self {
+        let Coordinate::Displacement { direction, .. } = &spring.coordinate else { return self };
+        let force = force + 0.0;
+        Self { pressure: force / self.length, force: scale(-force, *direction), ..self }
     }
 }

@@ -71,21 +71,31 @@ impl<S: Number> ConnectorLaw<S> {
         self.collocated(q, q.constant(0.0), 1.0)[1]
     }
 
-    /// The part of a change over which a damper beside it acts, and its derivative with respect to the change: what acts on one side
-    /// alone is damped there alone.
+    /// Force of a damper beside the law over a step from `q0` by `change`, and its slope by the end: of the damping over the step size, beside the
+    /// law's own force and slope over the step.
+    ///
+    /// What acts on one side alone is damped there alone, and force and damper together keep the sign of the law: a rope does not push, a bed does
+    /// not pull. Where the sum would, the damper takes all that the law gives: it dissipates the potential energy that is set free.
     #[inline(always)]
-    pub fn damped(&self, q0: S, change: S) -> [S; 2] {
-        let (one, zero) = (q0.constant(1.0), q0.constant(0.0));
-        let Self::OneSided { from, .. } = self else { return [change, one] };
-        let (p0, sign) = match from {
-            ActsFrom::Above => (self.closed_by(q0), 1.0),
-            ActsFrom::Below => (self.closed_by(q0), -1.0),
-        };
+    pub fn damper(&self, rate: S, [q0, change]: [S; 2], [force, slope]: [S; 2]) -> [S; 2] {
+        let Some((from, at)) = self.side() else { return [rate * change, rate] };
+        let (sign, zero) = (from.sign(), q0.constant(0.0));
+        let p0 = (q0 - at) * sign;
         let p1 = p0 + change * sign;
         let (starts, ends) = (zero.less(p0), zero.less(p1));
         let crossing = (p1.max(zero) - p0.max(zero)) * sign;
-        let moved = S::choose(starts & ends, change, crossing);
-        [moved, S::choose(ends, one, zero)]
+        let damper = rate * S::choose(starts & ends, change, crossing);
+        let cut = ((force + damper) * sign).less(zero);
+        let own = S::choose(ends, rate, zero);
+        [S::choose(cut, zero - force, damper), S::choose(cut, zero - slope, own)]
+    }
+
+    /// The sum of its force at a value of the coordinate and of the force of a damper at that instant, as in [`Self::damper`].
+    pub fn with_damper(&self, q: S, force: S, damper: S) -> S {
+        let Some((from, at)) = self.side() else { return force + damper };
+        let (sign, zero) = (from.sign(), q.constant(0.0));
+        let sum = ((force + damper) * sign).max(zero) * sign;
+        S::choose(zero.less((q - at) * sign), sum, zero)
     }
 
     /// By how much what acts on one side alone has closed, negative while it is open; of other laws the coordinate itself.
@@ -153,7 +163,35 @@ impl ForceTable {
         let before = extension.iter().filter(|x| **x < 0.0).count();
         let bend = |k: usize| [extension[k], slope(k + 1) - slope(k)];
         let (below, above) = (0..extension.len()).map(bend).partition(|[x, _]| *x < 0.0);
-        Self { slope: slope(before), above, below }
+        Self { slope: slope(before), above, below, side: side(extension, force) }
+    }
+}
+
+/// The side of a table with forces of one sign alone, and the extension up to which there is none.
+fn side(extension: &[f64], force: &[f64]) -> Option<(ActsFrom, f64)> {
+    let any = |sign: f64| force.iter().any(|f| f * sign > 0.0);
+    let free = |x: Option<&f64>| x.copied().unwrap_or(0.0);
+    match [any(1.0), any(-1.0)] {
+        [true, false] => {
+            let first = force.iter().position(|f| *f > 0.0)?;
+            let before = first.checked_sub(1).and_then(|k| extension.get(k));
+            Some((ActsFrom::Above, free(before).max(0.0)))
+        }
+        [false, true] => {
+            let last = force.iter().rposition(|f| *f < 0.0)?;
+            Some((ActsFrom::Below, free(extension.get(last + 1)).min(0.0)))
+        }
+        _ => None,
+    }
+}
+
+impl ActsFrom {
+    /// Sign of its forces, and of the changes of the coordinate that increase them.
+    fn sign(self) -> f64 {
+        match self {
+            Self::Above => 1.0,
+            Self::Below => -1.0,
+        }
     }
 }
 
@@ -249,20 +287,79 @@ mod tests {
     /// A damper beside a spring of one side takes energy there alone.
     #[test]
     fn dampers_act_where_their_spring_does() {
-        let [above, below] = [ActsFrom::Above, ActsFrom::Below]
-            .map(|from| ConnectorLaw::OneSided { stiffness: 1.0, gap: 0.2, from });
         for (law, q0, change, moved) in [
-            (&above, 0.0, 0.1, 0.0),
-            (&above, 0.1, 0.4, 0.3),
-            (&above, 0.5, -0.4, -0.3),
-            (&above, 0.3, 0.1, 0.1),
-            (&below, 0.3, 0.1, 0.0),
-            (&below, 0.3, -0.4, -0.3),
-            (&below, 0.0, -0.1, -0.1),
+            (&above(), 0.0, 0.1, 0.0),
+            (&above(), 0.1, 0.4, 0.3),
+            (&above(), 0.5, -0.4, -0.3),
+            (&above(), 0.3, 0.1, 0.1),
+            (&below(), 0.3, 0.1, 0.0),
+            (&below(), 0.3, -0.4, -0.3),
+            (&below(), 0.0, -0.1, -0.1),
         ] {
-            let found: [f64; 2] = law.damped(q0, change);
-            assert!((found[0] - moved).abs() < 1e-15, "{law:?} {q0} {change}: {found:?}");
+            // Weak enough for the spring's force to be larger.
+            let found = law.damper(1e-3, [q0, change], law.quotient(q0, change));
+            assert!((found[0] - 1e-3 * moved).abs() < 1e-17, "{law:?} {q0} {change}: {found:?}");
             assert!(found[0] * change >= 0.0);
+        }
+    }
+
+    fn above() -> ConnectorLaw {
+        ConnectorLaw::OneSided { stiffness: 1.0, gap: 0.2, from: ActsFrom::Above }
+    }
+
+    fn below() -> ConnectorLaw {
+        ConnectorLaw::OneSided { stiffness: 1.0, gap: 0.2, from: ActsFrom::Below }
+    }
+
+    fn tabulated(extension: &[f64], force: &[f64]) -> ConnectorLaw {
+        ConnectorLaw::Tabulated { table: ForceTable::new(extension, force), rest: 0.2 }
+    }
+
+    /// Force and damper together have the sign of the law over any step and at any instant, and the damper never gives energy; the slope is that of
+    /// the sum.
+    #[test]
+    fn force_and_damper_keep_the_sign_of_their_law() {
+        let laws = [
+            (above(), 1.0),
+            (below(), -1.0),
+            (tabulated(&[0.0, 0.1, 0.3], &[0.0, 2.0, 0.5]), 1.0),
+            (tabulated(&[-0.3, -0.1, 0.0], &[-2.0, -0.5, 0.0]), -1.0),
+        ];
+        for (law, sign) in &laws {
+            for step in 0..400 {
+                let q0 = 0.02 * f64::from(step % 20);
+                let change = 0.04 * f64::from(step / 20 - 10) + 0.003;
+                for rate in [0.1, 1.0, 30.0] {
+                    let sum = |change: f64| {
+                        let own = law.quotient(q0, change);
+                        let damper = law.damper(rate, [q0, change], own);
+                        [0, 1].map(|i| own[i] + damper[i])
+                    };
+                    let [force, slope] = sum(change);
+                    assert!(force * sign >= 0.0, "{law:?} {q0} {change} {rate}: {force}");
+                    let loss = law.damper(rate, [q0, change], law.quotient(q0, change))[0] * change;
+                    assert!(loss >= -1e-15, "{law:?} {q0} {change} {rate}: {loss}");
+                    let e = 1e-8;
+                    let given = (sum(change + e)[0] - sum(change - e)[0]) / (2.0 * e);
+                    assert!((slope - given).abs() < 1e-4 * (1.0 + rate), "{law:?} {q0} {change}");
+                    let now = law.collocated(q0, 0.0, 1.0)[0];
+                    assert!(law.with_damper(q0, now, rate * change) * sign >= 0.0);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_table_of_one_sign_is_of_one_side() {
+        for (extension, force, expected) in [
+            (&[0.0, 0.1][..], &[0.0, 50.0][..], Some((ActsFrom::Above, 0.0))),
+            (&[0.05, 0.1], &[0.0, 50.0], Some((ActsFrom::Above, 0.05))),
+            (&[-0.1, 0.0], &[-50.0, 0.0], Some((ActsFrom::Below, 0.0))),
+            (&[-0.1, -0.05, 0.2], &[-50.0, 0.0, 0.0], Some((ActsFrom::Below, -0.05))),
+            (&[-0.1, 0.0, 0.1], &[-50.0, 0.0, 1.0], None),
+            (&[0.0, 0.1], &[0.0, 0.0], None),
+        ] {
+            assert_eq!(ForceTable::new(extension, force).side, expected, "{extension:?}");
         }
     }
 }
