@@ -39,6 +39,7 @@ mod saved_lanes;
 mod sections;
 mod sensitivity;
 mod shape;
+mod slopes;
 mod summary;
 mod value_solver;
 mod yield_log;
@@ -54,6 +55,6 @@ pub use horizon::Horizon;
 pub use known_columns::has_derivatives;
 pub use run::runs_alone;
 pub use sensitivity::{
-    SampleDerivatives, Sensitivities, Undifferentiated, Variation, sensitivities,
-    sensitivities_with_columns,
+    SampleDerivatives, Sensitivities, Undifferentiated, sensitivities, sensitivities_with_columns,
 };
+pub use slopes::{Difference, Variation};

@@ -198,3 +198,38 @@ impl<S: Copy> GuideNumbers<S> {
         }
     }
 }
+
+impl Numbers<f64> {
+    /// For every number, in the order of [`Self::flat`], the largest magnitude in its part: a span, the nodes, the springs, and so on.
+    pub fn largest_of_their_kind(&self) -> Vec<f64> {
+        let mut out = Vec::new();
+        let mut part = |numbers: Vec<f64>| {
+            let finite = numbers.iter().filter(|x| x.is_finite());
+            let most = finite.fold(0.0, |most: f64, x| most.max(x.abs()));
+            out.extend(numbers.iter().map(|_| most));
+        };
+        let list = |all: &dyn Fn(&mut dyn FnMut(f64) -> f64)| {
+            let mut numbers = Vec::new();
+            all(&mut |x| {
+                numbers.push(x);
+                x
+            });
+            numbers
+        };
+        part(vec![self.step]);
+        for span in &self.spans {
+            part(list(&|mut f| _ = span.map(&mut f)));
+        }
+        part(self.nodes.as_flattened().to_vec());
+        part(list(&|mut f| self.prescribed.iter().for_each(|one| _ = one.map(&mut f))));
+        part(list(&|mut f| self.constraints.iter().for_each(|one| _ = one.map(&mut f))));
+        part(list(&|mut f| self.springs.iter().for_each(|one| _ = one.map(&mut f))));
+        part(list(&|mut f| self.guides.iter().for_each(|one| _ = one.map(&mut f))));
+        part(list(&|mut f| self.loads.iter().for_each(|one| _ = one.map(&mut f))));
+        part(list(&|mut f| self.points.iter().for_each(|one| _ = one.map(&mut f))));
+        part(list(&|mut f| _ = self.round_off.map(&mut f)));
+        part(vec![self.total_mass]);
+        part(vec![self.size]);
+        out
+    }
+}

@@ -11,25 +11,12 @@ use super::derivative_run::{DerivativeRun, Derived, TOGETHER};
 use super::grazing::Grazing;
 use super::horizon::{Horizon, agreeing, align, withdraw, withdraw_plastic};
 use super::numbers::Numbers;
-use super::shape::{BatchShape, numbers};
+use super::slopes::{Slopes, Variation, known, slopes};
 use super::summary::{Fixed, Reading, SummaryInput};
 use percuss::Model;
 use percuss::Settings;
 use percuss::internals::scalar::Dual;
 use percuss::{RunSummary, Termination};
-
-/// A parameter, given by models with its changed values.
-#[derive(Clone, Debug)]
-pub struct Variation {
-    /// The model with the parameter changed by -2, -1, 1 and 2 times `change`, shape (4). The numbers of a model are smooth functions of its
-    /// parameters: fourth-order differences give their derivatives.
-    pub models: [Model; 4],
-    /// Time at which the run ends with each of them, shape (4) \[s\]. No other setting may change with a parameter: the effect of the step on a
-    /// result is its error.
-    pub ends: [f64; 4],
-    /// Change of the parameter.
-    pub change: f64,
-}
 
 /// Why a run has no derivatives.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -122,7 +109,7 @@ pub fn sensitivities_with_columns(
         return Err(fault.to_string().into());
     }
     let base = known(model, settings)?;
-    let parameters = slopes(settings, &base, variations)?;
+    let parameters = slopes(model, settings, &base, variations)?;
     let (summary, taken) = match simulate_found(model, settings, samples) {
         Ok(both) => both,
         Err(faults) => return Err(faults[0].to_string().into()),
@@ -141,7 +128,7 @@ pub fn sensitivities_with_columns(
         columns: SampleDerivatives { values, derivatives: Vec::new() },
         factorizations: 0,
     };
-    let none: &[ParameterSlopes] = &[];
+    let none: &[Slopes] = &[];
     // Without parameters the grazing contacts are still found.
     let chunks: Vec<_> =
         if parameters.is_empty() { vec![none] } else { parameters.chunks(TOGETHER).collect() };
@@ -149,65 +136,6 @@ pub fn sensitivities_with_columns(
         case.differentiate(chunk, &mut found);
     }
     Ok(found)
-}
-
-/// The numbers of a model, or the reason why they have no derivatives.
-fn known(model: &Model, settings: &Settings) -> Result<Numbers<f64>, Undifferentiated> {
-    if model.loads.iter().any(|load| !load.is_steady()) {
-        let why = "derivatives are not available for loads that change in time".to_owned();
-        return Err(why.into());
-    }
-    numbers(model, settings)
-        .map_err(|what| format!("derivatives are not available for {what}").into())
-}
-
-/// Derivatives of the input with respect to a parameter.
-struct ParameterSlopes {
-    /// Numbers of the model, in the order of [`Numbers::flat`], shape (numbers) \[unit of the number by that of the parameter\].
-    numbers: Vec<f64>,
-    /// End of the run.
-    end: f64,
-    /// Results that depend only on the model, shape (guided projectiles).
-    fixed: Vec<Fixed>,
-}
-
-fn slopes(
-    settings: &Settings,
-    base: &Numbers<f64>,
-    variations: &[Variation],
-) -> Result<Vec<ParameterSlopes>, Undifferentiated> {
-    let shape = BatchShape::of(base);
-    let mut all = Vec::new();
-    for (i, variation) in variations.iter().enumerate() {
-        let mut flat = Vec::new();
-        for varied in &variation.models {
-            let numbers = known(varied, settings)?;
-            if BatchShape::of(&numbers) != shape {
-                let why = format!("parameter {} changes the mesh, not numbers alone", i + 1);
-                return Err(why.into());
-            }
-            flat.push(numbers.flat());
-        }
-        let size = flat[0].len();
-        let change = variation.change;
-        // Unset numbers remain unset.
-        let plain = |x: f64| if x.is_nan() { 0.0 } else { x };
-        let numbers =
-            (0..size).map(|k| plain(difference([0, 1, 2, 3].map(|m| flat[m][k]), change)));
-        let fixed = variation.models.each_ref().map(Fixed::all);
-        let fixed = (0..fixed[0].len()).map(|k| {
-            let each = fixed.each_ref().map(|all| all[k].numbers());
-            Fixed::from([0, 1, 2].map(|n| difference(each.map(|numbers| numbers[n]), change)))
-        });
-        let end = difference(variation.ends, change);
-        all.push(ParameterSlopes { numbers: numbers.collect(), end, fixed: fixed.collect() });
-    }
-    Ok(all)
-}
-
-/// Fourth-order central difference.
-fn difference([far_below, below, above, far_above]: [f64; 4], change: f64) -> f64 {
-    (8.0 * (above - below) - (far_above - far_below)) / (12.0 * change)
 }
 
 /// The differentiated run.
@@ -228,8 +156,8 @@ const SAME_ROW: f64 = 1e-3;
 
 impl Case<'_> {
     /// Adds the derivatives with respect to up to [`TOGETHER`] parameters.
-    fn differentiate(&self, parameters: &[ParameterSlopes], found: &mut Sensitivities) {
-        let derived = |value: f64, of: &dyn Fn(&ParameterSlopes) -> f64| {
+    fn differentiate(&self, parameters: &[Slopes], found: &mut Sensitivities) {
+        let derived = |value: f64, of: &dyn Fn(&Slopes) -> f64| {
             let mut slope = [0.0; TOGETHER + 1];
             parameters.iter().zip(&mut slope).for_each(|(from, to)| *to = of(from));
             Dual { value, slope }

@@ -7,8 +7,8 @@ use super::newton::LaneNewton;
 use super::numbers::GuideLaw;
 use super::yield_log;
 use percuss::Model;
-use percuss::Scheme;
 use percuss::State;
+use percuss::internals::element::fibre::FibreState;
 use percuss::internals::run::crest::{Crest, at_last};
 use percuss::internals::run::yielding;
 use percuss::internals::scalar::Number;
@@ -160,16 +160,16 @@ impl<S: Number> SummaryInput<'_, S> {
             return Vec::new();
         }
         let lane = self.lane;
-        let mut state = State::at_rest(self.model, Scheme::EnergyMomentum);
         let value = |x: S| x.lane(lane);
-        for (to, from) in state.displacement.iter_mut().zip(&self.engine.displacement) {
-            *to = from.map(value);
-        }
-        for (to, from) in state.fibres.iter_mut().zip(&self.engine.fibres.states) {
-            to.plastic = value(from.plastic);
-            to.accumulated = value(from.accumulated);
-            to.dissipated = value(from.dissipated);
-        }
+        let fibre = |from: &FibreState<S>| FibreState {
+            plastic: value(from.plastic),
+            accumulated: value(from.accumulated),
+            dissipated: value(from.dissipated),
+            failed: from.failed,
+        };
+        let displacement = self.engine.displacement.iter().map(|u| u.map(value));
+        let fibres = self.engine.fibres.states.iter().map(fibre);
+        let state = State::at_rest_at(self.model, displacement, fibres);
         let records = yield_log::records(self.model, &self.log.yields, lane);
         let sets = yielding::sets(self.model, &state);
         yielding::summaries(self.model, &state, &records, &sets)

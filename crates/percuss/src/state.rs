@@ -223,6 +223,23 @@ impl State {
         .with_bodies(model)
     }
 
+    /// The model at rest at given displacements of its first nodes, with the given states of its fibres, and with connectors as they are there.
+    #[doc(hidden)]
+    pub fn at_rest_at(
+        model: &Model,
+        displacement: impl IntoIterator<Item = [f64; 4]>,
+        fibres: impl IntoIterator<Item = FibreState>,
+    ) -> Self {
+        let mut state = Self::at_rest(model, Scheme::EnergyMomentum);
+        for (to, from) in state.displacement.iter_mut().zip(displacement) {
+            *to = from;
+        }
+        for (to, from) in state.fibres.iter_mut().zip(fibres) {
+            *to = from;
+        }
+        state.with_coordinates(model)
+    }
+
     /// The configuration of beams and bodies, without fractured elements.
     pub(crate) fn configuration(&self) -> Configuration<'_> {
         Configuration { parted: &self.parted, ..Configuration::of(&self.displacement) }

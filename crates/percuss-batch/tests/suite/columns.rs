@@ -85,7 +85,10 @@ fn check(kind: Law, tolerance: f64) {
     let variation = |i: usize| {
         let change = 1e-3 * base[i].abs();
         let models = [-2.0, -1.0, 1.0, 2.0].map(|k| moved(i, k * change));
-        Variation { models, ends: [end; 4], change }
+        Variation {
+            size: 1e3 * change,
+            differences: vec![Difference { models, ends: [end; 4], change }],
+        }
     };
     let (model, all) = (scene(base, kind), [0, 1, 2, 3].map(variation));
     let found = sensitivities_with_columns(&model, &settings, &all, &samples).unwrap();
@@ -161,7 +164,10 @@ fn columns_without_derivatives_are_known_as_such() {
         let change = 1e-3;
         let models = [-2.0, -1.0, 1.0, 2.0]
             .map(|k| scene([BASE[0] + k * change, BASE[1], BASE[2], BASE[3]], Law::Linear));
-        let by = Variation { models, ends: [2e-3; 4], change };
+        let by = Variation {
+            size: 1e3 * change,
+            differences: vec![Difference { models, ends: [2e-3; 4], change }],
+        };
         let found = sensitivities_with_columns(&model, &settings, &[by], &sample).unwrap();
         assert!(found.columns.values[0].is_finite() && found.columns.derivatives[0][0].is_nan());
     }
@@ -179,7 +185,10 @@ fn one_factorisation_a_step_serves_all_parameters() {
             p[i] += k * change;
             scene(p, Law::Linear)
         });
-        Variation { models, ends: [2e-3; 4], change }
+        Variation {
+            size: 1e3 * change,
+            differences: vec![Difference { models, ends: [2e-3; 4], change }],
+        }
     };
     let count = |parameters: &[usize]| {
         let all: Vec<Variation> = parameters.iter().map(|i| variation(*i)).collect();

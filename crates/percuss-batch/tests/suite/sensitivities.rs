@@ -173,7 +173,7 @@ fn check(law: Law, framed: bool, end: f64, tolerance: f64) {
             let change = 1e-3 * base[i];
             let each = [-2.0, -1.0, 1.0, 2.0].map(|k| moved(i, k * change));
             let (models, ends) = (each.map(|p| scene(&p, law)), each.map(|p| p[12]));
-            Variation { models, ends, change }
+            Variation { size: base[i], differences: vec![Difference { models, ends, change }] }
         })
         .collect();
     let found = sensitivities(&scene(&base, law), &settings(&base), &variations).unwrap();
@@ -260,8 +260,14 @@ fn models_without_derivatives_say_why() {
         p[9] = 0.9; // a point of another element
         scene(&p, Law::Linear)
     };
-    let variation =
-        Variation { models: [(); 4].map(|()| other.clone()), ends: [0.01; 4], change: 1.0 };
+    let variation = Variation {
+        size: 1.0,
+        differences: vec![Difference {
+            models: [(); 4].map(|()| other.clone()),
+            ends: [0.01; 4],
+            change: 1.0,
+        }],
+    };
     let refused = sensitivities(&model, &Settings::new(0.01, 1e-4), &[variation]).unwrap_err();
     assert!(refused.to_string().contains("mesh"), "{refused}");
 }
@@ -313,7 +319,10 @@ fn derivatives_go_on_through_accumulated_impacts_and_rest() {
     let variation = |i: usize| {
         let change = 1e-3 * base[i];
         let models = [-2.0, -1.0, 1.0, 2.0].map(|k| moved(i, k * change));
-        Variation { models, ends: [end; 4], change }
+        Variation {
+            size: 1e3 * change,
+            differences: vec![Difference { models, ends: [end; 4], change }],
+        }
     };
     let model = chatter(base);
     let found = sensitivities(&model, &settings, &[0, 1, 2].map(variation)).unwrap();
@@ -369,7 +378,10 @@ fn derivatives_end_where_a_contact_bounces_after_it_let_go() {
     let settings = Settings::new(0.01, 2e-5);
     let change = 1e-3 * base[1];
     let models = [-2.0, -1.0, 1.0, 2.0].map(|k| chatter([base[0], base[1] + k * change, base[2]]));
-    let variation = Variation { models, ends: [0.01; 4], change };
+    let variation = Variation {
+        size: 1e3 * change,
+        differences: vec![Difference { models, ends: [0.01; 4], change }],
+    };
     let found = sensitivities(&chatter(base), &settings, &[variation]).unwrap();
     let ContactRecord::Nonsmooth { intervals, .. } = &found.summary.contacts[0].record else {
         unreachable!()
@@ -397,7 +409,10 @@ fn times_that_steps_do_not_resolve_have_no_derivative() {
     };
     let settings = Settings::new(0.02, 2.5e-4);
     let models = [19.96, 19.98, 20.02, 20.04].map(scene);
-    let variation = Variation { models, ends: [0.02; 4], change: 0.02 };
+    let variation = Variation {
+        size: 20.0,
+        differences: vec![Difference { models, ends: [0.02; 4], change: 0.02 }],
+    };
     let found = sensitivities(&scene(20.0), &settings, &[variation]).unwrap();
     let points = found.summary.points.iter().zip(&found.derivatives[0].points);
     let mut unresolved = 0;

@@ -207,6 +207,54 @@ fn beams_that_yield_move_in_lanes_as_they_do_alone() {
     }
 }
 
+/// The permanent deflection is that of a single run whatever holds the beam: an elastic support, or a stop that it has reached, whose springs are as
+/// long as the beam's end is moved.
+#[test]
+fn permanent_deflections_on_springs_and_stops_are_those_of_single_runs() {
+    let elastic = SupportKind::Elastic {
+        direction: [1.0, 0.0],
+        stiffness: [2e5, 4e5],
+        damping: [0.0; 2],
+        rotational_stiffness: 0.0,
+        rotational_damping: 0.0,
+    };
+    let stop =
+        SupportKind::Stop { direction: [0.0, -1.0], gap: 1e-3, stiffness: 4e5, two_sided: true };
+    for kinds in [vec![elastic.clone()], vec![stop.clone()], vec![elastic, stop]] {
+        let of = |end: f64| {
+            let mut b = ModelBuilder::new();
+            let steel = b.material(Material {
+                strain: StrainMeasure::Engineering,
+                inelasticity: Some(inelasticity(Kind::Perfect, 43e9)),
+                ..Material::new("steel", 43e9, 1570.0)
+            });
+            let section = b.section(Section { fibres: 6, ..Section::rectangle("bar", 0.02, 0.04) });
+            let bar = b.beam(beam("bar", [0.0; 2], [1.8, 0.0], 6, steel, section));
+            b.support(Support::new("left", at("left", bar, 0.0), SupportKind::Pin));
+            for (k, kind) in kinds.iter().enumerate() {
+                b.support(Support::new(format!("{k}"), at("right", bar, 1.0), kind.clone()));
+            }
+            let law = ProjectileKind::spring(1e7);
+            b.projectile(Projectile::new("mass", law, 0.6, [0.0, -8.0], at("struck", bar, 0.4)));
+            (b.build().unwrap(), Settings::new(end, 1.5e-4))
+        };
+        let runs: Vec<_> = [0.042, 0.045, 0.048, 0.051, 0.054].map(of).into();
+        for ((model, settings), found) in runs.iter().zip(batch(&runs)) {
+            assert_eq!(runs_alone(model, settings, Detail::Motion), None);
+            let single = simulate(model, settings, &mut NoRecorder).unwrap();
+            let [a, b] = [&single, &found].map(|s| s.plastic[0].permanent_set);
+            match [a, b] {
+                [Ok(a), Ok(b)] => {
+                    let off = [0, 1].map(|i| (a.displacement[i] - b.displacement[i]).abs());
+                    assert!(a.size() > 1e-4, "{a:?}");
+                    assert!(off.iter().all(|d| *d < 1e-5 * a.size()), "{kinds:?}: {a:?} {b:?}");
+                }
+                other => assert_eq!(other[0], other[1], "{kinds:?}"),
+            }
+        }
+    }
+}
+
 #[test]
 fn beams_that_yield_give_the_same_bits_alone_and_in_company() {
     for (kind, rigid) in all() {
@@ -267,7 +315,14 @@ fn check(kind: Kind, end: f64) {
     let variation = |i: usize| {
         let change = 1e-3 * base[i];
         let each = [-2.0, -1.0, 1.0, 2.0].map(|k| moved(i, k * change));
-        Variation { models: each.map(|p| of(&p).0), ends: each.map(|p| p[8]), change }
+        Variation {
+            size: base[i],
+            differences: vec![Difference {
+                models: each.map(|p| of(&p).0),
+                ends: each.map(|p| p[8]),
+                change,
+            }],
+        }
     };
     let variations: Vec<_> = (0..9).map(variation).collect();
     let (model, settings) = of(&base);
@@ -330,7 +385,10 @@ fn a_beam_that_is_about_to_yield_says_so() {
     for (speed, missed) in [(0.997 * low, true), (1.003 * low, false)] {
         let change = 1e-3 * speed;
         let models = [-2.0, -1.0, 1.0, 2.0].map(|k| of(speed + k * change));
-        let variation = Variation { models, ends: [settings.end; 4], change };
+        let variation = Variation {
+            size: 1e3 * change,
+            differences: vec![Difference { models, ends: [settings.end; 4], change }],
+        };
         let found = sensitivities(&of(speed), &settings, &[variation]).unwrap();
         let yields = |g: &&Grazing| g.onset == Onset::Yield("bar".into());
         let near = found.grazing.iter().find(yields).unwrap();
@@ -367,7 +425,10 @@ fn a_fibre_that_fails_leaves_its_lane_and_ends_derivatives() {
     let single = simulate(&runs[1].0, &settings, &mut NoRecorder).unwrap();
     assert_eq!(single.plastic, found[1].plastic);
     let models = [59.88, 59.94, 60.06, 60.12].map(weak);
-    let variation = Variation { models, ends: [settings.end; 4], change: 0.06 };
+    let variation = Variation {
+        size: 60.0,
+        differences: vec![Difference { models, ends: [settings.end; 4], change: 0.06 }],
+    };
     let derived = sensitivities(&runs[1].0, &settings, &[variation]).unwrap();
     let horizon = derived.horizon.unwrap();
     assert!(horizon.why.contains("fibre fails"), "{horizon:?}");

@@ -2,6 +2,7 @@
 
 mod differentiated;
 mod one_sided;
+mod vary;
 
 use percuss::{Fault, Settings};
 use percuss_batch::{
@@ -12,16 +13,12 @@ use percuss_codes::AnalysisCode;
 use percuss_output::{SummaryPath, pick, pick_derivatives, summary_paths};
 use percuss_scenario::{Compiled, Diagnostics, Scenario};
 
-use crate::prepare::in_one_line;
 use crate::resolve::result;
 
 pub use differentiated::Differentiated;
 pub use one_sided::OneSided;
 use one_sided::one_sided;
-
-/// Change of a parameter over which the numbers of the model are differentiated, as a share of its size. They are smooth
-/// functions of it: the error of the fourth-order difference lies at round-off.
-const SHARE: f64 = 1e-3;
+use vary::vary_all;
 
 /// Shares of the step at which the run is made again, to see what its size does to derivatives.
 const OTHER_STEPS: [f64; 2] = [0.5, 0.8];
@@ -168,7 +165,7 @@ pub(crate) fn differentiate(
     samples: &[ColumnSample],
 ) -> Result<DifferentiatedRun, SensitivityError> {
     let compiled = scenario.compile()?;
-    let (differentiated, variations) = vary_all(scenario, parameters)?;
+    let (differentiated, variations) = vary_all(scenario, &compiled, parameters)?;
     let mut faults = Vec::new();
     let (model, settings) = (&compiled.model, &compiled.settings);
     let found = sensitivities_with_columns(model, settings, &variations, samples)?;
@@ -222,28 +219,6 @@ fn exact(found: &Sensitivities, parameters: &[Differentiated]) -> ExactColumns {
     let derivatives = (0..values.len()).map(row).collect();
     let one_sided = one_sided(&found.grazing, parameters);
     ExactColumns { values, derivatives, one_sided, horizon: found.horizon.clone() }
-}
-
-/// The parameters, and how each of them is varied.
-fn vary_all(
-    scenario: &Scenario,
-    parameters: &[String],
-) -> Result<(Vec<Differentiated>, Vec<percuss_batch::Variation>), Diagnostics> {
-    let (mut differentiated, mut variations) = (Vec::new(), Vec::new());
-    let mut faults = Vec::new();
-    for path in parameters {
-        match vary(scenario, path) {
-            Ok((parameter, variation)) => {
-                differentiated.push(parameter);
-                variations.push(variation);
-            }
-            Err(fault) => faults.push(fault),
-        }
-    }
-    if !faults.is_empty() {
-        return Err(scenario.diagnostics(faults));
-    }
-    Ok((differentiated, variations))
 }
 
 impl DifferentiatedRun {
@@ -364,39 +339,4 @@ fn wanted(results: &[String], summary: &percuss::RunSummary) -> Vec<String> {
 fn moves(path: &str, summary: &percuss::RunSummary) -> bool {
     let found = result(path, summary).ok().filter(|path| !path.is_of_forces());
     found.is_some_and(|path| pick(&[path], summary)[0].abs() > 1e-12)
-}
-
-/// A parameter, and the models it makes when it changes.
-fn vary(
-    scenario: &Scenario,
-    path: &str,
-) -> Result<(Differentiated, percuss_batch::Variation), Fault> {
-    let field = scenario.field(path)?;
-    let mut scenario = scenario.clone();
-    let Some((value, unit)) = scenario.number(&field) else {
-        return Err(Fault::new(path, "no number of this scenario", "a number it has"));
-    };
-    let change = SHARE * if value == 0.0 { 1.0 } else { value.abs() };
-    let mut made = |k: f64| {
-        scenario.set_number(&field, value + k * change)?;
-        scenario.compile().map_err(|faults| {
-            let found = format!(
-                "a value next to one that the scenario cannot have ({})",
-                in_one_line(&faults)
-            );
-            Fault::new(path, found, "a value that may change to either side")
-        })
-    };
-    let all = [made(-2.0)?, made(-1.0)?, made(1.0)?, made(2.0)?];
-    let ends = all.each_ref().map(|one| one.settings.end);
-    let settings = all.each_ref().map(|one| Settings { end: ends[0], ..one.settings });
-    if settings.iter().any(|one| *one != settings[0]) {
-        let found = "a setting of the computation, whose effect on a result is an error";
-        let expected =
-            "a number of the model, or the end of the run (for steps see `percuss converge`)";
-        return Err(Fault::new(path, found, expected));
-    }
-    let models = all.map(|one| one.model);
-    let parameter = Differentiated { path: path.into(), value, unit: unit.into() };
-    Ok((parameter, percuss_batch::Variation { models, ends, change }))
 }

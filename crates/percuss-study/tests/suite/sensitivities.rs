@@ -269,3 +269,93 @@ fn uncertainties_hold_against_finer_steps() {
         }
     }
 }
+
+/// A load that ends close to a support, or to a node: the length of the element between them is the parameter's, and far below its value.
+fn short_element(from: f64, end: f64) -> Scenario {
+    let text = format!(
+        r#"
+[material.mat]
+young = "200 GPa"
+density = 7850
+[section.sec]
+shape = "rectangle"
+width = "50 mm"
+depth = "50 mm"
+[beam.a]
+points = [[{from}, 0], [{to}, 0]]
+elements = 6
+material = "mat"
+section = "sec"
+[support.s]
+at = "a.start"
+kind = "clamp"
+[support.r]
+at = "a@0.7"
+kind = "elastic"
+stiffness = [1e6, 1e6]
+[projectile.p]
+kind = "elastic"
+mass = 5
+stiffness = "1e6 N/m"
+velocity = [0, -3]
+strikes = "a@0.6"
+[load.q]
+kind = "distributed"
+on = "a"
+stretch = [0.1, {end}]
+force = [0, "-20 kN/m"]
+[time]
+end = "40 ms"
+step = "0.1 ms"
+[record]
+points = ["a.end", "a.mid"]
+"#,
+        to = from + 2.0
+    );
+    read(&text, "short.toml").unwrap()
+}
+
+/// Central differences of runs.
+fn difference(made: impl Fn(f64) -> Scenario, paths: &[String], change: f64) -> Vec<f64> {
+    let of = |by: f64| {
+        let found = sensitivity(&made(by), &["projectile.p.mass".into()], paths).unwrap();
+        found.results.iter().map(|one| one.value).collect::<Vec<_>>()
+    };
+    let (above, below) = (of(change), of(-change));
+    above.iter().zip(&below).map(|(a, b)| (a - b) / (2.0 * change)).collect()
+}
+
+/// Numbers of the model change over a few millimetres, or less, where the parameter is a coordinate of a metre: the change over which they are
+/// differentiated follows from them.
+#[test]
+fn short_elements_are_differentiated_over_their_own_length() {
+    let paths = ["projectile.p.velocity_final[1]", "contact.p.peak_force.value"].map(String::from);
+    for (end, known) in [(0.698, Some([-2.1007, 2510.1])), (0.6999, None), (0.65, None)] {
+        let by = ["load.q.stretch[1]".to_owned()];
+        let found = sensitivity(&short_element(0.0, end), &by, &paths).unwrap();
+        let runs = difference(|by| short_element(0.0, end + by), &paths, 1e-6);
+        for k in 0..2 {
+            let own = found.derivatives[k][0];
+            let off = (own - runs[k]).abs() / runs[k].abs();
+            assert!(off < 1e-3, "{end}: {own} {}", runs[k]);
+            if let Some(known) = known {
+                assert!((own / known[k] - 1.0).abs() < 1e-3, "{end}: {own}");
+            }
+        }
+    }
+}
+
+/// Derivatives with respect to a coordinate do not depend on the origin.
+#[test]
+fn derivatives_are_the_same_far_from_the_origin() {
+    let paths = ["projectile.p.velocity_final[1]", "contact.p.peak_force.value"].map(String::from);
+    let by = ["beam.a.points[1][0]".to_owned()];
+    let near = sensitivity(&short_element(0.0, 0.65), &by, &paths).unwrap();
+    for from in [10.0, 1000.0] {
+        let far = sensitivity(&short_element(from, 0.65), &by, &paths).unwrap();
+        for k in 0..2 {
+            let [a, b] = [&near, &far].map(|found| found.derivatives[k][0]);
+            assert!((a / b - 1.0).abs() < 1e-5, "{from}: {a} {b}");
+        }
+    }
+}
