@@ -37,9 +37,9 @@ pub use analysis::{
     BucklingMode, BucklingOutcome, Equilibrium, FailureKind, FollowerStability,
     LargestDisplacement, LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, PathYield,
     SlackMember, StaticBalance, StaticContact, StaticFailure, StaticFirstYield, StaticFoundation,
-    StaticYielding, StopState, buckling, buckling_in_contact, equilibrium, equilibrium_in,
-    equilibrium_path, equilibrium_path_recorded, mechanisms, modes_about, modes_about_equilibrium,
-    natural_frequencies, slack_members, stops,
+    StaticYielding, StopState, Touching, buckling, buckling_in_contact, equilibrium,
+    equilibrium_in, equilibrium_path, equilibrium_path_recorded, mechanisms, modes_about,
+    modes_about_equilibrium, natural_frequencies, slack_members, stops,
 };
 pub use error::{Error, RecorderError};
 pub use frame::{Frame, FrameForce};

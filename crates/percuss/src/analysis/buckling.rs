@@ -1,6 +1,7 @@
 //! Linear buckling: the load factor at which the tangent would turn singular if the geometric stiffness grew with the load.
 
-use percuss_codes::Caution;
+mod outcome;
+mod touching;
 
 use super::equilibrium::Equilibrium;
 use super::flutter::{FollowerStability, follower_stability};
@@ -11,6 +12,9 @@ use crate::model::frozen::{ConnectorLaw, LoadAction};
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::given_strains;
+pub use outcome::BucklingOutcome;
+pub use touching::Touching;
+use touching::{TOUCHING, touching_laws};
 
 /// Additional vectors of the subspace, beside six for each requested factor.
 const SPARE: usize = 80;
@@ -18,8 +22,6 @@ const SPARE: usize = 80;
 const STEP: f64 = 4.0;
 /// Number of attempts to find missing factors.
 const MOST_COUNTS: usize = 8;
-/// Gaps below this share of the length of a spring or the size of the structure are round-off: the spring touches.
-const TOUCHING: f64 = 1e-9;
 /// Loads that move a structure by less than this share of its size are round-off.
 const NO_LOAD: f64 = 1e-14;
 /// Strains below this share of the displacements, relative to the size of the structure, are round-off of a motion without strain.
@@ -50,6 +52,8 @@ pub struct LinearBuckling {
     pub springs_as_unloaded: usize,
     /// Number of foundations with such springs.
     pub foundations_as_unloaded: usize,
+    /// Springs and stops that round-off alone decides to be taut or slack, if there are any.
+    pub touching: Option<Touching>,
 }
 
 impl LinearBuckling {
@@ -75,75 +79,9 @@ impl LinearBuckling {
             "foundation has the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows it)",
             "foundations have the stiffness of the reference configuration, not that under the loads (`percuss static --path` follows them)",
         );
-        let all = stops.into_iter().chain(springs).chain(foundations);
+        let touching = self.touching.map(|touching| touching.to_string());
+        let all = stops.into_iter().chain(springs).chain(foundations).chain(touching);
         all.map(|what| format!("linear buckling: {what}")).collect()
-    }
-}
-
-/// Result of linear buckling.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum BucklingOutcome {
-    /// The lowest factors, none left out: by count of the negative pivots of the tangent.
-    Found,
-    /// No positive factor up to `up_to`, at which strains of the linear response reach one: by count, the tangent has no negative
-    /// pivot there.
-    Never {
-        /// Largest factor in the search.
-        up_to: f64,
-    },
-    /// The loads move the structure on its springs, and strain it by round-off only; no positive factor where this round-off has no influence.
-    Unstrained,
-    /// No load acts at time zero.
-    Unloaded,
-    /// Follower loads: they have no potential, and the structure may flutter at a load without another equilibrium. Modes about the loaded
-    /// equilibrium show it.
-    Follower,
-    /// The unloaded structure is a mechanism.
-    Mechanism,
-    /// The unloaded structure is unstable, due to prestressed springs.
-    Unstable,
-    /// A material yields or carries stress of one sign only, so that its stiffness is not constant up to a factor; or a section is given by fibres,
-    /// which the search does not support.
-    Inelastic,
-    /// The search did not find all counted factors.
-    Unfinished,
-}
-
-impl BucklingOutcome {
-    /// Its code in the catalogue, if no factor is available although loads act.
-    pub fn code(self) -> Option<Caution> {
-        match self {
-            Self::Found | Self::Never { .. } | Self::Unstrained | Self::Unloaded => None,
-            Self::Follower
-            | Self::Mechanism
-            | Self::Unstable
-            | Self::Inelastic
-            | Self::Unfinished => Some(Caution::NoBuckling),
-        }
-    }
-
-    /// One sentence for people; empty if a factor was found.
-    pub fn reason(self) -> Option<String> {
-        Some(match self {
-            Self::Found => return None,
-            Self::Never { up_to } => {
-                let shown = format!("{up_to:.3e}").parse::<f64>().unwrap_or(up_to);
-                format!(
-                    "no linear buckling: the tangent stiffness stays positive up to {shown} times the loads, where strains reach one"
-                )
-            }
-            Self::Unstrained => "no linear buckling: the loads move the structure on its springs and do not strain it".into(),
-            Self::Unloaded => "no linear buckling: no load acts".into(),
-            Self::Follower => "no linear buckling factor: follower loads have no potential (flutter is possible); see the modes about the static \
-                 equilibrium"
-                .into(),
-            Self::Mechanism => "no linear buckling factor: the unloaded structure is a mechanism".into(),
-            Self::Unstable => "no linear buckling factor: the structure is unstable without loads".into(),
-            Self::Inelastic => "no linear buckling factor: parts of the structure yield, bear tension or compression alone, or have fibre sections; see `percuss static --path`"
-                .into(),
-            Self::Unfinished => "the search did not find all linear buckling factors".into(),
-        })
     }
 }
 
@@ -167,11 +105,17 @@ pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> 
     let extent = structure.extent();
     let (mut closed_stops, mut springs_as_unloaded) = (0, 0);
     let mut foundations = vec![false; structure.foundations.len()];
-    for (c, q) in structure.connectors.iter_mut().zip(&found.state.coordinates) {
+    // The larger stiffness of what just touches, shape (such connectors) [index of a connector].
+    let mut stiffer: Vec<(usize, ConnectorLaw)> = Vec::new();
+    let each = structure.connectors.iter_mut().zip(&found.state.coordinates).enumerate();
+    for (i, (c, q)) in each {
         let from = c.value(&reference, 0.0);
         let scale = from.abs().max(extent);
         if c.has_failed(&found.state.memories) {
             c.law = ConnectorLaw::Linear { stiffness: 0.0, rest: from };
+        } else if let Some([soft, stiff]) = touching_laws(&c.law, [from, *q], scale) {
+            c.law = soft;
+            stiffer.push((i, stiff));
         } else if !matches!(c.law, ConnectorLaw::Linear { .. }) {
             let unloaded = tangent_law(&c.law, [from, *q], scale);
             let now = c.law.stiffness_at(*q);
@@ -192,9 +136,33 @@ pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> 
             };
         }
     }
-    let all = result(&structure, found.held.clone(), count);
+    let all = with_touching(structure, stiffer, found, count);
     let foundations_as_unloaded = foundations.into_iter().filter(|changes| *changes).count();
     LinearBuckling { closed_stops, springs_as_unloaded, foundations_as_unloaded, ..all }
+}
+
+/// The lower result of both stiffnesses of what just touches; `structure` has the smaller ones.
+fn with_touching(
+    mut structure: Model,
+    stiffer: Vec<(usize, ConnectorLaw)>,
+    found: &Equilibrium,
+    count: usize,
+) -> LinearBuckling {
+    let soft = result(&structure, found.held.clone(), count);
+    if stiffer.is_empty() {
+        return soft;
+    }
+    let number = stiffer.len();
+    for (i, law) in stiffer {
+        structure.connectors[i].law = law;
+    }
+    let stiff = result(&structure, found.held.clone(), count);
+    let lowest = |all: &LinearBuckling| all.modes.first().map_or(f64::NAN, |mode| mode.factor);
+    let [a, b] = [lowest(&soft), lowest(&stiff)];
+    // What the springs alone hold up is a mechanism without them.
+    let slack = a <= b || (b.is_nan() && (!a.is_nan() || soft.outcome == stiff.outcome));
+    let touching = Some(Touching { count: number, slack, other: if slack { b } else { a } });
+    LinearBuckling { touching, ..if slack { soft } else { stiff } }
 }
 
 /// The line that a spring follows from the reference configuration on, to the side to which the loads take it: what just touches there acts if they
@@ -223,6 +191,7 @@ fn result(structure: &Model, held: Vec<Held>, count: usize) -> LinearBuckling {
         closed_stops,
         springs_as_unloaded,
         foundations_as_unloaded,
+        touching: None,
     }
 }
 

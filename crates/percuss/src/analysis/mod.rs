@@ -25,7 +25,9 @@ mod unloading;
 mod yields;
 
 pub use balance::StaticBalance;
-pub use buckling::{BucklingMode, BucklingOutcome, LinearBuckling, buckling, buckling_in_contact};
+pub use buckling::{
+    BucklingMode, BucklingOutcome, LinearBuckling, Touching, buckling, buckling_in_contact,
+};
 pub use course::StaticFirstYield;
 pub use equilibrium::Equilibrium;
 pub use failure::{FailureKind, StaticFailure};
