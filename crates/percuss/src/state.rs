@@ -83,7 +83,7 @@ impl Reacting {
 pub struct Followed {
     /// Its value.
     pub value: f64,
-    /// The value from which displacements count: a start at rest begins where the motion is, in a static one it has moved there.
+    /// The value from which displacements count: zero, but for the reference configuration of a structure whose supports have not moved.
     pub origin: f64,
     /// Its rate, as of the fixed components: at a kink the previous one until the jump has been made \[1/s\].
     pub rate: f64,

@@ -11,7 +11,8 @@ use super::recording::rows::Rows;
 use super::solving::jumps;
 use super::solving::solver::{Solver, StateView};
 use super::start::{
-    Initial, initial_acceleration, initial_state, massless, reverse, set_velocities, start_moving,
+    Initial, initial_acceleration, initial_state, massless, reference, reverse, set_velocities,
+    start_moving,
 };
 use super::summarize::{Ended, summarize};
 use crate::analysis::damped_modes::{modal_damping, undampable};
@@ -78,12 +79,20 @@ impl<'m> Simulation<'m> {
         if !massless.is_empty() {
             return Err(massless);
         }
-        Self::about(model, settings)
+        Self::starting(model, settings, initial_state(model, settings)?)
     }
 
-    /// The same for structures that may have beams without mass, which do not move in time.
+    /// The same from the reference configuration, for structures that may have beams without mass, which do not move in time.
     pub(super) fn about(model: &'m Model, settings: &Settings) -> Result<Self, Vec<Fault>> {
-        let Initial { state, reactions, pressed } = initial_state(model, settings)?;
+        Self::starting(model, settings, reference(model, settings))
+    }
+
+    fn starting(
+        model: &'m Model,
+        settings: &Settings,
+        initial: Initial,
+    ) -> Result<Self, Vec<Fault>> {
+        let Initial { state, reactions, pressed } = initial;
         // Bodies in compliant contact in equilibrium may overlap.
         let may_press = |c: &ContactData| {
             settings.start == Start::Static

@@ -5,10 +5,9 @@ use std::ops::Range;
 use super::solving::jumps;
 use crate::analysis::static_contacts::hangs;
 use crate::analysis::static_search::{stored_strains, unbalanced_forces};
-use crate::analysis::{equilibrium, mechanisms};
-use crate::error::Error;
+use crate::analysis::{Equilibrium, equilibrium, mechanisms};
 use crate::math::vec2::{dot, rot90, scale};
-use crate::model::frozen::{BeamData, Body};
+use crate::model::frozen::{BeamData, Body, Coordinate, Drive};
 use crate::model::{Fault, InitialMotion, Model};
 use crate::settings::{Settings, Start};
 use crate::state::State;
@@ -16,6 +15,9 @@ use crate::step::contacts::PressingPair;
 use crate::step::effective_mass;
 use crate::step::forcing::Forcing;
 use crate::step::{commit, fibres, given_strains, lead};
+
+/// Values of motions below this share of the size of the model are round-off.
+const NOT_MOVED: f64 = 1e-12;
 
 /// Sets initial velocities of the beams \[m/s\]: `velocity(beam, position)` at the nodes of each beam. Slope rates are those of a rigid motion
 /// between neighbouring nodes. Steps have the size `step`.
@@ -187,52 +189,96 @@ pub struct Initial {
     pub pressed: Vec<PressingPair>,
 }
 
-/// The reference configuration or static equilibrium, with projectiles at their standoff from it, and its reactions.
-pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<Fault>> {
+/// The reference configuration, in which supports have not moved.
+pub fn reference(model: &Model, settings: &Settings) -> Initial {
     let mut state = State::at_rest(model, settings.scheme);
-    let mut reactions = vec![[0.0; 3]; model.supports.len()];
-    let mut pressed = Vec::new();
+    state.strained = given_strains::factors_at(model, 0.0);
+    let reactions = vec![[0.0; 3]; model.supports.len()];
+    Initial { state, reactions, pressed: Vec::new() }
+}
+
+/// The reference configuration or static equilibrium, with projectiles at their standoff from it, and its reactions.
+///
+/// Supports are where their prescribed motions begin, as in statics: where that is not in their reference, the structure starts in equilibrium with
+/// them, without loads unless the start is a static one.
+pub fn initial_state(model: &Model, settings: &Settings) -> Result<Initial, Vec<Fault>> {
+    let mut initial = reference(model, settings);
     if settings.start == Start::Static {
-        let fault = |e: Error| {
-            let found = format!("loads without an equilibrium ({e})");
-            vec![Fault::new(
-                "time.start",
-                found,
-                "loads at time zero that the structure carries at rest",
-            )]
-        };
         let loose = mechanisms(model);
         if !loose.is_empty() {
             return Err(loose);
         }
-        let found = equilibrium(model).map_err(fault)?;
-        reactions = found.reactions.iter().map(|(_, r)| *r).collect();
-        pressed = found.pressed;
-        let found = found.state;
-        state.displacement.copy_from_slice(&found.displacement);
-        state.followed.iter_mut().for_each(|followed| followed.origin = 0.0);
-        state.multiplier = found.multiplier;
-        state.coordinates = found.coordinates;
-        state.fibres = found.fibres;
-        let parted: Vec<usize> = fibres::parted(model, &state.fibres).collect();
-        parted.into_iter().for_each(|node| state.part(model, node));
-        state.memories = found.memories;
-        state.joints_parted = found.joints_parted;
-        state.pairs = found.pairs;
-        // Standoffs of projectiles are relative to the moved points; those on springs are in equilibrium where they are.
-        for p in model.projectiles.iter().filter(|p| !hangs(model, p.body)) {
-            let moved = dot(p.direction, p.point.value(&state.displacement));
-            for node in (0..=usize::from(p.has_rear)).map(|k| model.body_node(p.body + k)) {
-                let [x, y] = scale(moved, p.direction);
-                state.displacement[node] = [x, y, 0.0, 0.0];
-            }
+        let found = equilibrium(model).map_err(|e| {
+            let found = format!("loads without an equilibrium ({e})");
+            let expected = "loads at time zero that the structure carries at rest";
+            vec![Fault::new("time.start", found, expected)]
+        })?;
+        start_from(model, found, &mut initial);
+    } else if let Some(support) = moved_at_start(model) {
+        let mut unloaded = model.structure();
+        unloaded.loads.clear();
+        let refused = |why: &str| {
+            let found = format!("not zero at time zero, and {why}");
+            let expected = "a function that begins at zero: the structure starts at rest where its supports are";
+            vec![Fault::new(format!("support.{support}.motion"), found, expected)]
+        };
+        if !mechanisms(&unloaded).is_empty() {
+            return Err(refused("supports and joints do not fix every beam"));
         }
-        if !state.strain.is_empty() {
-            keep_strains(model, &mut state);
+        let found = equilibrium(&unloaded).map_err(|e| refused(&format!("no equilibrium: {e}")))?;
+        start_from(model, found, &mut initial);
+        initial.state = initial.state.with_coordinates(model);
+    }
+    Ok(initial)
+}
+
+/// A support whose prescribed motion has another value than zero at time zero, by name.
+fn moved_at_start(model: &Model) -> Option<&str> {
+    let values: Vec<f64> = model.motions.iter().map(|function| function.value(0.0)).collect();
+    let least = NOT_MOVED * model.extent().max(f64::MIN_POSITIVE);
+    let moves = |drive: &Drive| {
+        drive.iter().map(|(motion, amplitude)| amplitude * values[*motion]).sum::<f64>().abs()
+            > least
+    };
+    let beams = model.beam_node_count();
+    let held = model.prescribed.iter().filter(|dofs| dofs.node < beams);
+    let held = held.filter(|dofs| dofs.drives.iter().any(moves)).map(|dofs| dofs.support);
+    let tied = model.constraints.iter().filter(|c| moves(&c.drive)).map(|c| c.support);
+    let sprung = model.connectors.iter().filter(
+        |c| matches!(&c.coordinate, Coordinate::Displacement { drive, .. } if moves(drive)),
+    );
+    let supports = held.chain(tied).chain(sprung.map(|c| c.support));
+    supports.flatten().map(|support| model.supports[support].name.as_str()).next()
+}
+
+/// Enters an equilibrium as the start of a run; one of the structure alone leaves bodies and contacts as they are.
+fn start_from(model: &Model, found: Equilibrium, initial: &mut Initial) {
+    initial.reactions = found.reactions.iter().map(|(_, r)| *r).collect();
+    initial.pressed = found.pressed;
+    let (state, found) = (&mut initial.state, found.state);
+    state.displacement[..found.displacement.len()].copy_from_slice(&found.displacement);
+    state.followed.iter_mut().for_each(|followed| followed.origin = 0.0);
+    state.multiplier = found.multiplier;
+    state.coordinates = found.coordinates;
+    state.fibres = found.fibres;
+    let parted: Vec<usize> = fibres::parted(model, &state.fibres).collect();
+    parted.into_iter().for_each(|node| state.part(model, node));
+    state.memories = found.memories;
+    state.joints_parted = found.joints_parted;
+    if found.pairs.len() == state.pairs.len() {
+        state.pairs = found.pairs;
+    }
+    // Standoffs of projectiles are relative to the moved points; those on springs are in equilibrium where they are.
+    for p in model.projectiles.iter().filter(|p| !hangs(model, p.body)) {
+        let moved = dot(p.direction, p.point.value(&state.displacement));
+        for node in (0..=usize::from(p.has_rear)).map(|k| model.body_node(p.body + k)) {
+            let [x, y] = scale(moved, p.direction);
+            state.displacement[node] = [x, y, 0.0, 0.0];
         }
     }
-    state.strained = given_strains::factors_at(model, 0.0);
-    Ok(Initial { state, reactions, pressed })
+    if !state.strain.is_empty() {
+        keep_strains(model, state);
+    }
 }
 
 /// Stores the strains of the configuration, for the scheme with stored strains.

@@ -59,7 +59,8 @@ pub enum SupportKind {
     },
 }
 
-/// Prescribed motion of the fixed components: amplitudes times a function of time.
+/// Prescribed motion of the fixed components, from the reference configuration: amplitudes times a function of time. If that is not zero at time zero,
+/// a run starts in equilibrium with the supports that have moved.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
     /// Displacement, shape (2) \[m\].
