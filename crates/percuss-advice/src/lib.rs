@@ -24,6 +24,7 @@ mod resolution;
 mod review;
 mod shear;
 mod stability;
+mod straight;
 mod structure;
 mod surroundings;
 mod taper;
@@ -53,6 +54,7 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     all.extend(ends::findings(model));
     all.extend(taper::findings(model));
     all.extend(stability::of_the_start(model, settings));
+    all.extend(straight::under_loads(model, settings));
     let mut estimated = Vec::new();
     for case in cases {
         let mass = match case.guided {

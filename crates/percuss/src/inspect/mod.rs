@@ -17,7 +17,7 @@ use crate::math::vec2::{add, rot90, scale, sub};
 use crate::model::frozen::{Constraint, ConstraintKind};
 pub use crate::model::striking::{Body, BodyKind};
 pub use crate::model::ties::{ActsFrom, ConnectorLaw, ForceTable};
-use crate::model::{InitialMotion, Model};
+use crate::model::{InitialMotion, Model, PreparedFunction, TimeFunction};
 
 impl Model {
     /// Number of beams.
@@ -114,6 +114,17 @@ impl Model {
     /// Loads, in the order of definition.
     pub fn loads(&self) -> impl ExactSizeIterator<Item = LoadView<'_>> {
         self.loads.iter().map(LoadView)
+    }
+
+    /// The same model under steady loads: those of this one with the given factors, shape (loads) \[-\].
+    pub fn under_steady_loads(&self, factors: &[f64]) -> Self {
+        let mut steady = self.clone();
+        for (load, factor) in steady.loads.iter_mut().zip(factors) {
+            let factor = *factor;
+            load.function = PreparedFunction::new(&TimeFunction::function(move |_| factor));
+            (load.from, load.until) = (f64::NEG_INFINITY, f64::INFINITY);
+        }
+        steady
     }
 
     /// Motion in which the beam of number `beam` starts.
