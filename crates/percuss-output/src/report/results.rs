@@ -189,12 +189,23 @@ fn contact_table(name: &str, contact: &Value, projectile: Option<&Value>, sizes:
 fn aftermath(contact: &Value, sizes: &Sizes) -> Vec<(&'static str, String)> {
     let force = &contact["equivalent_force"];
     let elastic = match force["as_if_elastic"].as_bool() {
-        Some(true) => ", elastic structure assumed",
+        Some(true) => ", of the elastic structure",
+        _ => "",
+    };
+    let beside = match force["beside_loads"].as_bool() {
+        Some(true) => ", beside the permanent loads",
         _ => "",
     };
     let shown = |label, key: &str| {
-        let value = quantity(Some(force[key].as_f64()?), "N");
-        Some((label, format!("{value}{elastic}")))
+        let Some(value) = force[key].as_f64() else {
+            let why = force[format!("{key}_note")].as_str()?;
+            return Some((label, format!("none: {why}")));
+        };
+        let rebound = match force["on_rebound"].as_bool() {
+            Some(true) if key == "deflection" => ", against the impact (on rebound)",
+            _ => "",
+        };
+        Some((label, format!("{}{rebound}{beside}{elastic}", quantity(Some(value), "N"))))
     };
     let note = contact["equivalent_force_note"].as_str();
     let depth = contact["permanent_penetration"].as_f64().filter(|depth| *depth > 0.0);

@@ -1,8 +1,8 @@
 //! Contacts in `summary.json`.
 
 use percuss::{
-    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, Impact,
-    NoRestitution, Peak,
+    ContactInterval, ContactPlace, ContactRecord, ContactSummary, EnergySplit, EquivalentForce,
+    Impact, NoRestitution, Peak,
 };
 use serde_json::{Value, json};
 
@@ -15,14 +15,10 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
         value["effective_mass"] = Value::from(mass.on_mesh);
         value["effective_mass_limit"] = Value::from(mass.limit);
     }
-    if let Some(force) = contact.equivalent_force {
-        value["equivalent_force"] = json!({ "moment": force.moment });
-        if let Some(deflection) = force.deflection {
-            value["equivalent_force"]["deflection"] = Value::from(deflection);
-        }
-        value["equivalent_force"]["as_if_elastic"] = Value::from(force.as_if_elastic);
-    } else if let Some(reason) = contact.no_equivalent_force {
-        value["equivalent_force_note"] = Value::from(reason);
+    if let Some(force) = &contact.equivalent_force {
+        value["equivalent_force"] = equivalent(force);
+    } else if let Some(reason) = &contact.no_equivalent_force {
+        value["equivalent_force_note"] = Value::from(reason.as_str());
     }
     if let Some(permanent) = contact.permanent_penetration {
         value["permanent_penetration"] = Value::from(permanent);
@@ -58,6 +54,22 @@ pub(super) fn value(contact: &ContactSummary) -> Value {
             value["impulse_resting"] = Value::from(*impulse_resting);
             value["penetration"] = peak(penetration);
             value["intervals"] = intervals.iter().map(interval).collect();
+        }
+    }
+    value
+}
+
+fn equivalent(force: &EquivalentForce) -> Value {
+    let mut value = json!({
+        "on_rebound": force.on_rebound,
+        "beside_loads": force.beside_loads,
+        "as_if_elastic": force.as_if_elastic,
+    });
+    for (key, one) in [("moment", force.moment), ("deflection", force.deflection)] {
+        match one {
+            Ok(force) => value[key] = Value::from(force),
+            Err(why) if why.is_told() => value[format!("{key}_note")] = why.to_string().into(),
+            Err(_) => {}
         }
     }
     value

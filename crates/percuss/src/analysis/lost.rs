@@ -3,24 +3,39 @@
 use super::spectrum::{Layout, free_motions};
 use super::static_search::{StaticSearch, largest};
 use crate::error::Error;
-use crate::model::StrainMeasure;
 use crate::model::frozen::BeamData;
+use crate::model::{Model, StrainMeasure};
 use crate::state::State;
+
+/// A part whose displacements are less than this share of the largest ones of a motion does not move in it.
+const MOVES: f64 = 1e-3;
 
 /// Whether a beam moves in any of the motions.
 pub(super) fn moves(motions: &[Vec<[f64; 4]>], beam: &BeamData) -> bool {
-    motions.iter().any(|x| largest(&x[beam.nodes.clone()]) > 1e-3 * largest(x))
+    motions.iter().any(|x| largest(&x[beam.nodes.clone()]) > MOVES * largest(x))
 }
 
-/// A beam that can move without strain at the current configuration of the search, with closed contacts kept closed; `None` if contacts may support
-/// it, or without stops.
+/// A beam that can move without strain at the current configuration of the search, with closed contacts kept closed, where a stop or a spring of one
+/// side could end this motion and is open; `None` if contacts may support it.
 pub(super) fn loose(search: &StaticSearch, state: &State) -> Option<String> {
+    if !search.contacts.is_empty() {
+        return None;
+    }
     let structure = search.model.structure();
     let alone = search.of_structure(&structure, state);
-    let free = free_motions(&Layout::new(&structure), &alone).motions;
-    let stopped = structure.connectors.iter().any(|c| c.law.may_give_way());
-    let beam = structure.beams.iter().find(|beam| moves(&free, beam));
-    beam.filter(|_| stopped && search.contacts.is_empty()).map(|beam| beam.name.clone())
+    let mut free = free_motions(&Layout::new(&structure), &alone).motions;
+    free.retain(|motion| moves_a_stop(&structure, motion));
+    structure.beams.iter().find(|beam| moves(&free, beam)).map(|beam| beam.name.clone())
+}
+
+/// Whether a motion moves a point of a beam at a stop or a spring that may give way.
+fn moves_a_stop(structure: &Model, motion: &[[f64; 4]]) -> bool {
+    let stops = structure.connectors.iter().filter(|c| c.law.may_give_way());
+    let least = MOVES * largest(motion);
+    stops.flat_map(|c| c.on_beams()).any(|point| {
+        let [x, y] = point.value(motion);
+        x.abs().max(y.abs()) > least
+    })
 }
 
 /// Reason why no equilibrium follows the last one.

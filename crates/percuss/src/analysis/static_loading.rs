@@ -60,21 +60,19 @@ impl<'a, 'm> Loading<'a, 'm> {
         let (mut reached, mut step) = (0.0, self.longest);
         while reached < 1.0 {
             let target: f64 = f64::min(reached + step, 1.0);
+            let onset = self.onset(reached);
             let found = self.go(Stage::Loads, reached, target);
-            // A structure with active contacts has not jumped to another branch by a loss of stability.
-            let alone = !self.search.contacts.press();
-            if matches!(found, StepOutcome::There)
-                && alone
-                && self.stable
-                && !stability(structure, self.search).stable
-            {
-                // The solution may have jumped from a branch that lost its stability: smaller steps show it.
-                if step > self.longest * FINEST_SHARE {
+            if matches!(found, StepOutcome::There) {
+                // Near a bifurcation the iteration may go to another branch, on the other side of the loads, or along one that has lost its stability:
+                // smaller steps show it.
+                let behind = onset.is_some_and(|onset| self.search.leaves(&self.accepted, &onset));
+                let unstable = self.loses_stability(structure);
+                if (behind || unstable) && step > self.longest * FINEST_SHARE {
                     step *= 0.5;
                     self.search.go_back(&self.accepted);
                     continue;
                 }
-                self.stable = false;
+                self.stable &= !unstable;
             }
             match found {
                 StepOutcome::There => {
@@ -91,7 +89,8 @@ impl<'a, 'm> Loading<'a, 'm> {
                 }
                 StepOutcome::NoEquilibrium => {
                     if let Some(name) = self.search.contacts.lost(self.search.model) {
-                        return Err(Error::nothing_holds(name.to_owned()));
+                        let lost = Error::nothing_holds(name.to_owned());
+                        return Err(lost.after(&in_words(self.failures.iter(), true)));
                     }
                     step *= 0.5;
                     self.search.go_back(&self.accepted);
@@ -104,6 +103,19 @@ impl<'a, 'm> Loading<'a, 'm> {
         }
         self.search.set_share(1.0);
         Ok(())
+    }
+
+    /// The direction in which the path leaves the last accepted equilibrium, at a share of the loads; not for a structure with contacts, where
+    /// those that close may turn it.
+    fn onset(&mut self, share: f64) -> Option<Vec<[f64; 4]>> {
+        let known = self.stable && self.search.contacts.is_empty();
+        known.then(|| self.search.onset(&self.accepted, share)).flatten()
+    }
+
+    /// Whether the current equilibrium is unstable after stable ones; a structure with active contacts has not jumped to another branch.
+    fn loses_stability(&mut self, structure: &Model) -> bool {
+        let alone = !self.search.contacts.press();
+        alone && self.stable && !stability(structure, self.search).stable
     }
 
     fn accept(&mut self) {

@@ -4,11 +4,12 @@ mod failing;
 mod folded;
 mod given;
 mod motions;
+mod onset;
 mod reached;
 mod relaxed;
 mod search;
 
-pub(super) use search::{Motions, Reached, StaticSearch, largest};
+pub(super) use search::{Motions, Push, Reached, StaticSearch, largest};
 
 use super::spectrum::{Layout, free_motions};
 use super::static_contacts::{Pressing, StaticContacts};
@@ -20,6 +21,7 @@ use crate::linalg::block::inner;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::{add, scale};
 use crate::model::Model;
+use crate::model::frozen::{Connector, Coordinate};
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::constraint::ConstraintStep;
@@ -71,6 +73,7 @@ impl<'m> StaticSearch<'m> {
             motions,
             stressed,
             gaps,
+            push: None,
         }
     }
 
@@ -85,7 +88,7 @@ impl<'m> StaticSearch<'m> {
     }
 
     /// Whether springs are force-free at the current configuration, or their forces balance.
-    fn springs_balance(&mut self) -> bool {
+    pub fn springs_balance(&mut self) -> bool {
         let mut springs = self.model.connectors.iter().zip(&self.base.coordinates);
         let stressed = springs.any(|(c, q)| c.potential(*q, &self.base.memories) != 0.0);
         !stressed || self.is_balanced()
@@ -97,8 +100,25 @@ impl<'m> StaticSearch<'m> {
         let mut free = self.work.residual.clone();
         project(self.model, &mut free);
         let each = self.model.connectors.iter().enumerate();
-        let most = each.map(|(i, c)| self.connector_step(i, c).force.abs()).fold(0.0, f64::max);
-        largest(&free) <= BALANCED * most
+        let force = |(i, c): (usize, &Connector)| {
+            let force = self.connector_step(i, c).force.abs();
+            match c.coordinate {
+                Coordinate::Angle { .. } => force / self.model.extent().max(f64::MIN_POSITIVE),
+                _ => force,
+            }
+        };
+        let most = each.map(force).fold(0.0, f64::max);
+        self.largest_force(&free) <= BALANCED * most
+    }
+
+    /// Largest force of nodal ones, with moments divided by the size of the model, so that a structure and its image in another scale agree \[N\].
+    fn largest_force(&self, nodal: &[[f64; 4]]) -> f64 {
+        let length = self.model.extent();
+        let one = |f: &[f64; 4]| {
+            let moment = if length > 0.0 { f[2].abs().max(f[3].abs()) / length } else { 0.0 };
+            f[0].abs().max(f[1].abs()).max(moment)
+        };
+        nodal.iter().map(one).fold(0.0, |most, f| if f.is_nan() { f } else { most.max(f) })
     }
 
     /// The same at an equilibrium under a share of the loads.
@@ -321,6 +341,9 @@ impl<'m> StaticSearch<'m> {
             if TANGENT {
                 tangent.add_constraint(i, c, &step, *multiplier);
             }
+        }
+        if let Some(push) = &self.push {
+            push.row.spread(-push.force, &mut self.work.residual);
         }
         self.hold_back();
     }

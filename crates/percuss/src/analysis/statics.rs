@@ -2,6 +2,7 @@
 
 use super::balance::{self, StaticBalance};
 use super::equilibrium::Equilibrium;
+use super::failure::in_words;
 use super::foundations;
 use super::largest_displacement::LargestDisplacement;
 use super::lost::{loose, moves};
@@ -53,15 +54,20 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     loading.bring_up(&structure)?;
     let Loading { stable, steps, failures, course, .. } = loading;
     let mut found = finish(&mut search, steps);
+    let after_failures = |error: Error| match failures.last() {
+        Some(last) => Error::nothing_left(last.factor, in_words(failures.iter(), false)),
+        None => error,
+    };
     let moved = found.state.displacement.iter().map(|u| u[0].hypot(u[1])).fold(0.0, f64::max);
     if moved > CARRIED_AWAY * model.extent()
         && let Some(name) = loose(&search, &found.state)
     {
-        return Err(Error::nothing_holds(name));
+        return Err(after_failures(Error::nothing_holds(name)));
     }
+    let checked = balance::check(&search, &found.balance, &found.element_forces);
+    checked.map_err(|error| error.after(&in_words(failures.iter(), true)))?;
     found.failures = failures;
     (found.softening, found.first_yields) = (course.softening(), course.first_yields);
-    balance::check(&search, &found.balance, &found.element_forces)?;
     found.stable =
         (stable && !search.contacts.press()) || stability(&structure, &mut search).stable;
     if search.contacts.holds_beams() {

@@ -93,8 +93,8 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
     if !model.projectiles.is_empty() {
         let found = equivalent_force(model, settings.start, &summary);
         for contact in &mut summary.contacts[..model.projectiles.len()] {
-            contact.equivalent_force = found.ok();
-            contact.no_equivalent_force = found.err();
+            contact.equivalent_force = found.as_ref().ok().copied();
+            contact.no_equivalent_force = found.as_ref().err().cloned();
         }
     }
     summary

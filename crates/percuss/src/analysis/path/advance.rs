@@ -19,6 +19,11 @@ const MOST_TOUCHES: usize = 5;
 const LEAST_COSINE: f64 = 0.9;
 /// Least cosine between a plane's normal and the path: closing contacts may turn it.
 const LEAST_ACROSS: f64 = 0.05;
+/// Displacements per load factor, in the measure of [`Tracer::inner`], below which a structure that the loads did not move at first is still: round-off
+/// grows towards a bifurcation.
+const STILL: f64 = 1e-6;
+/// Distance beyond a change of stiffness at which a path continues, as a share of the change of the load factor there.
+const KINK: f64 = 1e-6;
 /// Most by which a rise of the load factor is longer than that before, or than the first, where contacts press.
 const LONGEST_RISE: f64 = 1.5;
 /// Most that the load factor's slope at either end of such an arc exceeds the mean: beyond three it may turn twice between
@@ -56,7 +61,9 @@ impl Tracer<'_> {
         let first = self.way.as_flattened().iter().all(|c| *c == 0.0);
         self.rising = first || self.leads_up();
         let start = self.mark();
-        let length = self.inner(&self.response.nodal, &self.response.nodal).sqrt();
+        let moved = self.inner(&self.response.nodal, &self.response.nodal).sqrt();
+        let is_still = self.still > 0.0 && moved < STILL;
+        let length = if is_still { self.still } else { moved };
         self.slope = 1.0 / length;
         // A structure constrained by contacts hardly moves, and an arc is no measure of its load.
         let presses = pressed.contains(&true);
@@ -66,8 +73,11 @@ impl Tracer<'_> {
         let share = (arc / length).min(most);
         let rise = if self.rising { share } else { -share };
         let from = Departure { start, pressed, arc, least: 0.2 * share * length, most };
+        if is_still {
+            return self.by_load(&from, rise);
+        }
         if self.search.contacts.is_empty() {
-            return self.by_plane(&from, rise);
+            return self.by_plane(&from, rise).or_else(|| self.by_kink(&from, rise));
         }
         if presses {
             return self.by_load(&from, rise).or_else(|| self.by_plane(&from, rise));
@@ -145,6 +155,51 @@ impl Tracer<'_> {
         None
     }
 
+    /// Advances to just beyond the first change of the stiffness of a connector on the way of a load that changes by `rise`: there the path may
+    /// bend so much that no plane ahead intersects it.
+    fn by_kink(&mut self, from: &Departure, rise: f64) -> Option<usize> {
+        self.by_load(from, rise)?;
+        if !self.has_bent(&from.start) {
+            return None;
+        }
+        let (mut low, mut high) = (0.0, 1.0);
+        while high - low > KINK * high {
+            let middle = 0.5 * (low + high);
+            if self.by_load(from, middle * rise).is_some() && !self.has_bent(&from.start) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        for _ in 0..MOST_TOUCHES {
+            if let Some(found) = self.by_load(from, high * rise)
+                && self.has_bent(&from.start)
+            {
+                return Some(found);
+            }
+            high *= 1.0 + KINK;
+        }
+        None
+    }
+
+    /// Whether the stiffness of a connector differs from that at a mark, or one has begun to yield since.
+    fn has_bent(&mut self, mark: &Mark) -> bool {
+        let now = self.search.reached();
+        let search = &self.search;
+        let [then, here] = [&mark.reached.increment, &now.increment].map(|increment| {
+            let both = search.base.displacement.iter().zip(increment);
+            both.map(|(u, d)| std::array::from_fn(|i| u[i] + d[i])).collect::<Vec<[f64; 4]>>()
+        });
+        let yields = mark.reached.memories.iter().zip(&now.memories);
+        let mut begun = yields.map(|(a, b)| a.accumulated == 0.0 && b.accumulated > 0.0);
+        let mut each = search.model.connectors.iter().zip(&search.base.coordinates);
+        begun.any(|begins| begins)
+            || each.any(|(c, q)| {
+                let at = |u: &[[f64; 4]]| c.law.stiffness_at(c.value(u, *q));
+                at(&then) != at(&here)
+            })
+    }
+
     /// The same if a contact closes there: without this contact the way may be the one along which the path arrived.
     fn by_closing(&mut self, from: &Departure, rise: f64) -> Option<usize> {
         let found = self.by_load(from, rise);
@@ -193,6 +248,9 @@ impl Tracer<'_> {
         let Some(rises) = self.rises() else {
             return FactorAlongArc { turned: false, resolved: true };
         };
+        if self.given && self.search.contacts.is_empty() {
+            return FactorAlongArc { turned: false, resolved: true };
+        }
         let length = self.inner(&self.response.nodal, &self.response.nodal).sqrt();
         let now = if rises { 1.0 / length } else { -1.0 / length };
         let mean = (self.factor - before.factor) / gone;

@@ -4,6 +4,7 @@ mod advance;
 mod failing;
 mod goal;
 mod point;
+mod push;
 mod tracer;
 mod yielding;
 
@@ -18,6 +19,7 @@ use crate::model::Model;
 use crate::settings::PathSettings;
 use goal::Goal;
 pub use point::{PathPoint, PathRecorder};
+pub(super) use push::{Effect, Place, Pushed};
 use tracer::{Mark, Tracer};
 use yielding::Yielded;
 

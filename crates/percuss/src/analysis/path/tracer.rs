@@ -17,6 +17,12 @@ const MOST_WITH_CONTACTS: usize = 60;
 const WILDEST: f64 = 20.0;
 /// Last correction of a point relative to its displacements; the next would be its square.
 pub(super) const SETTLED: f64 = 1e-9;
+/// Displacements per load factor below this, in the measure of [`Tracer::inner`], are round-off: the path is followed by its load factor, from a
+/// first arc of this length on.
+const NOTHING: f64 = 1e-12;
+const STILL_ARC: f64 = 0.01;
+/// Last correction of a point where nothing moves, against the size of the structure.
+const ROUND_OFF: f64 = 16.0 * f64::EPSILON;
 /// Share of the loads at which discs come to rest on their supports.
 const LITTLE: f64 = 1e-4;
 
@@ -46,6 +52,8 @@ pub(super) struct Tracer<'m> {
     /// Load factor of the first arc, and that arc.
     pub first: f64,
     pub first_arc: f64,
+    /// Arc for a unit of the load factor where the loads move nothing, as heat of a bar between walls; zero for other structures.
+    pub still: f64,
     /// The arc that is tried.
     pub arc: f64,
     pub changed: f64,
@@ -60,6 +68,7 @@ pub(super) struct Tracer<'m> {
 }
 
 impl<'m> Tracer<'m> {
+    /// A structure whose loads all grow from zero.
     pub(super) fn new(model: &'m Model) -> Result<Self, Error> {
         let mut search = StaticSearch::new(model);
         search.motions = Motions::LeftOut;
@@ -78,16 +87,22 @@ impl<'m> Tracer<'m> {
             let lost = search.contacts.lost(model).map(str::to_owned);
             return Err(lost.map_or_else(|| lost_at(&mut search, 0.0), Error::nothing_holds));
         }
-        let zero = vec![[0.0; 4]; model.node_count()];
-        let factor = if settles { LITTLE } else { 0.0 };
+        Ok(Self::at(search, if settles { LITTLE } else { 0.0 }))
+    }
+
+    /// A search at an equilibrium under a share of what grows.
+    pub(super) fn at(search: StaticSearch<'m>, factor: f64) -> Self {
+        let zero = vec![[0.0; 4]; search.model.node_count()];
         let pressed = search.contacts.pressing();
-        Ok(Self {
+        let structure = search.model.structure();
+        Self {
             search,
-            structure: model.structure(),
+            structure,
             factor,
             slope: 0.0,
             first: 0.0,
             first_arc: 0.0,
+            still: 0.0,
             arc: f64::INFINITY,
             changed: 0.0,
             given: false,
@@ -95,7 +110,7 @@ impl<'m> Tracer<'m> {
             pressed,
             rising: true,
             response: Response::free(zero, Vec::new()),
-        })
+        }
     }
 
     pub(super) fn point(&mut self) -> PathPoint {
@@ -153,6 +168,13 @@ impl<'m> Tracer<'m> {
 
     /// Assembles at the current point; the load that a unit of the factor adds.
     pub(super) fn assemble(&mut self) -> Vec<[f64; 4]> {
+        if let Some(row) = self.search.push.as_ref().map(|push| push.row) {
+            self.search.set_share(self.factor);
+            self.search.assemble::<true>();
+            let mut load = vec![[0.0; 4]; self.search.model.node_count()];
+            row.spread(1.0, &mut load);
+            return load;
+        }
         self.search.set_share(self.factor + 1.0);
         self.search.assemble::<false>();
         let loaded = self.search.work.residual.clone();
@@ -208,13 +230,9 @@ impl<'m> Tracer<'m> {
         self.response.nodal.as_flattened().iter().all(|c| c.is_finite())
     }
 
-    /// Inner product of steps: displacements divided by the size of the structure, and slopes, averaged.
+    /// Inner product of steps.
     pub(super) fn inner(&self, a: &[[f64; 4]], b: &[[f64; 4]]) -> f64 {
-        let size = self.search.size();
-        let one = |(a, b): (&[f64; 4], &[f64; 4])| {
-            (a[0] * b[0] + a[1] * b[1]) / (size * size) + a[2] * b[2] + a[3] * b[3]
-        };
-        a.iter().zip(b).map(one).sum::<f64>() / a.len() as f64
+        self.search.alike(a, b)
     }
 
     /// The arc that leads to a load factor by the linear response: of the structure without its contacts, unless they are its only support.
@@ -224,7 +242,11 @@ impl<'m> Tracer<'m> {
         let load = self.assemble();
         let free = self.search.factor_assembled().is_ok() && self.respond(&load, None);
         let regular = free || self.prepare();
-        let arc = factor * self.inner(&self.response.nodal, &self.response.nodal).sqrt();
+        let moved = self.inner(&self.response.nodal, &self.response.nodal).sqrt();
+        if regular && moved <= NOTHING {
+            self.still = STILL_ARC / factor;
+        }
+        let arc = factor * moved.max(self.still);
         self.first_arc = arc;
         (regular && arc > 0.0).then_some(arc)
     }
@@ -261,7 +283,8 @@ impl<'m> Tracer<'m> {
             }
             let work = &self.search.work;
             let reach = largest(&work.increment);
-            let small = largest(&work.correction) <= SETTLED * reach;
+            let floor = if self.still > 0.0 { ROUND_OFF * self.search.size() } else { 0.0 };
+            let small = largest(&work.correction) <= floor.max(SETTLED * reach);
             if small && self.search.contacts.settled() {
                 self.search.contacts.accept(self.search.model);
                 return Some(iteration);

@@ -9,9 +9,16 @@ use crate::step::joints;
 const OF_A_GAP: f64 = 1e-6;
 
 impl StaticSearch<'_> {
-    /// Sets a share of the loads; torn joints remain torn.
+    /// Sets a share of the loads, or the force of a push beside all of them \[N\]; torn joints remain torn.
     pub fn set_share(&mut self, share: f64) {
-        self.forcing.set_static(self.model, share);
+        let loads = match &mut self.push {
+            Some(push) => {
+                push.force = share;
+                1.0
+            }
+            None => share,
+        };
+        self.forcing.set_static(self.model, loads);
         match &self.motions {
             Motions::Growing => {}
             Motions::LeftOut => self.forcing.rest_motions(),

@@ -1,6 +1,6 @@
 //! Given strains of the reference configuration.
 
-use super::{BALANCED, StaticSearch, constraint_step, largest};
+use super::{BALANCED, StaticSearch, constraint_step};
 use crate::step::tangent::project;
 
 impl StaticSearch<'_> {
@@ -25,7 +25,7 @@ impl StaticSearch<'_> {
                 step.add_gradient(c, *multiplier, &mut free);
             }
             project(self.model, &mut free);
-            if largest(&free) <= BALANCED * largest(&self.work.residual) {
+            if self.largest_force(&free) <= BALANCED * self.largest_force(&self.work.residual) {
                 return;
             }
         }

@@ -166,6 +166,8 @@ impl StaticSearch<'_> {
             Acting { state: &self.base, increment, rule: &RULE, beams, forcing: &self.forcing };
         let (mut lines, mut beams) = (Lines::default(), section_forces::unset(self.model));
         let pressed = self.contacts.forces().map(|(_, force, row)| ([row; 2], [force, 0.0]));
+        let pushed = self.push.as_ref().map(|push| ([&push.row; 2], [push.force, 0.0]));
+        let pressed = pressed.chain(pushed);
         lines.set(self.model, &acting, pressed);
         section_forces::update(self.model, &lines, state, &mut beams);
         let at = |point| section_forces::at_point(self.model, &lines, state, point);

@@ -2,6 +2,7 @@
 
 use crate::analysis::static_contacts::StaticContacts;
 use crate::element::fibre::FibreState;
+use crate::geometry::row::Row;
 use crate::linalg::chain::Chain;
 use crate::model::Model;
 use crate::state::{Followed, State};
@@ -26,6 +27,17 @@ pub(in crate::analysis) struct StaticSearch<'m> {
     pub motions: Motions,
     /// A weak stiffness of elements that have parted, for the tangent alone; none while no beam has.
     pub(super) gaps: Option<Chain>,
+    /// A force that grows in place of the loads, which then act with their values at time zero.
+    pub push: Option<Push>,
+}
+
+/// A dead force that grows from zero while loads and prescribed motions keep their values at time zero.
+#[derive(Clone, Debug)]
+pub(in crate::analysis) struct Push {
+    /// Where it acts, and its direction.
+    pub row: Row,
+    /// The force \[N\].
+    pub force: f64,
 }
 
 /// An intermediate configuration of a search.

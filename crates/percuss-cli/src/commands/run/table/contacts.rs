@@ -42,7 +42,7 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
             }
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
-            lines.extend(contact.no_equivalent_force.map(without_equivalent));
+            lines.extend(contact.no_equivalent_force.as_deref().map(without_equivalent));
             lines
         }
         ContactRecord::Nonsmooth {
@@ -74,7 +74,7 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
             }
             lines.extend(contact.effective_mass.as_ref().map(effective_mass::line));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
-            lines.extend(contact.no_equivalent_force.map(without_equivalent));
+            lines.extend(contact.no_equivalent_force.as_deref().map(without_equivalent));
             lines
         }
     }
