@@ -102,7 +102,14 @@ pub fn of_tapers() -> Report {
         for (depth, pull, moment) in [(0.02, 0.0, 40.0), (0.01, 2e4, 20.0)] {
             let station = |at: f64, depth: f64| {
                 let (area, inertia) = (0.02 * depth, 0.02 * f64::powi(depth, 3) / 12.0);
-                Station { at, area, inertia, depth: Some(depth), profile: Profile::Unknown }
+                Station {
+                    at,
+                    area,
+                    inertia,
+                    depth: Some(depth),
+                    profile: Profile::Unknown,
+                    properties: Default::default(),
+                }
             };
             let stations = vec![station(0.0, 0.04), station(1.0, depth)];
             let section = Section { stations, ..Section::rectangle("s", 0.02, 0.04) };

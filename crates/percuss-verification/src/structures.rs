@@ -113,6 +113,7 @@ fn everything_model() -> Model {
         inertia: 0.05 * depth.powi(3) / 12.0,
         depth: Some(depth),
         profile: Profile::Unknown,
+        properties: Default::default(),
     };
     let tapered = b.section(Section {
         stations: vec![taper(0.0, 0.09), taper(0.6, 0.05), taper(1.0, 0.06)],

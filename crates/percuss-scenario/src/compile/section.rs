@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use percuss::{Fault, MaterialId, Section, SectionFibre, Station};
+use percuss::{Fault, MaterialId, Section, SectionFibre, Station, StationProperties};
 
 use super::known;
 use crate::content::{self, Content, Shape};
@@ -21,7 +21,7 @@ pub(super) fn sections(
             let before = faults.len();
             dimensions(named, faults);
             let valid = faults.len() == before;
-            uniform.insert(named.name.as_str(), valid.then(|| shaped(named, materials)));
+            uniform.insert(named.name.as_str(), valid.then(|| uniform_section(named, materials)));
         }
     }
     for (name, profile) in known::profiles(content) {
@@ -30,13 +30,14 @@ pub(super) fn sections(
     let one = |named: &Named<content::Section>| {
         let section = match &named.table.shape {
             Shape::Tapered { stations, sections } => {
-                tapered(&named.name, stations, sections, &uniform, faults)
+                tapered(named, (stations, sections), &uniform, faults)
             }
             _ => uniform.get(named.name.as_str()).cloned().flatten(),
         };
-        let section = section.unwrap_or_else(|| Section::new(named.name.as_str(), 1.0, 1.0));
-        let content::Section { rotary_inertia, fibres, shear_factor, .. } = named.table;
-        Section { rotary_inertia, fibres, shear_factor, ..section }
+        section.unwrap_or_else(|| {
+            let plain = Section::new(named.name.as_str(), 1.0, 1.0);
+            with_properties(&named.table, plain)
+        })
     };
     content.section.iter().map(one).collect()
 }
@@ -117,6 +118,20 @@ fn lists(named: &Named<content::Section>, fault: &mut impl FnMut(&str, String, S
     valid
 }
 
+/// A section that does not vary along a beam.
+fn uniform_section(
+    named: &Named<content::Section>,
+    materials: &BTreeMap<&str, MaterialId>,
+) -> Section {
+    with_properties(&named.table, shaped(named, materials))
+}
+
+/// A section with the properties that are given beside its shape.
+fn with_properties(table: &content::Section, section: Section) -> Section {
+    let content::Section { rotary_inertia, fibres, shear_factor, .. } = *table;
+    Section { rotary_inertia, fibres, shear_factor, ..section }
+}
+
 fn shaped(named: &Named<content::Section>, known: &BTreeMap<&str, MaterialId>) -> Section {
     let name = named.name.as_str();
     match named.table.shape {
@@ -143,14 +158,15 @@ fn shaped(named: &Named<content::Section>, known: &BTreeMap<&str, MaterialId>) -
     }
 }
 
-/// A tapered section; `None` where it, or a section it names, has a fault.
+/// A tapered section; `None` where it, or a section it names, has a fault. Its stations have all properties of the sections there; where it has
+/// properties of its own, these come first.
 fn tapered(
-    name: &str,
-    stations: &[f64],
-    sections: &[String],
+    named: &Named<content::Section>,
+    (stations, sections): (&[f64], &[String]),
     uniform: &BTreeMap<&str, Option<Section>>,
     faults: &mut Vec<Fault>,
 ) -> Option<Section> {
+    let name = named.name.as_str();
     let mut fault = |key: &str, found: String, expected: &str| {
         faults.push(Fault::new(format!("section.{name}.{key}"), found, expected));
     };
@@ -191,14 +207,22 @@ fn tapered(
         return None;
     }
     let mut out = Vec::new();
+    let mut most = None;
     for (&at, section) in stations.iter().zip(sections) {
-        let Section { area, inertia, depth, profile, .. } =
-            uniform.get(section.as_str())?.as_ref()?.clone();
+        let section = uniform.get(section.as_str())?.as_ref()?.clone();
+        let Section { area, inertia, depth, profile, rotary_inertia, shear_factor, walls, .. } =
+            section;
         if area <= 0.0 || inertia <= 0.0 {
             return None; // the named section's own fault
         }
-        out.push(Station { at, area, inertia, depth, profile });
+        most = most.max(Some(section.fibres));
+        let properties = StationProperties { rotary_inertia, shear_factor, walls };
+        out.push(Station { at, area, inertia, depth, profile, properties });
     }
     let Station { area, inertia, depth, profile, .. } = out.first()?.clone();
-    Some(Section { depth, stations: out, profile, ..Section::new(name, area, inertia) })
+    let section = Section { depth, stations: out, profile, ..Section::new(name, area, inertia) };
+    let own = with_properties(&named.table, section);
+    // Equal numbers of fibres at all stations: as many as any has, unless the section itself has a number.
+    let fibres = if own.fibres == Section::FIBRES { most? } else { own.fibres };
+    Some(Section { fibres, ..own })
 }

@@ -192,3 +192,41 @@ fn a_projectile_flies_at_a_point_from_the_standoff_of_its_surface() {
     let head_on = "velocity = [-3, 0]\nradius = 0.05\nstandoff = 0.5\nstrikes = \"b.end\"";
     near(at("\"s\"", head_on), [4.65, 0.0]);
 }
+
+/// What is given of the sections at the stations holds there; what is given of the tapered section itself holds everywhere.
+#[test]
+fn stations_have_the_properties_of_their_sections() {
+    let built = |own: &str, of_station: &str| {
+        let i = "shape = \"i\"\nwidth = 0.1\ndepth = 0.2\nflange = 0.01\nweb = 0.01\n";
+        let text = format!(
+            "[material.m]\npreset = \"steel\"\npoisson = 0.3\n[section.s]\nshape = \"tapered\"\n\
+             stations = [0, 1]\nsections = [\"a\", \"b\"]\n{own}[section.a]\n{i}{of_station}\
+             [section.b]\n{i}{of_station}[beam.b]\npoints = [[0, 0], [4, 0]]\nmaterial = \"m\"\n\
+             elements = 4\nsection = \"s\"\ntheory = \"shear\"\n[time]\nend = 1\nstep = 1\n"
+        );
+        let scenario = crate::read(&text, "f").unwrap_or_else(|e| panic!("{e}"));
+        let (builder, faults) = build::definitions(scenario.content(), None);
+        assert_eq!(faults, []);
+        let model = builder.build().unwrap_or_else(|faults| panic!("{faults:?}"));
+        let span = model.beam(0).spans().next().unwrap();
+        let section = span.section_at(1.2);
+        let factor = section.shear / (span.shear_modulus().unwrap() * section.area);
+        let text = format!("{builder:?}");
+        let number = |part: &str| part.split(',').next().unwrap().parse::<usize>().unwrap();
+        // That of the tapered section is first of the sections.
+        let fibres = text.split(" fibres: ").nth(1).map(number).unwrap();
+        (factor, section.rotary, fibres)
+    };
+    let (factor, rotary, fibres) = built("", "");
+    // By Cowper, that of the I, whose web is nearly half of it.
+    assert!((0.4..0.55).contains(&factor) && rotary > 0.0, "{factor} {rotary}");
+    assert_eq!(fibres, percuss::Section::FIBRES);
+    let given = "shear_factor = 0.05\nrotary_inertia = 7\nfibres = 40\n";
+    let (factor, rotary, fibres) = built("", given);
+    assert!((factor - 0.05).abs() < 1e-12, "{factor}");
+    assert_eq!((rotary, fibres), (7.0, 40));
+    let (factor, rotary, fibres) =
+        built("shear_factor = 0.5\nrotary_inertia = 3\nfibres = 60\n", given);
+    assert!((factor - 0.5).abs() < 1e-12, "{factor}");
+    assert_eq!((rotary, fibres), (3.0, 60));
+}

@@ -79,7 +79,8 @@ kinds! {
             /// Depth for contact and drawing, centred on the centre line (m); twice the largest distance of a fibre if omitted.
             depth: Option<f64> as Maybe<Quantity<measure::Length>> = None,
         },
-        /// Varies along the beam: area, second moment of area and depth linearly between stations.
+        /// Varies along the beam: area, second moment of area, depth, rotary inertia and shear stiffness linearly between stations. Keys below that are
+        /// omitted here are those of the sections at the stations; of `fibres` their largest number.
         Tapered = "tapered" {
             /// Fractions of the beam's length, from 0 to 1.
             stations: Vec<f64> as List<Quantity<measure::Ratio>>,

@@ -211,6 +211,7 @@ mod tests {
             inertia: s.inertia,
             depth: s.depth,
             profile: s.profile.clone(),
+            properties: Default::default(),
         };
         Section { stations: sections.iter().map(station).collect(), ..sections[0].1.clone() }
     }

@@ -1,6 +1,6 @@
 //! The section of a span along its beam.
 
-use super::definition::{Profile, RotaryInertia, SectionSize, Station};
+use super::definition::{RotaryInertia, SectionSize, Station, UniformSection};
 use super::fibres::Make;
 use crate::element::beam::{SectionValues, ShearedPlace};
 use crate::element::point::SectionLaw;
@@ -17,9 +17,9 @@ impl SectionLine {
     /// That of a part of a beam of the given arc length \[m\].
     pub(super) fn new(make: &Make, length: f64) -> Self {
         let stations = match make.section.stations.as_slice() {
-            [] => vec![(0.0, values(make, (make.section.size(), &make.section.profile)))],
+            [] => vec![(0.0, values(make, &make.section.uniform()))],
             some => {
-                let at = |s: &Station| (s.at * length, values(make, (s.size(), &s.profile)));
+                let at = |s: &Station| (s.at * length, values(make, &make.section.station(s)));
                 some.iter().map(at).collect()
             }
         };
@@ -73,10 +73,10 @@ fn mixed(from: &SectionValues, to: &SectionValues, share: f64) -> SectionValues 
     }
 }
 
-/// Constants of a section of a size and profile.
-fn values(make: &Make, (size, profile): (SectionSize, &Profile)) -> SectionValues {
-    let Make { material, section, .. } = *make;
-    let SectionSize { area, inertia, depth } = size;
+/// Constants of a section, or of a station of it.
+fn values(make: &Make, section: &UniformSection) -> SectionValues {
+    let material = make.material;
+    let SectionSize { area, inertia, depth } = section.size;
     let half_depth = depth.map_or(f64::NAN, |d| 0.5 * d);
     if let Some((law, mass)) = make.law(material.strain) {
         // Of several materials the means over the area.
@@ -107,10 +107,10 @@ fn values(make: &Make, (size, profile): (SectionSize, &Profile)) -> SectionValue
     };
     let (axial, bending) = (young * area, young * inertia);
     let law = SectionLaw { axial, bending, rotary, measure: material.strain };
-    let factor = section.shear_factor_of(profile, material.poisson_in_shear());
+    let factor = section.shear_factor(material.poisson_in_shear());
     let shear = factor * material.shear_stiffness().unwrap_or(f64::NAN) * area;
     let mass = density * area;
-    let sheared = match profile.shear_widths() {
+    let sheared = match section.profile.shear_widths() {
         Some(places) => places.map(|one| ShearedPlace {
             height: one.height,
             area: inertia * one.width / one.moment_beyond,

@@ -398,6 +398,7 @@ fn club(b: &mut ModelBuilder, dice: &mut Dice) -> BeamId {
         inertia: 0.1 * depth.powi(3) / 12.0,
         depth: Some(depth),
         profile: Profile::Unknown,
+        properties: Default::default(),
     };
     let stations = vec![station(0.0, 0.1), station(1.0, dice.between(0.03, 0.3))];
     let section = b.section(Section { stations, ..Section::new("club", 0.01, 8e-6) });

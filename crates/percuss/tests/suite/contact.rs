@@ -83,6 +83,7 @@ fn a_tapered_beam_is_struck_across_its_leaning_face() {
         inertia: 1e-4,
         depth: Some(2.0 * half),
         profile: Profile::Unknown,
+        properties: Default::default(),
     };
     let stations = vec![station(0.0, 0.05), station(2.0 / 3.0, 0.3), station(1.0, 0.3)];
     let section = b.section(Section { stations, ..Section::new("club", 0.01, 1e-4) });
@@ -113,6 +114,7 @@ fn a_disc_slides_over_the_stations_of_a_tapered_beam() {
         inertia: 2e-3 * half * half,
         depth: Some(2.0 * half),
         profile: Profile::Unknown,
+        properties: Default::default(),
     };
     let stations =
         vec![station(0.0, 0.03), station(0.3, 0.03), station(0.6, 0.12), station(1.0, 0.08)];

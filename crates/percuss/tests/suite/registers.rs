@@ -29,6 +29,7 @@ fn model() -> Model {
         inertia: 8e-5 * area,
         depth: None,
         profile: Profile::Unknown,
+        properties: Default::default(),
     };
     let stations = vec![at(0.0, 0.1), at(1.0, 0.05)];
     let tapered = b.section(Section { stations, ..Section::new("tapered", 0.1, 8e-6) });

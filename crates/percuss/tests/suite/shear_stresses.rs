@@ -90,7 +90,7 @@ fn the_end_of_the_web_of_an_i_may_govern() {
 fn a_taper_has_its_largest_shear_stress_where_it_is_smallest() {
     let station = |at: f64, depth: f64| {
         let Section { area, inertia, depth, profile, .. } = Section::rectangle("r", 0.05, depth);
-        Station { at, area, inertia, depth, profile }
+        Station { at, area, inertia, depth, profile, properties: Default::default() }
     };
     let stations = vec![station(0.0, 0.2), station(1.0, 0.1)];
     let taper = Section { stations, ..Section::rectangle("taper", 0.05, 0.2) };

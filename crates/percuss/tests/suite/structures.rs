@@ -169,6 +169,7 @@ fn sections_that_change_and_taper_bend_as_integrals_say() {
             inertia,
             depth: None,
             profile: Profile::Unknown,
+            properties: Default::default(),
         };
         let stations = vec![station(0.0, 3e-5), station(1.0, 1e-5)];
         let taper = b.section(Section { stations, ..Section::new("taper", AREA, 3e-5) });
@@ -254,8 +255,14 @@ fn a_limit_point_under_load_control_names_arc_length() {
 fn faults_are_reported_all_at_once() {
     let mut b = ModelBuilder::new();
     let material = b.material(Material { retardation: -1.0, ..Material::new("m", YOUNG, DENSITY) });
-    let station =
-        |at: f64| Station { at, area: 1.0, inertia: 1.0, depth: None, profile: Profile::Unknown };
+    let station = |at: f64| Station {
+        at,
+        area: 1.0,
+        inertia: 1.0,
+        depth: None,
+        profile: Profile::Unknown,
+        properties: Default::default(),
+    };
     let stations = vec![station(0.0), station(0.7), station(0.5)];
     let section = b.section(Section { stations, ..Section::new("s", AREA, INERTIA) });
     let points = [[0.0, 0.0], [1.0, 0.0], [0.2, 0.0]];

@@ -8,7 +8,7 @@ use percuss::*;
 /// A station with a rectangle 50 mm wide.
 fn station(at: f64, depth: f64) -> Station {
     let Section { area, inertia, depth, profile, .. } = Section::rectangle("r", 0.05, depth);
-    Station { at, area, inertia, depth, profile }
+    Station { at, area, inertia, depth, profile, properties: Default::default() }
 }
 
 /// 4 m long, 100 mm deep at both ends and 300 mm a quarter of the way, clamped at both ends.

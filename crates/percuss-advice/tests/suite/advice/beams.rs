@@ -134,7 +134,14 @@ fn two_stations_of_a_tapered_depth_are_reported() {
             let size = 1.0 + at;
             let depth = if power == 3 { 0.02 * size } else { 0.02 };
             let (area, inertia) = (4e-4 * size, 1.333_333e-8 * size.powi(power));
-            Station { at, area, inertia, depth: Some(depth), profile: Profile::Unknown }
+            Station {
+                at,
+                area,
+                inertia,
+                depth: Some(depth),
+                profile: Profile::Unknown,
+                properties: Default::default(),
+            }
         };
         let stations = (0..=parts).map(station).collect();
         let section = Section { stations, ..Section::rectangle("taper", 0.02, 0.02) };

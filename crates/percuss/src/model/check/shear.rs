@@ -37,6 +37,12 @@ pub(super) fn check_shear_factor(s: &Section, out: &mut Faults) {
         let path = format!("section.{}.shear_factor", s.name);
         out.positive(path, factor, "a shear factor", "");
     }
+    for (k, station) in s.stations.iter().enumerate() {
+        if let Some(factor) = station.properties.shear_factor {
+            let path = format!("section.{}.stations[{k}].shear_factor", s.name);
+            out.positive(path, factor, "a shear factor", "");
+        }
+    }
 }
 
 /// A shear-flexible beam needs a shear stiffness, and its sections need rotary inertia; it yields by engineering strains.
@@ -72,14 +78,13 @@ fn check_pair(beam: &Beam, make: &Make, out: &mut Faults) {
         }
         None => check_material(beam, m, out),
     }
-    let known = |(profile, _)| !s.shear_factor_of(profile, m.poisson_in_shear()).is_nan();
-    if !s.profiles().all(known) {
+    if !s.parts().all(|part| !part.shear_factor(m.poisson_in_shear()).is_nan()) {
         let found = format!("no shear factor for shear-flexible `{}`", beam.name);
-        let expected = "`shear_factor`, such as 0.85, or a `shape` that has one \
-                        (a tapered I or box has none)";
+        let expected = "`shear_factor`, such as 0.85, or a `shape` that has one";
         out.add(format!("section.{}.shear_factor", s.name), found, expected);
     }
-    if matches!(s.rotary_inertia, RotaryInertia::Neglected | RotaryInertia::Given(0.0)) {
+    let none = |inertia| matches!(inertia, RotaryInertia::Neglected | RotaryInertia::Given(0.0));
+    if s.parts().any(|part| none(part.rotary_inertia)) {
         let found = format!("no rotary inertia for shear-flexible `{}`", beam.name);
         let expected = "true, or a value above zero: its sections turn by themselves";
         out.add(format!("section.{}.rotary_inertia", s.name), found, expected);

@@ -71,6 +71,7 @@ mod tests {
             inertia: 1.0,
             depth: Some(depth),
             profile: super::super::Profile::Unknown,
+            properties: Default::default(),
         };
         section.stations = vec![station(0.0, 1.0), station(1.0, 3.0)];
         assert_eq!(section.depth_at(0.25), Some(1.5));

@@ -55,6 +55,34 @@ pub struct Station {
     pub depth: Option<f64>,
     /// Distribution of its area about the centre line there.
     pub profile: Profile,
+    /// Properties of its own.
+    pub properties: StationProperties,
+}
+
+/// Properties of a station that do not follow from its size; those given of the tapered section as a whole come first.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StationProperties {
+    /// Rotary inertia per unit length.
+    pub rotary_inertia: RotaryInertia,
+    /// Shear factor kappa in place of that of its shape \[-\].
+    pub shear_factor: Option<f64>,
+    /// Its walls, if it is an I or a box.
+    pub walls: Option<Walls>,
+}
+
+/// A section without change along a beam: one that is uniform, or a station of a tapered one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct UniformSection<'a> {
+    /// Its size.
+    pub size: SectionSize,
+    /// Distribution of its area.
+    pub profile: &'a Profile,
+    /// Rotary inertia per unit length.
+    pub rotary_inertia: RotaryInertia,
+    /// Shear factor, if it is given \[-\].
+    pub shear_factor: Option<f64>,
+    /// Its walls, if it is an I or a box.
+    pub walls: Option<&'a Walls>,
 }
 
 /// The size of a section.
@@ -246,6 +274,38 @@ impl Section {
             area: mix(a.area, b.area),
             inertia: mix(a.inertia, b.inertia),
             depth: a.depth.zip(b.depth).map(|(a, b)| mix(a, b)),
+        }
+    }
+
+    /// What it is made of: itself, or its stations.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = UniformSection<'_>> {
+        let own = self.stations.is_empty().then(|| self.uniform());
+        own.into_iter().chain(self.stations.iter().map(|s| self.station(s)))
+    }
+
+    /// Itself, not tapered.
+    pub(crate) fn uniform(&self) -> UniformSection<'_> {
+        UniformSection {
+            size: self.size(),
+            profile: &self.profile,
+            rotary_inertia: self.rotary_inertia,
+            shear_factor: self.shear_factor,
+            walls: self.walls.as_ref(),
+        }
+    }
+
+    /// One of its stations: what is given of the whole section comes first.
+    pub(crate) fn station<'a>(&self, station: &'a Station) -> UniformSection<'a> {
+        let own = &station.properties;
+        UniformSection {
+            size: station.size(),
+            profile: &station.profile,
+            rotary_inertia: match self.rotary_inertia {
+                RotaryInertia::Density => own.rotary_inertia,
+                given => given,
+            },
+            shear_factor: self.shear_factor.or(own.shear_factor),
+            walls: own.walls.as_ref(),
         }
     }
 

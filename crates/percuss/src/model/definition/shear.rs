@@ -2,7 +2,7 @@
 
 use super::material::Material;
 use super::profile::{Profile, Strip};
-use super::section::Section;
+use super::section::UniformSection;
 
 impl Material {
     /// Shear modulus \[Pa\], as given or of an isotropic material; `None` without Poisson's ratio.
@@ -19,12 +19,12 @@ impl Material {
     }
 }
 
-impl Section {
-    /// Shear factor kappa of a section of this kind with the given profile \[-\]: as given, else by its shape after G. R. Cowper (1966), The shear
+impl UniformSection<'_> {
+    /// Shear factor kappa \[-\]: as given, else by its shape after G. R. Cowper (1966), The shear
     /// coefficient in Timoshenko's beam theory, Journal of Applied Mechanics 33; NaN if its shape is not known.
-    pub(crate) fn shear_factor_of(&self, profile: &Profile, poisson: f64) -> f64 {
+    pub(crate) fn shear_factor(&self, poisson: f64) -> f64 {
         let nu = poisson;
-        match (self.shear_factor, profile, &self.walls) {
+        match (self.shear_factor, self.profile, self.walls) {
             (Some(given), ..) => given,
             (None, Profile::Ring { outer, inner }, _) => {
                 let m2 = (inner / outer).powi(2);
@@ -34,7 +34,7 @@ impl Section {
             (None, Profile::Strips(strips), _) if strips.len() == 1 => {
                 10.0 * (1.0 + nu) / (12.0 + 11.0 * nu)
             }
-            (None, _, Some(walls)) if self.stations.is_empty() => walls.shear_factor(nu),
+            (None, _, Some(walls)) => walls.shear_factor(nu),
             _ => f64::NAN,
         }
     }
@@ -80,6 +80,7 @@ impl Profile {
 
 #[cfg(test)]
 mod tests {
+    use super::super::section::Section;
     use super::*;
 
     /// Shear stresses by a shear force of one, at the neutral axis and at the end of the web.
@@ -119,7 +120,7 @@ mod tests {
     }
 
     fn factor(section: &Section, nu: f64) -> f64 {
-        section.shear_factor_of(&section.profile, nu)
+        section.uniform().shear_factor(nu)
     }
 
     #[test]

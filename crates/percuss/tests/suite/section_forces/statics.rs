@@ -149,6 +149,7 @@ fn taper(from: f64, to: f64) -> Section {
         inertia: 0.02 * depth.powi(3) / 12.0,
         depth: Some(depth),
         profile: Profile::Unknown,
+        properties: Default::default(),
     };
     let first = Section::rectangle("taper", 0.02, from);
     Section { stations: vec![station(0.0, from), station(1.0, to)], ..first }
