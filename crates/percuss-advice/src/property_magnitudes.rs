@@ -44,9 +44,12 @@ pub fn findings(model: &Model) -> Vec<Advice> {
     all
 }
 
-/// Fibres may be of other materials than the beam.
+/// Of each material its own moduli: fibres may be of other materials than the beam.
 fn shear_modulus(name: &str, span: SpanView<'_>) -> Option<Advice> {
-    let (modulus, young) = (span.shear_modulus()?, span.gauss_points(0)[1].section.young);
+    span.moduli().iter().find_map(|&moduli| of_material(name, moduli))
+}
+
+fn of_material(name: &str, [young, modulus]: [f64; 2]) -> Option<Advice> {
     let ratio = modulus / young;
     if !ratio.is_finite() || (SHEAR[0]..=SHEAR[1] * (1.0 + 1e-9)).contains(&ratio) {
         return None;

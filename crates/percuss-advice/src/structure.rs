@@ -82,9 +82,9 @@ impl<'a> BeamPlace<'a> {
     /// First node of the element at the place, and its shape functions there.
     pub fn interpolation(&self) -> (usize, [f64; 4]) {
         let (span, k) = self.element();
-        let (length, stations) = (span.element_length(k), span.stations());
+        let stations = span.stations();
         let share = (self.s - stations[k]) / (stations[k + 1] - stations[k]);
-        (span.nodes().start + k, percuss::math::hermite::shape(share.clamp(0.0, 1.0), length))
+        (span.nodes().start + k, span.interpolation(k, share.clamp(0.0, 1.0)))
     }
 
     /// Reference tangent at the place.

@@ -1,6 +1,5 @@
 //! Where a structure at rest has moved farthest.
 
-use crate::math::hermite;
 use crate::math::vec2::{dot, norm};
 use crate::model::Model;
 use crate::model::frozen::Span;
@@ -51,14 +50,12 @@ impl LargestDisplacement {
 
 /// The share of the way along an element at which it has moved farthest, and the displacement there \[m\].
 fn farthest(span: &Span, k: usize, state: &State) -> (f64, [f64; 2]) {
-    let (node, length) = (span.nodes.start + k, span.table(k).length);
-    let at = |xi: f64| combine(&state.displacement, node, &hermite::shape(xi, length));
+    let (node, inside) = (span.nodes.start + k, span.inside(k));
+    let at = |xi: f64| combine(&state.displacement, node, &inside.axis(xi));
     let places: [f64; PIECES + 1] = std::array::from_fn(|j| j as f64 / PIECES as f64);
     let most =
         places.into_iter().fold(0.0, |m, xi| if norm(at(xi)) > norm(at(m)) { xi } else { m });
-    let rises = |xi: f64| {
-        dot(at(xi), combine(&state.displacement, node, &hermite::slope(xi, length))) > 0.0
-    };
+    let rises = |xi: f64| dot(at(xi), combine(&state.displacement, node, &inside.along(xi))) > 0.0;
     let piece = 1.0 / PIECES as f64;
     let [mut from, mut to] = [(most - piece).max(0.0), (most + piece).min(1.0)];
     if !rises(from) || rises(to) {

@@ -101,7 +101,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
     let mut state = search.state();
     search.contacts.remember_crushing(&mut state);
     let model = search.model;
-    let at = |p: &crate::model::frozen::MaterialPoint| p.value(&state.displacement);
+    let at = |p: &crate::model::frozen::MaterialPoint| p.displacement(&state.displacement);
     let names = model.support_names().map(str::to_owned);
     let forces = search.section_forces(&state);
     let reactions = search.reactions(&state);

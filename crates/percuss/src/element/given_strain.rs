@@ -84,7 +84,7 @@ impl GivenStrain<'_> {
         let Self { table, measure, .. } = *self;
         let theta = evaluation.theta();
         if let Some(shear) = self.shear {
-            return shear.relieved::<_, TANGENT>(start, increment, theta, self.stretch_and_bend());
+            return shear.relieved::<TANGENT>(start, increment, theta, self.stretch_and_bend());
         }
         let mut sums = ElementSums::zero(0.0);
         match (&table.membrane, self.sampled()) {

@@ -8,18 +8,26 @@
 //! In an element whose sections turn by the angle t from end to end the strains of a straight chord are wrong by `t^2`. Two terms that are quadratic
 //! in (x, d) as well correct them: `|d_b - d_a|^2 / 6` in Gamma1, and the square of turning `(1 - cos t) / l^2` in the energy of bending. With t less
 //! that of the reference, `EI l (4/3 (1 - cos t) - 1/6 sin^2 t) / l^2` is `EI t^2 / 2 l` to sixth order.
+//!
+//! Gamma2 of the chord contains a part by bending between the nodes. The axial force acts along the axis, not along d, where this part leans, and
+//! it tightens the axis: the axial strain is that of the field inside the element (`inside`) to second order, `Gamma1 + c Gamma2^2 / 2` with
+//! `c = 1 - f^2 + (1 - f)^2 / 5`, f the share of shear. Gamma2^2 is a square of a quadratic form: its change is twice the mean times the change.
 
 #[cfg(test)]
 mod examples;
 mod fibres;
+mod forms;
 mod inertia;
+mod inside;
+mod relieved;
 
 pub use inertia::spread_linearly;
+pub use inside::{InsideField, StretchedPlace};
 
 use super::beam::{ElementSums, ElementTable, ElementValues, NodeFrame};
 use super::gauss::SectionValues;
 use crate::math::hermite::GAUSS;
-use crate::math::vec2::{add, cross, dot, rot90, scale, sub};
+use crate::math::vec2::{add, cross, dot, sub};
 use crate::scalar::Real;
 
 /// A shear-flexible element: its reference and stiffnesses.
@@ -37,12 +45,16 @@ pub struct ShearTable {
     stiffness: [f64; 3],
     /// Share of shear in its flexibility in shear; the rest is that of residual bending \[-\].
     shear_share: f64,
+    /// Axial strain by half the square of Gamma2 \[-\].
+    leaning: f64,
+    /// Even stretch over the Gamma1 of the chord that it causes: one of a straight element \[-\].
+    per_stretch: f64,
 }
 
 /// Strains of an element less those of the reference.
 #[derive(Clone, Copy, Debug)]
 pub struct ShearStrains<S> {
-    /// Gamma1, Gamma2 and the sine of the angle of turning over the length, shape (3) \[-, -, 1/m\].
+    /// Axial strain, Gamma2 and the sine of the angle of turning over the length, shape (3) \[-, -, 1/m\].
     linear: [S; 3],
     /// One less the cosine of that angle, over the square of the length \[1/m^2\].
     square: S,
@@ -64,11 +76,17 @@ struct Evaluated<S> {
     at: ElementValues<S>,
     /// Nodal values at the end of the step.
     end: ElementValues<S>,
+    /// Gamma2 that its variations are multiplied by in that of the axial strain: its mean over the step, and that at its end, shape (2) \[-\].
+    across: [S; 2],
     /// Derivatives of the first three with respect to the strains at the end, shape (3) \[N m, N m, N m^3\].
     slopes: [S; 3],
     /// Share of the step at which the variations are taken.
     share: f64,
 }
+
+/// Least Gamma1 of the chord by a unit of even stretch that is counted: it is smaller in elements that turn by more than 110 degrees in the reference,
+/// and zero in a half circle.
+const LEAST_STRETCH: f64 = 0.5;
 
 impl ShearTable {
     /// Table of an element between two nodes, with the section in its middle.
@@ -80,14 +98,30 @@ impl ShearTable {
         let [a, b] = ends;
         let (axial, bending) = (middle.law.axial, middle.law.bending);
         let shear = (1.0 / middle.shear + length * length / (12.0 * bending)).recip();
+        let chord = sub(b.position, a.position);
+        let share = shear / middle.shear;
+        let bent = 1.0 - share;
+        let even = 0.5 * dot(chord, add(a.tangent, b.tangent));
         Self {
             length,
-            chord: [0, 1].map(|i| b.position[i] - a.position[i]),
+            chord,
             directors: [a.tangent, b.tangent],
             back: [dot(a.tangent, b.tangent), cross(b.tangent, a.tangent)],
             stiffness: [axial, shear, bending].map(|stiffness| stiffness * length),
-            shear_share: shear / middle.shear,
+            shear_share: share,
+            leaning: 1.0 - share * share + 0.2 * bent * bent,
+            per_stretch: 1.0 / (even / length).max(LEAST_STRETCH),
         }
+    }
+
+    /// Share of bending in the flexibility in shear of an element of a length and a section.
+    pub fn bent_share(length: f64, section: &SectionValues) -> f64 {
+        1.0 / (1.0 + 12.0 * section.law.bending / (section.shear * length * length))
+    }
+
+    /// The field inside it.
+    pub fn inside(&self) -> InsideField {
+        InsideField { length: self.length, bent: 1.0 - self.shear_share }
     }
 
     /// Share of shear in the energy of [`energies`](Self::energies) for it; the rest is energy of bending between the nodes.
@@ -123,7 +157,8 @@ impl ShearTable {
         let [stretch, shear, bend] = [stretch, shear, bend].map(|strain| strain * per_length);
         let curved = dot(add(apart, change.map(|x| x * 0.5)), change) * (1.0 / 3.0);
         let square = dot(away, away) * (0.5 * per_length * per_length);
-        ShearStrains { linear: [stretch + curved, shear, bend], square }
+        let axial = (stretch + curved) * self.per_stretch + shear * shear * (0.5 * self.leaning);
+        ShearStrains { linear: [axial, shear, bend], square }
     }
 
     /// The first vector d less the second turned back by Q, which in the reference are the same, shape (2) \[-\].
@@ -163,8 +198,8 @@ impl ShearTable {
         let at = moved(start, increment, 0.5);
         let elastic = self.acting();
         let slopes = [0, 1, 2].map(|k| one * (0.5 * elastic[k] + lag * self.stiffness[k]));
-        let turning = stress;
-        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, slopes, share: 0.5 })
+        let (turning, across) = (stress, [(old[1] + new[1]) * 0.5, new[1]]);
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, across, slopes, share: 0.5 })
     }
 
     /// Forces at the end of a step, as in an equilibrium, and their tangent if `TANGENT`. Its geometric stiffness is that of the strains
@@ -177,34 +212,13 @@ impl ShearTable {
     ) -> ElementSums<S> {
         let end = moved(start, increment, 1.0);
         let one = start.chord[0].constant(1.0);
-        let stress = self.stresses(one, self.strains(&end).linear);
+        let strains = self.strains(&end).linear;
+        let stress = self.stresses(one, strains);
         let turning =
             foreseen.map_or(stress, |strains| self.stresses(one, strains.map(|e| one * e)));
         let slopes = self.acting().map(|k| one * k);
-        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at: end, end, slopes, share: 1.0 })
-    }
-
-    /// What stretch and bend that need no force add to the forces, with the gradient at a share of the step, and to their tangent if `TANGENT`. The
-    /// strains are quadratic: with the gradient in the middle, the work is exact for any step.
-    pub fn relieved<S: Real, const TANGENT: bool>(
-        &self,
-        start: &ElementValues<S>,
-        increment: &ElementValues<S>,
-        share: f64,
-        [stretch, bend]: [f64; 2],
-    ) -> ElementSums<S> {
-        let (end, at) = (moved(start, increment, 1.0), moved(start, increment, share));
-        let zero = start.chord[0].constant(0.0);
-        let [axial, _, bending] = self.stiffness;
-        let stress = [zero.constant(-stretch * axial), zero, zero.constant(-bend * bending), zero];
-        let (turning, slopes) = (stress, [zero; 3]); // constant stresses
-        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, slopes, share })
-    }
-
-    /// What they add to the energies of stretching and of bending, shape (2) \[J\].
-    pub fn energy_relieved(&self, at: &ElementValues<f64>, [stretch, bend]: [f64; 2]) -> [f64; 2] {
-        let ([axial, _, bending], [own, _, bent]) = (self.stiffness, self.strains(at).linear);
-        [axial * stretch * (0.5 * stretch - own), bending * bend * (0.5 * bend - bent)]
+        let (at, across) = (end, [strains[1]; 2]);
+        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, across, slopes, share: 1.0 })
     }
 
     /// Tangent at displacements with the geometric stiffness of given strains, stored as [`stored`] does; without any if there are none, so that
@@ -220,7 +234,16 @@ impl ShearTable {
             None => ([one.constant(0.0); 4], self.stiffness),
         };
         let (turning, slopes) = (stress, slopes.map(|k| one * k));
-        self.sums::<S, true>(&Evaluated { stress, turning, at: *at, end: *at, slopes, share: 1.0 })
+        let (end, across) = (*at, [self.strains(at).linear[1]; 2]);
+        self.sums::<S, true>(&Evaluated {
+            stress,
+            turning,
+            at: end,
+            end,
+            across,
+            slopes,
+            share: 1.0,
+        })
     }
 
     /// Stiffnesses that act on the linear strains, shape (3) \[N m, N m, N m^3\].
@@ -240,7 +263,8 @@ impl ShearTable {
     /// Linear strains after a correction of displacements, to first order, shape (3) \[-, -, 1/m\].
     pub fn foresee(&self, at: &ElementValues<f64>, correction: &ElementValues<f64>) -> [f64; 3] {
         let ElementValues { chord: [c1, c2], slope_a: [a1, a2], slope_b: [b1, b2] } = *correction;
-        let (now, forms) = (self.strains(at).linear, self.gradients(at));
+        let now = self.strains(at).linear;
+        let forms = self.gradients(at, now[1]);
         let moved = [c1, c2, a1, a2, b1, b2];
         [0, 1, 2].map(|k| now[k] + forms[k].iter().zip(moved).map(|(f, d)| f * d).sum::<f64>())
     }
@@ -263,82 +287,6 @@ impl ShearTable {
     pub fn viscous_loss_across(&self, start: &ElementValues<f64>, end: &ElementValues<f64>) -> f64 {
         let [old, new] = [start, end].map(|u| self.strains(u).linear[1]);
         self.stiffness[1] * (new - old).powi(2)
-    }
-
-    fn sums<S: Real, const TANGENT: bool>(&self, of: &Evaluated<S>) -> ElementSums<S> {
-        let mut sums = ElementSums::zero(of.slopes[0]);
-        let at = self.gradients(&of.at);
-        for (form, stress) in at.iter().zip(of.stress) {
-            for i in 0..6 {
-                sums.force[i] = sums.force[i].add_product(stress, form[i]);
-            }
-        }
-        if !TANGENT {
-            return sums;
-        }
-        let end = self.gradients(&of.end);
-        for k in 0..3 {
-            for i in 0..6 {
-                let left = at[k][i] * of.slopes[k];
-                for j in 0..6 {
-                    sums.tangent[i][j] = sums.tangent[i][j].add_product(left, end[k][j]);
-                }
-            }
-        }
-        self.add_second(&of.turning.map(|stress| stress * of.share), &mut sums);
-        sums
-    }
-
-    /// Derivatives of the linear strains and of the square of turning with respect to the nodal values, shape (4, 6) \[1/m, -, -\], of the third
-    /// \[1/m^2, 1/m, 1/m\] and of the last \[-, 1/m^2, 1/m^2\], those with respect to the chord being zero.
-    fn gradients<S: Real>(&self, u: &ElementValues<S>) -> [[S; 6]; 4] {
-        let wide = |x: [f64; 2]| x.map(|x| u.chord[0].constant(x));
-        let per_length = u.chord[0].constant(self.length.recip());
-        let [a0, b0] = self.directors.map(wide);
-        let (c, a, b) = (add(wide(self.chord), u.chord), add(a0, u.slope_a), add(b0, u.slope_b));
-        let d = scale(per_length * 0.5, add(a, b));
-        let along = scale(per_length * 0.5, c);
-        let apart = sub(b, a).map(|x| x * (1.0 / 3.0));
-        let ([s1, s2], [n1, n2]) = (along, rot90(d));
-        let ([to_a1, to_a2], [to_b1, to_b2]) = (sub(along, apart), add(along, apart));
-        let [a1, a2] = scale(per_length, self.turned_on(a));
-        let [b1, b2] = scale(per_length, self.turned_back(b));
-        let away = scale(per_length * per_length, self.away(u));
-        let ([w1, w2], [v1, v2]) = (away, self.turned_on(away));
-        let zero = per_length.constant(0.0);
-        [
-            [d[0], d[1], to_a1, to_a2, to_b1, to_b2],
-            [n1, n2, s2, -s1, s2, -s1],
-            [zero, zero, b2, -b1, -a2, a1],
-            [zero, zero, w1, w2, -v1, -v2],
-        ]
-    }
-
-    /// Adds the second derivatives of the strains, times the stresses.
-    fn add_second<S: Real>(&self, stress: &[S; 4], sums: &mut ElementSums<S>) {
-        let per_length = self.length.recip();
-        let [cosine, sine] = self.back;
-        let [axial, shear, moment] = [0, 1, 2].map(|k| stress[k] * per_length);
-        let curved = stress[0] * (1.0 / 3.0);
-        let square = stress[3] * (per_length * per_length);
-        for i in 2..6 {
-            sums.tangent[i][i] += curved + square;
-        }
-        let mut both = |i: usize, j: usize, value: S| {
-            sums.tangent[i][j] += value;
-            sums.tangent[j][i] += value;
-        };
-        for d in [2, 4] {
-            both(0, d, axial * 0.5);
-            both(1, d + 1, axial * 0.5);
-            both(0, d + 1, shear * -0.5);
-            both(1, d, shear * 0.5);
-        }
-        let (same, other) = (moment * sine - square * cosine, moment * cosine + square * sine);
-        both(2, 4, same - curved);
-        both(3, 5, same - curved);
-        both(2, 5, other);
-        both(3, 4, -other);
     }
 }
 

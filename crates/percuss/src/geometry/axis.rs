@@ -338,21 +338,24 @@ impl Axis<'_> {
     /// Sign of the side of `y`, relative to the axis at its closest point; zero beyond an end.
     pub fn side(&self, y: [f64; 2], at: &Configuration, point: AxisPoint) -> f64 {
         let placed = self.placed(point.element, at);
-        self.side_of(sub(y, placed.position(point.xi)), placed.tangent(point.xi), at, point)
+        self.side_of(sub(y, placed.position(point.xi)), &placed, at, point)
     }
 
-    /// The same for a place at a distance from its closest point, at which the tangent is given.
+    /// The same for a place at a distance from its closest point, whose element is given.
     pub fn side_of(
         &self,
         away: [f64; 2],
-        tangent: [f64; 2],
+        placed: &Placed,
         at: &Configuration,
         point: AxisPoint,
     ) -> f64 {
-        let onward = dot(away, tangent);
-        if self.ends.iter().any(|end| end.point == point && end.out * onward > 0.0) {
+        // An end is a section.
+        let outward = dot(away, placed.section(point.xi));
+        if self.ends.iter().any(|end| end.point == point && end.out * outward > 0.0) {
             return 0.0;
         }
+        let tangent = placed.tangent(point.xi);
+        let onward = dot(away, tangent);
         let neighbour = if point.xi == 1.0 && onward > 0.0 {
             (point.element + 1, 0.0)
         } else if point.xi == 0.0 && onward < 0.0 {

@@ -52,7 +52,7 @@ impl EndFrame {
     }
 
     fn new(end: &AxisEnd, placed: &Placed) -> Self {
-        let tangent = placed.tangent(end.point.xi);
+        let tangent = placed.section(end.point.xi);
         let tangent = scale(1.0 / norm(tangent), tangent);
         let origin = placed.position(end.point.xi);
         Self { origin, out: scale(end.out, tangent), across: rot90(tangent) }

@@ -31,13 +31,15 @@ pub enum Carrier {
         /// From its centre to the point, shape (2) \[m\].
         offset: [f64; 2],
     },
-    /// A beam: shape functions and their slopes at a point of its axis, and the reference tangent there. The point itself is off
-    /// the axis by `offset`, along it and across it, and turns with the section.
+    /// A beam: shape functions at a point of its axis and those of its section, whose direction in the reference is `tangent`. The point itself
+    /// is off the axis by `offset`, along the normal of the section and across it, and turns with the section.
     Beam {
         /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[-, m, -, m\].
         shape: [f64; 4],
-        /// Their slopes, shape (4) \[1/m, -, 1/m, -\].
+        /// Coefficients of the direction of its section: of a slender beam their slopes, shape (4) \[1/m, -, 1/m, -\].
         slope: [f64; 4],
+        /// Slopes of the shape functions, shape (4) \[1/m, -, 1/m, -\].
+        along: [f64; 4],
         /// Reference tangent, shape (2) \[-\].
         tangent: [f64; 2],
         /// From the axis to the point, along it and across it, shape (2) \[m\].
@@ -65,7 +67,7 @@ impl Centre {
         let a = at.node(self.node);
         match &self.carrier {
             Carrier::Body { .. } => [a[0], a[1]],
-            Carrier::Beam { shape, slope, tangent, offset } => {
+            Carrier::Beam { shape, slope, tangent, offset, .. } => {
                 let b = at.node(self.node + 1);
                 let moved = combine(shape, &a, &b);
                 if *offset == [0.0; 2] {
@@ -172,8 +174,8 @@ impl Centre {
 
     /// Adds a force conjugate to the derivative of the point along its axis; zero on a body.
     pub fn add_slope(&self, row: &mut Row, force: [f64; 2]) {
-        if let Carrier::Beam { slope, .. } = &self.carrier {
-            add_weighted(row, self.node, slope, force);
+        if let Carrier::Beam { along, .. } = &self.carrier {
+            add_weighted(row, self.node, along, force);
         }
     }
 

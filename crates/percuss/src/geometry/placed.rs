@@ -2,6 +2,7 @@
 
 use super::configuration::Configuration;
 use crate::element::beam::NodeFrame;
+use crate::element::shear::InsideField;
 use crate::math::vec2::{cross, dot, norm, scale, sub};
 
 /// Iterations after which a closest point is closed in on by halves.
@@ -22,6 +23,8 @@ pub struct AxisElement {
     pub length: f64,
     /// Arc length from the start of the beam \[m\].
     pub s: f64,
+    /// Share of bending in the difference of its chord and its sections: one of a slender element \[-\].
+    pub bent: f64,
     /// Distance of either face from the axis at both ends, linear between, shape (2) \[m\].
     pub half_depths: [f64; 2],
     /// Distance to the left from the element to the original curve at its quarter points, shape (3) \[m\]: a cubic is no arc.
@@ -29,6 +32,11 @@ pub struct AxisElement {
 }
 
 impl AxisElement {
+    /// The field inside it.
+    pub fn inside(&self) -> InsideField {
+        InsideField { length: self.length, bent: self.bent }
+    }
+
     /// Distance to the left from the element to the original curve at a share of it \[m\]; both meet at its ends with the same tangent.
     pub fn deviation(&self, xi: f64) -> f64 {
         let bubble = |xi: f64| (xi * (1.0 - xi)).powi(2);
@@ -56,6 +64,8 @@ pub struct ElementEnds {
     /// Position and tangent x' at both ends, shape (2, 4) \[m, -\].
     nodes: [[f64; 4]; 2],
     length: f64,
+    /// Inclination of its axis against its sections, x' less their vectors d, shape (2) \[-\].
+    shear: [f64; 2],
 }
 
 impl ElementEnds {
@@ -66,7 +76,16 @@ impl ElementEnds {
             let (x, g) = (frame.position, frame.tangent);
             [x[0] + u[0], x[1] + u[1], g[0] + u[2], g[1] + u[3]]
         };
-        Self { nodes: [end(element.node), end(element.node + 1)], length: element.length }
+        let mut nodes = [end(element.node), end(element.node + 1)];
+        let mut shear = [0.0; 2];
+        if element.bent != 1.0 {
+            // Sections are inclined against the axis by the shear.
+            let places = nodes.map(|[x1, x2, ..]| [x1, x2]);
+            let directors = nodes.map(|[_, _, d1, d2]| [d1, d2]);
+            shear = element.inside().sheared(places, directors);
+            nodes.iter_mut().for_each(|node| (0..2).for_each(|i| node[2 + i] += shear[i]));
+        }
+        Self { nodes, length: element.length, shear }
     }
 
     /// A bound from above of its length, squared: control vectors of the derivative bound it.
@@ -120,6 +139,8 @@ pub struct Placed {
     /// Coefficients of the powers of the share, shape (4, 2) \[m\].
     powers: [[f64; 2]; 4],
     length: f64,
+    /// Inclination of the axis against the sections, shape (2) \[-\].
+    shear: [f64; 2],
     /// Half depth at the first end, and its growth to the other.
     half_depth: f64,
     growth: f64,
@@ -153,7 +174,8 @@ impl Placed {
             powers[3][i] = g + h - 2.0 * rise;
         }
         let [half_depth, last] = element.half_depths;
-        Self { powers, length: ends.length, half_depth, growth: last - half_depth }
+        let growth = last - half_depth;
+        Self { powers, length: ends.length, shear: ends.shear, half_depth, growth }
     }
 
     /// Distance of `y` from the circle about a point.
@@ -185,6 +207,11 @@ impl Placed {
     /// Derivative with respect to arc length of the reference.
     pub fn tangent(&self, xi: f64) -> [f64; 2] {
         scale(1.0 / self.length, self.onward(xi))
+    }
+
+    /// Normal of the section: the tangent of a slender element.
+    pub fn section(&self, xi: f64) -> [f64; 2] {
+        sub(self.tangent(xi), self.shear)
     }
 
     /// Second derivative with respect to arc length of the reference.

@@ -8,7 +8,6 @@ use super::configuration::Configuration;
 use super::edge::{self, EdgeTouch};
 use super::pair::{Carrier, Centre, Memory, Pair, Target, carried};
 use super::row::Row;
-use crate::math::hermite;
 use crate::math::vec2::{add, cross, dot, norm, rot90, scale, sub};
 
 /// Below this distance of centre and axis the normal is that of the axis \[m\].
@@ -229,7 +228,7 @@ impl Pair {
         let (tangent, closest_place) = (placed.tangent(point.xi), placed.position(point.xi));
         let away = sub(y, closest_place);
         let distance = norm(away);
-        let seen = axis.side_of(away, tangent, at, point);
+        let seen = axis.side_of(away, &placed, at, point);
         let s = element.s + point.xi * element.length;
         if let Some(end) = axis.end_near(s)
             && (end.point == point || distance < element.half_depth(point.xi))
@@ -347,8 +346,8 @@ impl Pair {
 /// A point of an axis, or a point off it that moves with its section.
 fn centre_on(axis: &Axis, point: AxisPoint, offset: [f64; 2]) -> Centre {
     let element = &axis.elements[point.element];
-    let shape = hermite::shape(point.xi, element.length);
-    let slope = hermite::slope(point.xi, element.length);
+    let inside = element.inside();
+    let (shape, slope) = (inside.axis(point.xi), inside.section(point.xi));
     let frames = [&axis.nodes[element.node], &axis.nodes[element.node + 1]];
     let reference = |n: &[f64; 4]| {
         [0, 1].map(|i| {
@@ -362,7 +361,7 @@ fn centre_on(axis: &Axis, point: AxisPoint, offset: [f64; 2]) -> Centre {
     if offset != [0.0; 2] {
         position = add(position, carried(tangent, offset));
     }
-    let carrier = Carrier::Beam { shape, slope, tangent, offset };
+    let carrier = Carrier::Beam { shape, slope, along: inside.along(point.xi), tangent, offset };
     Centre { position, node: element.node, carrier }
 }
 

@@ -100,6 +100,11 @@ impl<'m> SpanView<'m> {
         self.data.shear_modulus
     }
 
+    /// Young's and shear modulus of each material of its section of which both are known, shape (such materials, 2) \[Pa\].
+    pub fn moduli(&self) -> &'m [[f64; 2]] {
+        &self.data.moduli
+    }
+
     /// Thermal expansion of its material, strain per change of temperature \[1/K\]; zero where none is given.
     pub fn expansion(&self) -> f64 {
         self.data.expansion
@@ -118,6 +123,12 @@ impl<'m> SpanView<'m> {
     /// Length of the element of number `k` in the span \[m\].
     pub fn element_length(&self, k: usize) -> f64 {
         self.data.table(k).length
+    }
+
+    /// Coefficients of the displacement inside the element of number `k` in the span, at a share of its length, on the displacements and slopes of its
+    /// nodes, order (u_a, u_a', u_b, u_b'), shape (4) \[-, m, -, m\].
+    pub fn interpolation(&self, k: usize, share: f64) -> [f64; 4] {
+        self.data.inside(k).axis(share)
     }
 
     /// The beam at the Gauss points of the element of number `k` in the span; the second one is its middle.

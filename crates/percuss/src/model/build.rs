@@ -17,7 +17,6 @@ use super::{
 use crate::element::beam::{ElementTable, NodeFrame};
 use crate::element::shear::ShearTable;
 use crate::geometry::axis::{AxisElement, AxisElements};
-use crate::math::hermite;
 use crate::math::vec2::{cross, sub};
 
 impl ModelBuilder {
@@ -159,6 +158,7 @@ impl ModelBuilder {
                 .strength
                 .filter(|_| material.inelasticity.is_none() && make.is_plain()),
             shear_modulus: material.shear_stiffness(),
+            moduli: make.moduli(),
             fibres: fibres::of_span(&make, &stretch, fibres_before),
             shear: (theory == Theory::Shear).then_some(shear),
         };
@@ -187,6 +187,7 @@ fn axis(model: &Model, first_span: usize, line: &CentreLine, plans: &[SpanPlan])
         node: span.nodes.start + k,
         length: span.table(k).length,
         s: span.stations[k],
+        bent: span.inside(k).bent,
         half_depths: [0.0, 1.0].map(|xi| known(span.section_at(k, xi).half_depth)),
         deviations: deviations(model, span, k, line, plan),
     };
@@ -208,10 +209,10 @@ fn deviations(
         return [0.0; 3];
     }
     let [a, b] = [0, 1].map(|i| &model.nodes[span.nodes.start + k + i]);
-    let length = span.table(k).length;
+    let (length, inside) = (span.table(k).length, span.inside(k));
     [0.25, 0.5, 0.75].map(|xi| {
         let (place, tangent) = plan.at(line, span.stations[k] + xi * length);
-        let n = hermite::shape(xi, length);
+        let n = inside.axis(xi);
         let own = [0, 1].map(|i| {
             n[0] * a.position[i] + n[1] * a.tangent[i] + n[2] * b.position[i] + n[3] * b.tangent[i]
         });

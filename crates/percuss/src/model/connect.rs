@@ -172,11 +172,13 @@ fn centre(model: &Model, name: &str) -> MaterialPoint {
         label: name.into(),
         beam: MaterialPoint::OF_BODY,
         node,
+        xi: shape[2],
         s: f64::NAN,
         shape,
         slope: [0.0; 4],
         position: model.nodes[own].position,
         tangent: [0.0; 2],
+        stretched: None,
     }
 }
 

@@ -233,7 +233,9 @@ fn node_point(model: &Model, beam: usize, span: usize, k: usize) -> MaterialPoin
         (own, [1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0])
     };
     let (position, tangent) = (frame.position, frame.tangent);
-    MaterialPoint { label: String::new(), beam, node, s, shape, slope, position, tangent }
+    let xi = shape[2];
+    let (label, stretched) = (String::new(), None);
+    MaterialPoint { label, beam, node, xi, s, shape, slope, position, tangent, stretched }
 }
 
 /// Adds the joints; returns faults of those without effect.

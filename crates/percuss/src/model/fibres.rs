@@ -82,6 +82,23 @@ impl Make<'_> {
         Some(self.section.given_fibres()?.iter().map(of).sum())
     }
 
+    /// Young's and shear modulus of each of its materials of which both are known, shape (such materials, 2) \[Pa\].
+    pub fn moduli(&self) -> Vec<[f64; 2]> {
+        let mut out = Vec::new();
+        let mut add = |material: &Material| {
+            let Some(shear) = material.shear_stiffness() else { return };
+            let pair = [material.young, shear];
+            if !out.contains(&pair) {
+                out.push(pair);
+            }
+        };
+        match self.section.given_fibres() {
+            Some(fibres) => fibres.iter().for_each(|fibre| add(self.of(fibre))),
+            None => add(self.material),
+        }
+        out
+    }
+
     /// Section law and mass per length \[kg/m\] of a section that is given by its fibres.
     pub fn law(&self, measure: StrainMeasure) -> Option<(SectionLaw<f64>, f64)> {
         let Weighed { stiffness: [axial, _, bending], mass: [mass, turning] } = self.weighed()?;

@@ -2,6 +2,9 @@
 //!
 //! The potential per length is integrated with the three-point rule of an element, through its shape functions: each point has a spring of the law
 //! times the length that it stands for. The forces over a step are the difference quotients of these potentials, as of any spring to the ground.
+//!
+//! A reaction r per length deflects a shear-flexible element between its nodes by shear, beyond the field inside it, by `r l^2 / (12 kappa G A)` in
+//! the mean. Its springs are in series with that: without it the error of the deflection would be of second order.
 
 use super::builder::ModelBuilder;
 use super::definition::*;
@@ -9,7 +12,7 @@ use super::frozen::*;
 use super::material_points::point_at;
 use crate::element::fibre::{PlasticLaw, Slack, StressLaw};
 use crate::math::hermite::{GAUSS_WEIGHTS, gauss_points};
-use crate::math::vec2::{norm, rot90, scale};
+use crate::math::vec2::{cross, norm, rot90, scale};
 
 /// Adds the foundations' springs, behind all other connectors.
 pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
@@ -21,8 +24,9 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
         });
         let first = model.connectors.len();
         let mut lengths = Vec::new();
-        for (s, length) in quadrature(model, beam, ends) {
-            let connector = spring(model, foundation, point_at(model, beam, s), length);
+        for (s, length, softness) in quadrature(model, beam, ends) {
+            let point = point_at(model, beam, s);
+            let connector = spring(model, foundation, point, [length, softness]);
             model.connectors.push(connector);
             lengths.push(length);
         }
@@ -38,29 +42,40 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
     }
 }
 
-/// Arc lengths of the Gauss points of the elements in a stretch, and the length that each stands for \[m\]; elements begin and end at the ends of
-/// the stretch, where [`super::places`] requires nodes.
-fn quadrature(model: &Model, beam: usize, [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
+/// Arc lengths of the Gauss points of the elements in a stretch, the length that each stands for \[m\], and the mean deflection between the nodes by
+/// a load of one per length \[m^2/N\]; elements begin and end at the ends of the stretch, where [`super::places`] requires nodes.
+fn quadrature(model: &Model, beam: usize, [from, to]: [f64; 2]) -> Vec<(f64, f64, f64)> {
     let beam = &model.beams[beam];
     let mut out = Vec::new();
     for span in &model.spans[beam.spans.clone()] {
-        for w in span.stations.windows(2) {
+        for (k, w) in span.stations.windows(2).enumerate() {
             let (a, b) = (w[0].max(from), w[1].min(to));
             if b - a <= 1e-12 * beam.length {
                 continue;
             }
-            let point = |(x, weight)| (a + x * (b - a), weight * (b - a));
+            let softness = match span.shear {
+                Some(_) => (w[1] - w[0]).powi(2) / (12.0 * span.section_at(k, 0.5).shear),
+                None => 0.0,
+            };
+            let point = |(x, weight)| (a + x * (b - a), weight * (b - a), softness);
             out.extend(gauss_points().into_iter().zip(GAUSS_WEIGHTS).map(point));
         }
     }
     out
 }
 
-/// The spring of a place that stands for a length; its coordinate is the deflection into the foundation.
-fn spring(model: &Model, given: &Foundation, point: MaterialPoint, length: f64) -> Connector {
+/// The spring of a place that stands for a length, in an element of some softness across its axis; its coordinate is the deflection into the
+/// foundation.
+fn spring(
+    model: &Model,
+    given: &Foundation,
+    point: MaterialPoint,
+    [length, softness]: [f64; 2],
+) -> Connector {
     let push = given.direction.unwrap_or(rot90(point.tangent));
     let direction = scale(-1.0 / norm(push), push);
-    let law = match &given.law {
+    let softness = softness * cross(point.tangent, direction).powi(2);
+    let law = match &softened(&given.law, softness) {
         FoundationLaw::Linear { stiffness } => {
             ConnectorLaw::Linear { stiffness: stiffness * length, rest: 0.0 }
         }
@@ -77,7 +92,7 @@ fn spring(model: &Model, given: &Foundation, point: MaterialPoint, length: f64) 
     let yielding = given.yielding.as_ref().map(|plasticity| YieldingLaw {
         name: format!("foundation.{}", given.name),
         law: Some(StressLaw::Plastic(PlasticLaw {
-            young: given.law.stiffness() * length,
+            young: softened(&given.law, softness).stiffness() * length,
             plasticity: of_length(plasticity, length),
             // Deflections are positive in compression: it gapes where they are smaller than the plastic one.
             slack: matches!(given.law, FoundationLaw::Compression { .. })
@@ -95,6 +110,27 @@ fn spring(model: &Model, given: &Foundation, point: MaterialPoint, length: f64) 
         support: None,
         foundation: Some(model.foundations.len()),
         until: f64::INFINITY,
+    }
+}
+
+/// A law in series with a softness: the same reaction at a deflection that is larger by that.
+fn softened(law: &FoundationLaw, softness: f64) -> FoundationLaw {
+    let soft = |stiffness: f64| stiffness / (1.0 + stiffness * softness);
+    match law {
+        FoundationLaw::Linear { stiffness } => {
+            FoundationLaw::Linear { stiffness: soft(*stiffness) }
+        }
+        FoundationLaw::Compression { stiffness, gap } => {
+            FoundationLaw::Compression { stiffness: soft(*stiffness), gap: *gap }
+        }
+        FoundationLaw::Table { deflection, reaction } => {
+            let both = deflection.iter().zip(reaction);
+            let moved: Vec<f64> = both.map(|(w, p)| w + softness * p).collect();
+            // A reaction that falls more steeply than the element is stiff has no such law.
+            let rises = moved.windows(2).all(|pair| pair[0] < pair[1]);
+            let deflection = if rises { moved } else { deflection.clone() };
+            FoundationLaw::Table { deflection, reaction: reaction.clone() }
+        }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::definition::{Along, PointRef};
 use super::frozen::{MaterialPoint, Model, Span};
-use crate::math::hermite;
+use crate::element::shear::StretchedPlace;
 use crate::math::vec2::norm;
 
 /// The material point meant by a (checked) reference; points within a billionth of an element of a node are that node, at a
@@ -37,9 +37,9 @@ pub(super) fn point_at(model: &Model, beam_index: usize, s: f64) -> MaterialPoin
             (element, xi) = (element + 1, 0.0);
         }
     }
-    let (node, h) = (span.nodes.start + element, span.table(element).length);
+    let (node, inside) = (span.nodes.start + element, span.inside(element));
     let (a, b) = (model.nodes[node], model.nodes[node + 1]);
-    let (shape, slope) = (hermite::shape(xi, h), hermite::slope(xi, h));
+    let (shape, slope) = (inside.axis(xi), inside.section(xi));
     let combine = |n: &[f64; 4]| {
         [0, 1].map(|i| {
             n[0] * a.position[i] + n[1] * a.tangent[i] + n[2] * b.position[i] + n[3] * b.tangent[i]
@@ -62,10 +62,18 @@ pub(super) fn point_at(model: &Model, beam_index: usize, s: f64) -> MaterialPoin
         label: String::new(),
         beam: beam_index,
         node,
+        xi,
         s,
         position: combine(&shape),
         shape,
         slope,
         tangent,
+        stretched: StretchedPlace::new(
+            &inside,
+            xi,
+            [a.position, b.position],
+            [a.tangent, b.tangent],
+        )
+        .map(Box::new),
     }
 }

@@ -143,6 +143,6 @@ impl<'a> BeamOutline<'a> {
 
 pub(super) fn beam_centre(point: &MaterialPoint) -> Centre {
     let MaterialPoint { shape, slope, tangent, .. } = *point;
-    let carrier = Carrier::Beam { shape, slope, tangent, offset: [0.0; 2] };
+    let carrier = Carrier::Beam { shape, slope, along: slope, tangent, offset: [0.0; 2] };
     Centre { position: point.position, node: point.node, carrier }
 }

@@ -1,5 +1,6 @@
 //! Points that a mesh carries along.
 
+use crate::element::shear::StretchedPlace;
 use crate::math::vec2::{add, dot4, middle};
 use crate::scalar::Real;
 
@@ -10,16 +11,20 @@ pub struct MaterialPoint<S = f64> {
     pub beam: usize,
     /// Node `a` of the element; node `b` is the next one.
     pub node: usize,
+    /// Share of the element's length at which it is \[-\].
+    pub xi: S,
     /// Arc length from the start of the beam \[m\].
     pub s: S,
-    /// Shape functions, on (u_a, u_a', u_b, u_b'), shape (4) \[-, m, -, m\].
+    /// Coefficients of its displacement, on (u_a, u_a', u_b, u_b'), shape (4) \[-, m, -, m\]: those of the field inside its element.
     pub shape: [S; 4],
-    /// Derivatives of the shape functions, shape (4) \[1/m, -, 1/m, -\].
+    /// Coefficients of its tangent x', of a shear-flexible beam of the vector d of its section, shape (4) \[1/m, -, 1/m, -\].
     pub slope: [S; 4],
     /// Reference position, shape (2) \[m\].
     pub position: [S; 2],
     /// Reference tangent, shape (2) \[-\].
     pub tangent: [S; 2],
+    /// Of a place inside a shear-flexible element what stretch adds to its displacement.
+    pub stretched: Option<Box<StretchedPlace>>,
 }
 
 impl<S: Real> MaterialPoint<S> {
@@ -74,16 +79,35 @@ impl<S: Copy> MaterialPoint<S> {
             label: self.label.clone(),
             beam: self.beam,
             node: self.node,
+            xi: f(self.xi),
             s: f(self.s),
             shape: self.shape.map(&mut *f),
             slope: self.slope.map(&mut *f),
             position: self.position.map(&mut *f),
             tangent: self.tangent.map(&mut *f),
+            stretched: self.stretched.clone(),
         }
     }
 }
 
 impl MaterialPoint {
+    /// Its displacement, as it is told: that of [`value`](Self::value), by which forces act, and the stretch of its element.
+    pub fn displacement(&self, u: &[[f64; 4]]) -> [f64; 2] {
+        let moved = self.value(u);
+        let nodes = || [&u[self.node], &u[self.node + 1]];
+        self.stretched.as_ref().map_or(moved, |own| add(moved, own.displacement(nodes())))
+    }
+
+    /// Its velocity, likewise.
+    pub fn velocity(&self, u: &[[f64; 4]], v: &[[f64; 4]]) -> [f64; 2] {
+        let moves = self.value(v);
+        let of = |nodal: &'_ [[f64; 4]]| [nodal[self.node], nodal[self.node + 1]];
+        self.stretched.as_ref().map_or(moves, |own| {
+            let ([a, b], [c, d]) = (of(u), of(v));
+            add(moves, own.velocity([&a, &b], [&c, &d]))
+        })
+    }
+
     /// Beam of a point that is none of a beam: the centre of a body.
     pub const OF_BODY: usize = usize::MAX;
 

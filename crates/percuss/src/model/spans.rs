@@ -7,7 +7,7 @@ use super::definition::{StrainMeasure, Strength};
 use super::section_line::SectionLine;
 use super::span_fibres::SpanFibres;
 use crate::element::beam::{ElementTable, SectionValues};
-use crate::element::shear::ShearTable;
+use crate::element::shear::{InsideField, ShearTable};
 use crate::geometry::axis::AxisElements;
 
 /// A beam: common data of its spans.
@@ -45,6 +45,8 @@ pub struct Span {
     pub strength: Option<Strength>,
     /// Shear modulus of its material \[Pa\]; `None` where neither it nor Poisson's ratio is given.
     pub shear_modulus: Option<f64>,
+    /// Young's and shear modulus of each material of its section of which both are known, shape (such materials, 2) \[Pa\].
+    pub moduli: Vec<[f64; 2]>,
     /// Its fibres, if its material is nonlinear or its section is given by them.
     pub fibres: Option<SpanFibres>,
     /// Elements of a shear-flexible beam, as many as tables, shape (1 or elements).
@@ -63,6 +65,12 @@ impl Span {
     pub fn shear_at(&self, k: usize) -> Option<&ShearTable> {
         let tables = self.shear.as_ref()?;
         Some(&tables[if tables.len() == 1 { 0 } else { k }])
+    }
+
+    /// The field inside the element of number `k` in the span, between its nodes: that of its theory.
+    pub fn inside(&self, k: usize) -> InsideField {
+        self.shear_at(k)
+            .map_or_else(|| InsideField::slender(self.table(k).length), ShearTable::inside)
     }
 
     /// Section of the element of number `k` in the span at a share `xi` of its length.

@@ -110,3 +110,35 @@ fn foundations_that_no_ground_is_are_reported() {
         assert_eq!(magnitude(&b), reported, "{law:?}");
     }
 }
+
+/// Faces of aluminium on a foam: each has moduli of its own, and the mean over the area is that of neither.
+#[test]
+fn shear_moduli_of_layers_are_compared_with_their_own_young_moduli() {
+    let of = |core_shear: f64| {
+        let mut b = ModelBuilder::new();
+        let face =
+            b.material(Material { poisson: Some(0.33), ..Material::new("face", 7e10, 2700.0) });
+        let shear_modulus = Some(core_shear);
+        let core = b.material(Material { shear_modulus, ..Material::new("core", 6e7, 80.0) });
+        let fibre = |height: f64, area: f64, material: MaterialId| SectionFibre {
+            height,
+            area,
+            material: Some(material),
+        };
+        let fibres = vec![
+            fibre(-0.0105, 6e-5, face),
+            fibre(0.0105, 6e-5, face),
+            fibre(-0.005, 6e-4, core),
+            fibre(0.005, 6e-4, core),
+        ];
+        let layers = Section::of_fibres("layers", fibres);
+        let section = b.section(Section { shear_factor: Some(0.0104), ..layers });
+        let theory = Theory::Shear;
+        let points = [[0.0, 0.0], [0.5, 0.0]];
+        let panel = b.beam(Beam { theory, ..Beam::new("panel", &points, 4, face, section) });
+        hold(&mut b, panel, &SupportKind::Clamp, &[0.0]);
+        magnitude(&b)
+    };
+    assert_eq!(of(2.5e7), None);
+    assert_eq!(of(2.5e10), Some(Verdict::Warning));
+}

@@ -11,6 +11,7 @@
 use pulp::Simd;
 use serde::{Deserialize, Serialize};
 
+use crate::element::shear::InsideField;
 use crate::math::vec2::{add, cross, sub};
 use crate::scalar::{Lanes, Real};
 
@@ -255,17 +256,20 @@ impl Line {
     }
 
     /// Of a shear-flexible element, whose vectors d are given as tangents: the moments at its ends are those on d, and N and V are along and across d
-    /// everywhere: between its nodes d turns evenly. The force along it is linear; rotary inertia is what the balance of moments leaves over.
+    /// everywhere, which between its nodes is that of the field inside. The force along it is linear; rotary inertia is what the balance of moments
+    /// leaves over.
     pub fn sheared(
         shape: &ElementShape,
-        ends: &OnNodes,
-        along: &OnNodes,
+        inside: InsideField,
+        [ends, along]: [&OnNodes; 2],
         inner: &mut [Inner],
     ) -> Self {
         let mut line = Self { way: [[0.0; 2]; 3], force: [[0.0; 2]; 5], moment: [0.0; 8] };
         let (l, [da, db]) = (shape.length, &shape.tangents);
+        let shear = inside.sheared([[0.0; 2], shape.chord], shape.tangents);
         for i in 0..2 {
-            let (a, b, chord) = (l * da[i], l * db[i], 6.0 * shape.chord[i]);
+            let (a, b) = (l * (da[i] + shear[i]), l * (db[i] + shear[i]));
+            let chord = 6.0 * shape.chord[i];
             line.way[0][i] = a;
             line.way[1][i] = chord - 4.0 * a - 2.0 * b;
             line.way[2][i] = 3.0 * (a + b) - chord;
@@ -282,19 +286,24 @@ impl Line {
         }
         let sum: f64 = line.moment.iter().sum();
         line.close(across(db, &[ends[1][2], ends[1][3]]) - sum, inner);
-        line.turn_with_sections(inner);
+        line.turn_with_sections(shape, inside.bent, inner);
         line
     }
 
     /// Puts the direction of the sections in the place of that of the axis. The arms of forces inside are then without shear; what the moment at
     /// the end lacks of them is spread along the element.
-    fn turn_with_sections(&mut self, inner: &[Inner]) {
+    fn turn_with_sections(&mut self, shape: &ElementShape, bent: f64, inner: &[Inner]) {
         let moments = |line: &Self| -> f64 {
             inner.iter().map(|one| cross(line.between(one.xi, 1.0), one.force)).sum()
         };
         let before = moments(self);
-        let [_, b, c] = &mut self.way;
-        (*b, *c) = (add(*b, *c), [0.0; 2]);
+        let (l, [da, db]) = (shape.length, &shape.tangents);
+        for i in 0..2 {
+            let turned = 6.0 * bent * (shape.chord[i] - 0.5 * l * (da[i] + db[i]));
+            self.way[0][i] = l * da[i];
+            self.way[1][i] = l * (db[i] - da[i]) + turned;
+            self.way[2][i] = -turned;
+        }
         self.moment[1] += before - moments(self);
     }
 

@@ -167,12 +167,15 @@ impl Lines {
             }
         }
         if let Some(load) = self.loads.get(element) {
-            take(&mut along, load);
+            match span.shear {
+                Some(_) => take(&mut along, &linear_shares(load, table.length)),
+                None => take(&mut along, load),
+            }
             take(&mut ends, load);
         }
         inner.iter().for_each(|one| take(&mut ends, &one.on_nodes));
         let line = match span.shear {
-            Some(_) => Line::sheared(&shape, &ends, &along, inner),
+            Some(_) => Line::sheared(&shape, span.inside(k), [&ends, &along], inner),
             None => Line::new(&shape, &ends, &along, inner),
         };
         let numbers = line.numbers();
@@ -298,7 +301,7 @@ impl Lines {
             if let Some(couple) = turning {
                 p.spread_gradient_over(scale(-1.0, couple), &mut on_nodes);
             }
-            let (element, xi) = (model.element_at(p.node), place_of(p.shape[2]));
+            let (element, xi) = (model.element_at(p.node), share_of(model, p));
             let has_couple = turning.is_some();
             self.inner.push(Inner { element, xi, force, couple: 0.0, has_couple, on_nodes });
         }
@@ -342,7 +345,11 @@ impl Lines {
             };
             let on_nodes = [on(a), on(a + 1)];
             let (force, element) = (resultant(&on_nodes), span.elements.start + k);
-            let (xi, has_couple) = (place_of(share), forces[1] != 0.0);
+            let xi = match span.shear {
+                Some(_) => span.inside(k).place_of(share),
+                None => place_of(share),
+            };
+            let has_couple = forces[1] != 0.0;
             self.inner.push(Inner { element, xi, force, couple: 0.0, has_couple, on_nodes });
         }
     }
@@ -355,8 +362,25 @@ pub(super) fn inner_of(model: &Model, p: &MaterialPoint, force: [f64; 2]) -> Opt
     }
     let mut on_nodes = [[0.0; 4]; 2];
     p.spread_over(force, &mut on_nodes);
-    let (element, xi) = (model.element_at(p.node), place_of(p.shape[2]));
+    let (element, xi) = (model.element_at(p.node), share_of(model, p));
     Some(Inner { element, xi, force, couple: 0.0, has_couple: false, on_nodes })
+}
+
+/// Share of its element at which a point is.
+fn share_of(model: &Model, p: &MaterialPoint) -> f64 {
+    let (span, _) = model.element_of(p.node);
+    if span.shear.is_some() { p.xi } else { place_of(p.shape[2]) }
+}
+
+/// Forces of a load on the positions of both nodes of a shear-flexible element that do its work on linear motions: in the field inside it the
+/// cubic part has opposite coefficients of the positions, and those of both vectors d have its sum over the length.
+fn linear_shares(load: &OnNodes, length: f64) -> OnNodes {
+    let mut out = *load;
+    for i in 0..2 {
+        let cubic = (load[0][2 + i] + load[1][2 + i]) / length;
+        (out[0][i], out[1][i]) = (load[0][i] - cubic, load[1][i] + cubic);
+    }
+    out
 }
 
 /// Whether a point is a node: what acts there concerns no element.

@@ -1,6 +1,6 @@
 //! A shear-flexible element whose section consists of fibres, at its one point.
 //!
-//! The fibres have the strains `Gamma1 - y K`. With the sine of turning k and the square of turning q, as in [`ShearStrains`], K is
+//! The fibres have the strains `e - y K`, e the axial strain of the element. With the sine of turning k and the square of turning q, as in [`ShearStrains`], K is
 //! `k (1 + l^2 q / 3)`: the angle of turning over the length but for the share `t^4 / 30`. Both are quadratic in (x, d), so that over a step
 //! `K_1 - K_0 = (1 + l^2 q_m / 3) (k_1 - k_0) + l^2 k_m / 3 (q_1 - q_0)` with the means of both ends, and the differences are the variations
 //! in the middle of the step: the work of the fibres is exact for any step. The shear force is elastic.
@@ -170,7 +170,7 @@ impl ShearTable {
     ) -> ElementSums<S> {
         let mut sums = ElementSums::zero(of.shear[0]);
         let weight = of.shear[0].constant(self.length);
-        let [at, end] = of.values.each_ref().map(|u| self.gradients(u));
+        let [at, end] = [0, 1].map(|i| self.gradients(&of.values[i], of.strains[i].linear[1]));
         let factors = of.strains.each_ref().map(|strains| self.factors(strains));
         let bent = |g: &[ElementForm<S>; 4], [sine, square]: [S; 2]| -> ElementForm<S> {
             array(|i| -(g[2][i] * sine + g[3][i] * square))
@@ -188,6 +188,7 @@ impl ShearTable {
             return sums;
         }
         let [force, shear, moment] = of.turning.map(|x| x * (self.length * of.share));
+        let slope = self.leant(slope, force);
         // The factors of the variation of K vary as well.
         let varies = -moment * (self.length * self.length * TURNING);
         for i in 0..6 {
@@ -201,7 +202,8 @@ impl ShearTable {
             }
         }
         let [sine, square] = factors[0];
-        self.add_second(&[force, shear, -(moment * sine), -(moment * square)], &mut sums);
+        let stress = [force, shear, -(moment * sine), -(moment * square)];
+        self.add_second(&stress, of.strains[0].linear[1], &mut sums);
         sums
     }
 }

@@ -1,15 +1,7 @@
 //! The mass matrix of a shear-flexible element, by which frequencies are of fourth order in its length.
 //!
-//! With the mean x of the positions of its nodes, the chord over the length `D`, and the mean m and the difference n of the vectors d, a straight
-//! element in equilibrium moves as
-//!
-//! ```text
-//! x(xi) = x + (xi - 1/2) l D - l/2 xi (1 - xi) n - c l (xi - 3 xi^2 + 2 xi^3) (D - m)
-//! d(xi) = m + (xi - 1/2) n + 6 c xi (1 - xi) (D - m)
-//! ```
-//!
-//! where `c = 1 / (1 + 12 EI / (kappa G A l^2))`: one of an element bent without shear, zero of a short one. All is linear in (x, d), so that the
-//! matrix is constant.
+//! It is that of the field inside an element ([`super::inside`]), in which D is the chord over the length, m the mean and n the difference of the
+//! vectors d, and c the share of bending in `D - m`. All is linear in (x, d), so that the matrix is constant.
 //!
 //! Its own inertia deforms the element between its nodes further. By the equations of equilibrium, the energy of that is a quadratic form of the
 //! velocities times the square of the frequency: the inertia per length `rhoA l^2/12 D.(s (D - m)) + rhoI (s n.n / 12 - c s (D - m).m)`, with the

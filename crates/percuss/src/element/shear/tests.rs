@@ -1,5 +1,6 @@
 use super::examples::*;
 use super::*;
+use crate::math::vec2::rot90;
 
 /// Stiffnesses against stretching, shear and bending, shape (3) \[N, N, N m^2\].
 const STIFFNESS: [f64; 3] = [400.0, 150.0, 4.0];
@@ -186,5 +187,61 @@ fn rigid_motions_of_a_bent_element_have_no_stiffness_without_its_stresses() {
         for j in [0, 1, 3, 5] {
             assert!((free[i][j] - own[i][j]).abs() < 1e-12 * most, "{i} {j}");
         }
+    }
+}
+
+/// `N (w'^2 - g^2) / 2` along the field inside, `w' = D + n (xi - 1/2) - c z (1 - 6 xi + 6 xi^2)` and `g = (1 - c) z`: the axial strain of small
+/// inclinations to second order.
+#[test]
+fn the_axial_strain_is_that_of_the_field_inside() {
+    for stiffness in [[400.0, 1e6, 4.0], [400.0, 150.0, 4.0], [400.0, 1e-3, 4.0]] {
+        let table = examples::bar(0.0, &section(stiffness, INERTIA));
+        let inside = table.inside();
+        let small = 1e-4;
+        let [w, ta, tb] = [0.7, -0.4, 1.1].map(|x| x * small);
+        let nodes = [0.0, ta, w, tb];
+        let (mut sum, points) = (0.0, 2000);
+        for k in 0..points {
+            let xi = (k as f64 + 0.5) / points as f64;
+            let at = |n: [f64; 4]| (0..4).map(|i| n[i] * nodes[i]).sum::<f64>();
+            let (slope, turn) = (at(inside.along(xi)), at(inside.section(xi)));
+            sum += 0.5 * (slope * slope - (slope - turn).powi(2)) / points as f64;
+        }
+        // Vectors of unit length turn by ta and tb.
+        let director = |t: f64| [t.cos() - 1.0, t.sin()];
+        let ([a1, a2], [b1, b2]) = (director(ta), director(tb));
+        let [axial, ..] = table.strains(&values([0.0, w, a1, a2, b1, b2])).linear;
+        assert!((axial / sum - 1.0).abs() < 1e-5, "{stiffness:?}: {axial:e} {sum:e}");
+    }
+}
+
+#[test]
+fn an_arc_that_expands_evenly_has_its_strain() {
+    let strain = 0.01;
+    for angle in [0.0, 0.4, 0.9] {
+        let table = bar(angle);
+        let [c1, c2] = table.chord.map(|c| c * strain);
+        let found = table.strains(&values([c1, c2, 0.0, 0.0, 0.0, 0.0])).linear;
+        assert!((found[0] / strain - 1.0).abs() < 1e-13, "{angle}: {found:?}");
+        assert!(found[1].abs() < 1e-16 && found[2].abs() < 1e-15, "{angle}: {found:?}");
+    }
+}
+
+/// A bar free of forces turns by its given curvature: the moment that is left on an arc of it is of seventh order in the angle.
+#[test]
+fn a_given_curvature_needs_no_moment_on_its_arc() {
+    let straight = bar(0.0);
+    for angle in [0.8, 0.4, 0.2] {
+        let arc = bar(angle);
+        let to = |k: usize| sub(arc.directors[k], straight.directors[k]);
+        let ([a1, a2], [b1, b2], [c1, c2]) = (to(0), to(1), sub(arc.chord, straight.chord));
+        let (still, u) = (values([0.0; 6]), values([c1, c2, a1, a2, b1, b2]));
+        let own = straight.at_end::<f64, false>(&still, &u, None).force;
+        let given = [0.0, angle / LENGTH];
+        let by_given = straight.relieved::<false>(&still, &u, 1.0, given).force;
+        // Moments on the second vector.
+        let moment = |f: [f64; 6]| cross(arc.directors[1], [f[4], f[5]]);
+        let left = (moment(own) + moment(by_given)) * LENGTH / STIFFNESS[2];
+        assert!(left.abs() < 0.01 * f64::powi(angle, 7), "{angle}: {left:e}");
     }
 }

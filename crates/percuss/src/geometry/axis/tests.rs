@@ -18,7 +18,7 @@ proptest! {
         let frames = [still; 4];
         let displacement: Vec<_> = nodes.iter().map(|n| [n.0, n.1, n.2, n.3]).collect();
         let element =
-            |k: usize| AxisElement { node: k, length: 1.0, s: k as f64, half_depths: [0.0; 2], deviations: [0.0; 3] };
+            |k: usize| AxisElement { node: k, length: 1.0, s: k as f64, bent: 1.0, half_depths: [0.0; 2], deviations: [0.0; 3] };
         let elements = AxisElements::new((0..3).map(element).collect());
         let at = Configuration::of(&displacement);
         let arc = longest_arc(&elements, &frames, &at);

@@ -77,10 +77,9 @@ pub struct Monitor {
 impl Monitor {
     /// Not open yet; the reactions of supports at the start.
     pub fn new(model: &Model, state: &State, reactions: &[[f64; 3]]) -> Self {
-        let points = model
-            .points
-            .iter()
-            .map(|p| p.value(&state.displacement).map(|value| Crest::new(value, state.time)));
+        let points = model.points.iter().map(|p| {
+            p.displacement(&state.displacement).map(|value| Crest::new(value, state.time))
+        });
         let inelastic = model.has_fibres();
         Self {
             contacts: ContactLog::new(model, state),
@@ -188,7 +187,8 @@ impl Monitor {
         let (state, start) = (part.after, part.before());
         let h = part.solved.trial.h;
         for (k, p) in part.model.points.iter().enumerate() {
-            let (u, v) = (p.value(&state.displacement), p.value(&state.velocity));
+            let u = p.displacement(&state.displacement);
+            let v = p.velocity(&state.displacement, &state.velocity);
             let [u0, v0] = start.points[k];
             for c in 0..2 {
                 let path = Interpolant { h, start: [u0[c], v0[c]], end: [u[c], v[c]] };

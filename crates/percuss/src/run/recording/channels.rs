@@ -228,9 +228,9 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
         }
     }
     for (p, rotation) in model.points.iter().zip(since.rotations) {
-        row.extend(p.value(&state.displacement));
+        row.extend(p.displacement(&state.displacement));
         row.push(*rotation);
-        row.extend(p.value(&state.velocity));
+        row.extend(p.velocity(&state.displacement, &state.velocity));
     }
     for p in &model.points {
         let PointForces { axial, shear, moment, stress } =

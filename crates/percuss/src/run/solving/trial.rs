@@ -155,9 +155,8 @@ impl PartSolution {
         start.smooth.extend(self.work.smooth.iter().map(|c| *seen(state, sights, c.pair)));
         start.points.clear();
         let points = model.points.iter();
-        start
-            .points
-            .extend(points.map(|p| [p.value(&state.displacement), p.value(&state.velocity)]));
+        let (u, v) = (&state.displacement, &state.velocity);
+        start.points.extend(points.map(|p| [p.displacement(u), p.velocity(u, v)]));
     }
 }
 

@@ -1,6 +1,8 @@
 //! Shear-flexible beams: closed forms, balances, and what they share with slender ones.
 
+mod axial_force;
 mod impacts;
+mod inside;
 mod motion;
 mod statics;
 mod vibrations;
