@@ -127,6 +127,7 @@ class SceneBeam:
         self.rest = np.stack([column["x"], column["y"], column["tx"], column["ty"]], axis=1)
         self.roundings: tuple[float, float] = tuple(value.get("roundings", (0.0, 0.0)))
         self.shear_flexible: bool = value.get("shear_flexible", False)
+        self._bent = column.get("bent", np.zeros(len(self.s)))
         self.begins = np.flatnonzero(np.diff(self.s) > 0)
         self.numbers = interval + np.arange(len(self.begins))
         self.gaps: list[tuple[float, float, float]] = []
@@ -165,9 +166,11 @@ class SceneBeam:
         slope = [(6 * x * x - 6 * x) / length, 1 - 4 * x + 3 * x * x, (6 * x - 6 * x * x) / length, 3 * x * x - 2 * x]
         parts = [a[..., :2], a[..., 2:], b[..., :2], b[..., 2:]]
         if self.shear_flexible:
-            # The axis is a parabola, whose slopes differ from the normals of the sections by the same at both ends.
-            shear = (parts[2] - parts[0]) / np.asarray(length)[..., None] - 0.5 * (parts[1] + parts[3])
-            tangent = y[..., None] * parts[1] + x[..., None] * parts[3]
+            # The slopes of the axis differ from the normals of the sections by the shear; the rest of the difference is bending.
+            difference = (parts[2] - parts[0]) / np.asarray(length)[..., None] - 0.5 * (parts[1] + parts[3])
+            turned = self._bent[k][..., None] * difference
+            shear = difference - turned
+            tangent = y[..., None] * parts[1] + x[..., None] * parts[3] + (6 * x * y)[..., None] * turned
             parts = [parts[0], parts[1] + shear, parts[2], parts[3] + shear]
         else:
             tangent = sum(n[..., None] * part for n, part in zip(map(np.asarray, slope), parts))

@@ -49,10 +49,13 @@ def test_round_ends_are_half_circles():
     assert (round_end.half_depth == 0.1).all() and round_end.reach[0] == 0.1
 
 
-@pytest.mark.parametrize(("turn", "rise", "slope"), [(0.0, 0.25, 0.0), (1.0, 0.0625, 0.25)])
-def test_shear_flexible_beams_are_parabolas_across_which_their_sections_turn_evenly(turn, rise, slope):
+FIELDS = [(0.0, 0.0, 0.25, 0.0), (0.0, 1.0, 0.0625, 0.25), (1.0, 0.0, 0.15625, 0.5625), (1.0, 1.0, 0.0625, 0.25)]
+
+
+@pytest.mark.parametrize(("bent", "turn", "rise", "slope"), FIELDS)
+def test_shear_flexible_beams_are_drawn_by_the_field_inside_their_elements(bent, turn, rise, slope):
     value = {"name": "b", "s": [0, 2], "x": [0, 2], "y": [0, 0], "tx": [1, 1], "ty": [0, 0], "half_depth": [0.1, 0.1]}
-    value |= {"area": [0.02, 0.02], "inertia": [2e-5, 2e-5], "shear_flexible": True}
+    value |= {"area": [0.02, 0.02], "inertia": [2e-5, 2e-5], "shear_flexible": True, "bent": [bent, 0]}
     u = np.array([[0, 0, 0, 0], [0, 1, 0, turn]], float)
     place, tangent = SceneBeam(value, 0, 0).evaluate(0, 0.25, u)
     assert np.allclose(place, [0.5, rise], rtol=0, atol=1e-12) and np.isclose(tangent[1] / tangent[0], slope, rtol=0, atol=1e-12)

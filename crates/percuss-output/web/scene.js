@@ -143,12 +143,16 @@ class Motion {
     return out;
   }
 
-  // Nodal values of the cubic of an axis: those of a slender beam are its places and slopes. The slopes of a shear-flexible beam differ
-  // from the normals of its sections by one angle, so that the chord has their mean.
-  axis(beam, [a, slope, b, other], length) {
-    if (!this.scene.beams[beam].shear_flexible) return [a, slope, b, other];
-    const shear = (b - a) / length - (slope + other) / 2;
-    return [a, slope + shear, b, other + shear];
+  // The field between stations k and k + 1 of a beam: nodal values of the cubic of its axis, and what its sections turn beyond the mean of
+  // both ends, times 6 x (1 - x). Those of a slender beam are its places and slopes. The slopes of a shear-flexible beam differ from the
+  // normals of its sections by the shear; `bent` is the share of bending.
+  field(beam, k, [a, slope, b, other], length) {
+    const { shear_flexible, bent } = this.scene.beams[beam];
+    if (!shear_flexible) return { axis: [a, slope, b, other], turned: 0 };
+    const difference = (b - a) / length - (slope + other) / 2;
+    const turned = (bent?.[k] ?? 0) * difference;
+    const shear = difference - turned;
+    return { axis: [a, slope + shear, b, other + shear], turned };
   }
 
   // Position and unit normal on a beam between stations k and k + 1 at a share of the way.
@@ -172,10 +176,11 @@ class Motion {
     };
     const sum = (n, v) => n[0] * v[0] + n[1] * v[1] + n[2] * v[2] + n[3] * v[3];
     const [v1, v2] = [moved(0), moved(1)];
-    const along = (v) => (b.shear_flexible ? y * v[1] + x * v[3] : sum(d, v));
-    const [g1, g2] = [along(v1), along(v2)];
+    const [f1, f2] = [v1, v2].map((v) => this.field(beam, k, v, length));
+    const along = (v, f) => (b.shear_flexible ? y * v[1] + x * v[3] + 6 * x * y * f.turned : sum(d, v));
+    const [g1, g2] = [along(v1, f1), along(v2, f2)];
     const size = Math.hypot(g1, g2) || 1;
-    const [p1, p2] = [v1, v2].map((v) => sum(h, this.axis(beam, v, length)));
+    const [p1, p2] = [f1, f2].map((f) => sum(h, f.axis));
     return { place: [p1, p2], tangent: [g1 / size, g2 / size], normal: [-g2 / size, g1 / size] };
   }
 
@@ -291,7 +296,7 @@ class Motion {
     const [x, y] = [point.share, 1 - point.share];
     const h = [y * y * (1 + 2 * x), length * x * y * y, x * x * (1 + 2 * y), -length * x * x * y];
     const along = (i) => {
-      const v = this.axis(beam, [all[at + i], all[at + 2 + i], all[at + 4 + i], all[at + 6 + i]], length);
+      const { axis: v } = this.field(beam, point.k, [all[at + i], all[at + 2 + i], all[at + 4 + i], all[at + 6 + i]], length);
       return h[0] * v[0] + h[1] * v[1] + h[2] * v[2] + h[3] * v[3];
     };
     return Math.hypot(along(0), along(1));

@@ -59,6 +59,7 @@ fn beam_value(beam: &SceneBeam) -> Value {
     });
     if beam.shear_flexible {
         value["shear_flexible"] = json!(true);
+        value["bent"] = json!(beam.bent);
     }
     value
 }

@@ -22,6 +22,8 @@ pub(super) struct Beam {
     pub inertia: Vec<f64>,
     /// Whether it is shear-flexible: the tangents are the normals of its sections.
     shear_flexible: bool,
+    /// Share of bending in the intervals that begin at stations, shape (stations) \[-\]; empty where it is zero.
+    bent: Vec<f64>,
     /// Number of its first station among all nodes.
     first: usize,
     /// Stations at which an interval begins, and the interval's number among those of all beams, shape (intervals, 2)
@@ -177,9 +179,11 @@ impl<'a> Placed<'a> {
             let (place, tangent) = (&beam.position[i], &beam.tangent[i]);
             [place[k], tangent[k], place[k + 1], tangent[k + 1]]
         };
-        let placed = |v: [f64; 4]| sum(value, beam.axis(v, length));
+        let bent = beam.bent.get(k).copied().unwrap_or(0.0);
+        let placed = |v: [f64; 4]| sum(value, beam.axis(v, (length, bent)));
         let along = |v: [f64; 4]| {
-            if beam.shear_flexible { y * v[1] + x * v[3] } else { sum(slope, v) }
+            let leant = 6.0 * bent * x * y * difference(v, length);
+            if beam.shear_flexible { y * v[1] + x * v[3] + leant } else { sum(slope, v) }
         };
         let rest_place = [0, 1].map(|i| placed(rest(i)));
         let rest_slope = [0, 1].map(|i| along(rest(i)));
@@ -245,10 +249,11 @@ impl<'a> Placed<'a> {
 }
 
 impl Beam {
-    /// Nodal values of the cubic of the axis between two stations so far apart: of a shear-flexible beam both slopes differ from the normals of
-    /// the sections by the same, so that the chord has their mean.
-    fn axis(&self, [a, slope, b, other]: [f64; 4], length: f64) -> [f64; 4] {
-        let shear = (b - a) / length - 0.5 * (slope + other);
+    /// Nodal values of the cubic of the axis between two stations so far apart, with a share of bending: of a shear-flexible beam both slopes differ
+    /// from the normals of the sections by the shear.
+    fn axis(&self, v: [f64; 4], (length, bent): (f64, f64)) -> [f64; 4] {
+        let [a, slope, b, other] = v;
+        let shear = (1.0 - bent) * difference(v, length);
         let shear = if self.shear_flexible { shear } else { 0.0 };
         [a, slope + shear, b, other + shear]
     }
@@ -267,6 +272,7 @@ impl Beam {
             area: column("area"),
             inertia: column("inertia"),
             shear_flexible: value["shear_flexible"].as_bool().unwrap_or(false),
+            bent: column("bent"),
             first,
             intervals: Vec::new(),
             name,
@@ -288,6 +294,11 @@ impl Beam {
         let numbered = numbered.collect();
         Ok(Self { intervals: numbered, ..beam })
     }
+}
+
+/// The slope of the chord less the mean slope of both ends.
+fn difference([a, slope, b, other]: [f64; 4], length: f64) -> f64 {
+    (b - a) / length - 0.5 * (slope + other)
 }
 
 /// A value between two stations.
@@ -321,17 +332,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_shear_flexible_beam_is_a_parabola_across_which_its_sections_turn_evenly() {
-        let beam = json!({ "name": "b", "s": [0.0, 2.0], "x": [0.0, 2.0], "y": [0.0, 0.0], "tx": [1.0, 1.0], "ty": [0.0, 0.0],
-            "half_depth": [0.1, 0.1], "area": [1.0, 1.0], "inertia": [1.0, 1.0], "shear_flexible": true });
-        // The right end rises by 1 m over 2 m, with a level normal and with one of slope 1.
-        for (turn, rise, slope) in [(0.0, 0.25, 0.0), (1.0, 0.0625, 0.25)] {
+    fn a_shear_flexible_beam_is_drawn_by_the_field_inside_its_elements() {
+        let beam = |bent: f64| {
+            json!({ "name": "b", "s": [0.0, 2.0], "x": [0.0, 2.0], "y": [0.0, 0.0], "tx": [1.0, 1.0], "ty": [0.0, 0.0],
+            "half_depth": [0.1, 0.1], "area": [1.0, 1.0], "inertia": [1.0, 1.0], "shear_flexible": true, "bent": [bent, 0.0] })
+        };
+        // The right end rises by 1 m over 2 m, with a level normal and with one of slope 1; by shear, and by bending alone, as a slender beam.
+        let cases = [
+            (0.0, 0.0, 0.25, 0.0),
+            (0.0, 1.0, 0.0625, 0.25),
+            (1.0, 0.0, 0.15625, 0.5625),
+            (1.0, 1.0, 0.0625, 0.25),
+        ];
+        for (bent, turn, rise, slope) in cases {
             let frame = StoredFrame {
                 displacement: vec![0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, turn],
                 section_forces: vec![0.0; 6],
                 ..StoredFrame::default()
             };
-            let fields = Fields { scene: json!({ "beams": [beam] }), frames: vec![frame.clone()] };
+            let fields =
+                Fields { scene: json!({ "beams": [beam(bent)] }), frames: vec![frame.clone()] };
             let placed = Placed::new(&fields).unwrap();
             let at = placed.point(&placed.beams[0], (0, 0), 0.25, &frame);
             assert!((at.place[0] - 0.5).abs() < 1e-12 && (at.place[1] - rise).abs() < 1e-12);

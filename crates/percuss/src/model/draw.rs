@@ -9,6 +9,7 @@ use super::material_points::locate;
 use super::outline::BeamOutline;
 use super::pairs::clearance_segments;
 use super::scene::*;
+use crate::element::shear::ShearTable;
 use crate::math::vec2::{norm, scale};
 
 impl ModelBuilder {
@@ -27,7 +28,11 @@ impl ModelBuilder {
             let roundings = BeamOutline::exact(self, model, i).roundings();
             let shear_flexible = model.spans[beam.spans.clone()].iter().any(|s| s.shear.is_some());
             let name = beam.name.clone();
-            scene.beams.push(SceneBeam { name, stations, roundings, shear_flexible });
+            let bent = match shear_flexible {
+                true => bent_shares(model, i, &stations),
+                false => Vec::new(),
+            };
+            scene.beams.push(SceneBeam { name, stations, roundings, shear_flexible, bent });
         }
         self.scene_bodies(model, &mut scene);
         self.scene_obstacles(model, &mut scene);
@@ -181,6 +186,19 @@ impl ModelBuilder {
 fn drawn(span: &Span, stride: usize) -> impl Iterator<Item = usize> {
     let last = span.elements.len();
     (0..last).step_by(stride).chain([last])
+}
+
+/// Share of bending in the intervals that begin at stations: of an element, or of several as one.
+fn bent_shares(model: &Model, beam: usize, stations: &[DrawnStation]) -> Vec<f64> {
+    let spans = &model.spans[model.beams[beam].spans.clone()];
+    let share = |k: usize| {
+        let (from, to) = (&stations[k], stations.get(k + 1).unwrap_or(&stations[k]));
+        let length = to.s - from.s;
+        let span = spans.iter().find(|span| span.elements.contains(&from.element))?;
+        let section = span.section.at(from.s + 0.5 * length);
+        (length > 0.0).then(|| ShearTable::bent_share(length, &section))
+    };
+    (0..stations.len()).map(|k| share(k).unwrap_or(0.0)).collect()
 }
 
 fn station(model: &Model, span: &Span, k: usize) -> DrawnStation {

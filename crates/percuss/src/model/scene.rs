@@ -45,6 +45,9 @@ pub struct SceneBeam {
     pub roundings: [f64; 2],
     /// Whether it is shear-flexible: the tangents of its stations, and their displacements, are the normals of its sections.
     pub shear_flexible: bool,
+    /// Of a shear-flexible beam the share of bending in the difference of chord and mean normal of the interval that begins at each station, the rest
+    /// being shear (`InsideField` of its elements), shape (stations) \[-\]; empty for a slender one.
+    pub bent: Vec<f64>,
 }
 
 /// A node of a beam through which it is drawn.
