@@ -160,10 +160,10 @@ class Drawing:
         return np.abs(self.fields.section(frame, curve)[:, _FORCES[self.colour]])
 
     def _largest(self) -> float:
-        """Largest value over the run of what colours stand for, at the ends of the intervals."""
+        """Largest value over the run of what colours stand for."""
         self.fields._require()
         if self.colour in _FORCES:
-            return float(np.abs(self.fields.section_forces[..., _FORCES[self.colour]]).max(initial=0.0))
+            return self.fields._largest_section(_FORCES[self.colour])
         still, top = np.zeros((self.fields.nodes, 4)), 0.0
         for beam in self.fields.beams:
             for curve in beam.curves(still, pieces=1):

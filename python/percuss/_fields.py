@@ -31,7 +31,7 @@ class Fields:
         is conserved with that of `velocity`; no intervals where it was not kept.
     section_forces : ndarray of shape (n_frame, n_interval, 2, 3)
         (axial force [N], shear force [N], moment [N m]) at both ends of every interval; tension is positive,
-        V = dM/ds.
+        V = dM/ds. Between them :meth:`section` gives them.
     load_factors : ndarray of shape (n_frame, n_load)
         Factors of the loads [1].
 
@@ -300,9 +300,38 @@ class Fields:
         >>> round(float(abs(fields.section(fields.index(0.02), curve)[:, 2]).max()))  # N m
         214
         """
-        ends = self.section_forces[frame][curve.intervals].astype(float)
-        share = curve.shares[:, None]
-        return np.asarray((1 - share) * ends[:, 0] + share * ends[:, 1])
+        out = np.empty((len(curve.shares), 3))
+        for interval in np.unique(curve.intervals):
+            own = curve.intervals == interval
+            shares, forces = self._vertices(frame, int(interval))
+            # Of two vertices at one place the second counts: the values just ahead of a jump.
+            after = np.clip(np.searchsorted(shares, curve.shares[own], side="right"), 1, len(shares) - 1)
+            long = shares[after] - shares[after - 1]
+            along = np.where(long > 0, (curve.shares[own] - shares[after - 1]) / np.where(long > 0, long, 1.0), 1.0)[:, None]
+            out[own] = (1 - along) * forces[after - 1] + along * forces[after]
+        return out
+
+    def _vertices(self, frame: int, interval: int) -> tuple[Floats, Floats]:
+        """Section forces along an interval: shares of the way and forces of the vertices of straight lines; two at a place where they jump."""
+        from_, to = self._point_offsets[frame], self._point_offsets[frame + 1]
+        rows = self._native["section_points"][from_:to].astype(float)
+        rows = rows[rows[:, 0] == interval]
+        ends = self.section_forces[frame][interval].astype(float)
+        shares = np.concatenate([[0.0], rows[:, 1], [1.0]])
+        return shares, np.concatenate([ends[:1], rows[:, 2:], ends[1:]])
+
+    @cached_property
+    def _point_offsets(self) -> NDArray[np.int64]:
+        return np.concatenate([[0], np.cumsum(self._native["point_counts"])]).astype(np.int64)
+
+    def _largest_section(self, which: int) -> float:
+        """Largest axial force, shear force or moment of the run [N, N, N m]: that of the summary, which may be between two frames; else of the frames."""
+        name = ("axial", "shear", "moment")[which]
+        noted = [beam.get("largest", {}).get(name) for beam in self.scene["beams"]]
+        if noted and all(value is not None for value in noted):
+            return float(max(noted))
+        inside = self._native["section_points"][:, 2 + which]
+        return float(max(np.abs(self.section_forces[..., which]).max(initial=0.0), np.abs(inside).max(initial=0.0)))
 
     def stress(self, frame: int, beam: SceneBeam, curve: Curve) -> Floats:
         """Largest normal stress of the fibres at the points of a curve.

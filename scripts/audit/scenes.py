@@ -261,4 +261,4 @@ def settings(chance: random.Random, made: dict, step: float) -> None:
     if held and stands and chance.random() < 0.15:
         made["damping"] = {"modal": 0.02, "modes": 3}
     points = [f"{name}.{place}" for name in made["beam"] for place in ("start", "mid", "end")] + ["b@0.35", "b@0.4"]
-    made["record"] = {"every": chance.choice([1, 1, 1, 1, 3]), "points": points, "shapes": 1}
+    made["record"] = {"every": chance.choice([1, 1, 1, 1, 3]), "points": points, "shapes": 64}

@@ -164,6 +164,10 @@ class Drawing {
   colourTop(by) {
     if (by in FORCES) return this.motion.size.sections[FORCES[by]];
     this.tops ??= {};
+    // Of beams with stresses the run knows the largest; of one that has them in part the frames tell.
+    const stressed = this.motion.scene.beams.filter((b) => b.inertia.some((value) => value != null));
+    const whole = stressed.every((b) => b.inertia.every((value) => value != null));
+    if (by === "stress" && whole) this.tops[by] ??= this.motion.largestOf("stress", stressed);
     if (this.tops[by] == null) {
       this.tops[by] = 0;
       const rest = new Float32Array(4 * this.motion.nodes);
@@ -183,12 +187,15 @@ class Drawing {
     const top = this.motion.size.sections[k];
     if (!(top > 0)) return;
     this.motion.scene.beams.forEach((_, i) => {
-      for (const part of this.motion.curve(i, this.state.u, this.e, this.state.time)) {
+      for (const part of this.motion.curve(i, this.state.u, this.e, this.state.time, this.state.index)) {
         const base = part.map((p) => view.to(p.place));
-        const ends = part.map((p, j) => {
-          // The moment is drawn on the side in tension: below where it is sagging.
-          const value = (this.motion.section(this.state.index, p)[k] / top) * 46 * (which === "moment" ? -1 : 1);
-          return [base[j][0] + value * p.normal[0], base[j][1] - value * p.normal[1]];
+        const ends = part.flatMap((p, j) => {
+          const [behind, ahead] = this.motion.sides(this.state.index, p).map((forces) => forces[k]);
+          return (ahead === behind ? [ahead] : [behind, ahead]).map((force) => {
+            // The moment is drawn on the side in tension: below where it is sagging.
+            const value = (force / top) * 46 * (which === "moment" ? -1 : 1);
+            return [base[j][0] + value * p.normal[0], base[j][1] - value * p.normal[1]];
+          });
         });
         pen.path([...base, ...ends.toReversed()], { fill: palette.diagram, opacity: 0.25, closed: true });
         pen.path(ends, { stroke: palette.diagram, width: 1.5 });

@@ -18,7 +18,8 @@ function palette() {
   };
 }
 
-// From the first to the last frame in which anything touches, with some room; null if nothing does, or if that is the whole run.
+// From the first to the last frame in which anything touches, with some room unless that is next to the whole run; null if nothing does, or
+// if something does from the first frame to the last.
 function contactSpan(motion) {
   let [from, to] = [null, null];
   for (let f = 0; f < motion.count; f++) {
@@ -27,11 +28,11 @@ function contactSpan(motion) {
       to = motion.frames.time[f];
     }
   }
-  if (from == null) return null;
+  if (from == null || (from <= motion.start && to >= motion.end)) return null;
   const whole = motion.end - motion.start;
   const room = Math.max(STILL_MARGIN * (to - from), 0.01 * whole);
   const span = [Math.max(motion.start, from - room), Math.min(motion.end, to + room)];
-  return span[1] - span[0] < 0.9 * whole ? span : null;
+  return span[1] - span[0] < 0.9 * whole ? span : [from, to];
 }
 
 class Player {

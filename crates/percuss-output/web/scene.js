@@ -10,7 +10,8 @@ const FORCES = { axial: 0, shear: 1, moment: 2 };
 
 class Motion {
   // `scene` is scene.json; `frames` has time (n), displacement (n x nodes x 4), sections (n x intervals x 6), loads (n x loads),
-  // contacts (all frames' rows of six, one behind the other) and contact_count (n).
+  // contacts (all frames' rows of six, one behind the other) and contact_count (n), points (section forces inside intervals: all frames'
+  // rows of five, one behind the other) and point_count (n).
   constructor(scene, frames) {
     this.scene = scene;
     this.frames = frames;
@@ -30,8 +31,13 @@ class Motion {
     }
     this.intervals = interval;
     this.pieces = Math.min(12, Math.max(1, Math.floor(PIECES / Math.max(1, interval))));
-    this.offsets = [0];
-    for (const n of frames.contact_count) this.offsets.push(this.offsets[this.offsets.length - 1] + n);
+    const offsets = (counts) => {
+      const all = [0];
+      for (const n of counts) all.push(all[all.length - 1] + n);
+      return all;
+    };
+    this.offsets = offsets(frames.contact_count);
+    this.pointOffsets = offsets(frames.point_count ?? new Float32Array(this.count));
     this.size = this.measure();
   }
 
@@ -218,10 +224,12 @@ class Motion {
     return Math.max(...(b.roundings ?? [0, 0]).map((r, i) => (away[i] < r ? r - Math.sqrt(away[i] * (2 * r - away[i])) : 0)));
   }
 
-  // Shares of the interval after station k at which a beam is drawn: evenly, and at even angles of the arcs of round ends.
-  shares(b, k) {
+  // Shares of the interval after station k at which a beam is drawn: evenly, at vertices of a diagram, and at even angles of the arcs of
+  // round ends.
+  shares(b, k, vertices = []) {
     const [from, to] = [b.s[k], b.s[k + 1]];
-    const out = Array.from({ length: this.pieces + 1 }, (_, p) => p / this.pieces);
+    const even = Array.from({ length: this.pieces + 1 }, (_, p) => p / this.pieces);
+    const out = [...new Set([...even, ...vertices.map(([share]) => share)])];
     (b.roundings ?? []).forEach((r, i) => {
       for (let p = 1; r > 0 && p <= ARC; p++) {
         const away = r * (1 - Math.cos((p / ARC) * (Math.PI / 2)));
@@ -233,8 +241,8 @@ class Motion {
   }
 
   // A beam as parts without corner, nor what has parted by time t: rows of points with normal, half depth, how far the outline is from the
-  // axis there, and the interval they belong to.
-  curve(beam, u, exaggeration = 1, t = -Infinity) {
+  // axis there, and the interval they belong to; through the vertices of the section forces of a frame, if it is given.
+  curve(beam, u, exaggeration = 1, t = -Infinity, index = null) {
     const b = this.scene.beams[beam];
     const parts = [];
     let last = -2;
@@ -243,7 +251,9 @@ class Motion {
       if (k !== last + 1) parts.push([]);
       last = k;
       const part = parts[parts.length - 1];
-      for (const share of this.shares(b, k).slice(part.length ? 1 : 0)) {
+      const vertices = index == null ? [] : this.vertices(index, interval);
+      // With a diagram both ends of an interval are drawn: section forces may jump there.
+      for (const share of this.shares(b, k, vertices).slice(part.length && index == null ? 1 : 0)) {
         const point = this.point(beam, k, share, u, exaggeration);
         const depths = [b.half_depth[k], b.half_depth[k + 1]];
         point.half_depth = depths[0] == null || depths[1] == null ? null : depths[0] + share * (depths[1] - depths[0]);
@@ -263,11 +273,38 @@ class Motion {
     return { place: [position[0] + u[node], position[1] + u[node + 1]], angle: u[node + 2] };
   }
 
-  // Axial force, shear force and moment at a point of a curve, in the frame of this number.
+  // Section forces along an interval in the frame of this number, as vertices of straight lines: share of the way, then axial force, shear
+  // force and moment. Where they jump two vertices are at one place.
+  vertices(index, interval) {
+    if (this.inside?.index !== index) {
+      this.inside = { index, of: new Map() };
+      for (let k = this.pointOffsets[index]; k < this.pointOffsets[index + 1]; k++) {
+        const [own, ...vertex] = this.frames.points.slice(5 * k, 5 * k + 5);
+        if (!this.inside.of.has(own)) this.inside.of.set(own, []);
+        this.inside.of.get(own).push(vertex);
+      }
+    }
+    const at = 6 * (index * this.intervals + interval);
+    const end = (k) => [k, ...this.frames.sections.slice(at + 3 * k, at + 3 * k + 3)];
+    return [end(0), ...(this.inside.of.get(interval) ?? []), end(1)];
+  }
+
+  // Axial force, shear force and moment at a point of a curve, in the frame of this number: behind it and ahead of it.
+  sides(index, point) {
+    const all = this.vertices(index, point.interval);
+    const x = point.share;
+    const mix = (a, b) => {
+      const y = b[0] > a[0] ? (x - a[0]) / (b[0] - a[0]) : 0;
+      return [1, 2, 3].map((i) => (1 - y) * a[i] + y * b[i]);
+    };
+    const to = Math.max(1, all.findIndex((v) => v[0] >= x)); // the first not before the point
+    const after = all.findIndex((v) => v[0] > x);
+    const behind = mix(all[to - 1], all[to]);
+    return [behind, after > 0 ? mix(all[after - 1], all[after]) : behind];
+  }
+
   section(index, point) {
-    const at = 6 * (index * this.intervals + point.interval);
-    const all = this.frames.sections;
-    return [0, 1, 2].map((i) => (1 - point.share) * all[at + i] + point.share * all[at + 3 + i]);
+    return this.sides(index, point)[1];
   }
 
   // Largest of the axial forces, shear forces or moments of all beams in a frame.
@@ -275,7 +312,15 @@ class Motion {
     let top = 0;
     const size = 6 * this.intervals;
     for (let i = index * size + which; i < (index + 1) * size; i += 3) top = Math.max(top, Math.abs(this.frames.sections[i]));
+    for (let k = this.pointOffsets[index]; k < this.pointOffsets[index + 1]; k++) top = Math.max(top, Math.abs(this.frames.points[5 * k + 2 + which]));
     return top;
+  }
+
+  // The largest of a run that was noted in the scene for all beams (axial, shear, moment, stress), which may be between two frames; null if
+  // none was.
+  largestOf(what, beams = this.scene.beams) {
+    const all = beams.map((b) => b.largest?.[what]);
+    return all.length && all.every(Number.isFinite) ? Math.max(...all) : null;
   }
 
   // Largest stress of the fibres [Pa], by the section at the point; null without a depth, and where the section can yield.
@@ -364,10 +409,10 @@ class Motion {
       }
     }
     const peak = resultants.force[1] ?? resultants.impulse[1];
-    const sections = [0, 0, 0];
-    for (let i = 0; i < this.frames.sections.length; i++) {
-      sections[i % 3] = Math.max(sections[i % 3], Math.abs(this.frames.sections[i]));
-    }
+    const sections = Object.entries(FORCES).map(([what, i]) => {
+      const ofFrames = () => this.frames.time.reduce((top, _, f) => Math.max(top, this.sectionTop(f, i)), 0);
+      return this.largestOf(what) ?? ofFrames();
+    });
     let loads = 1; // largest factor
     for (const factor of this.frames.loads) loads = Math.max(loads, Math.abs(factor));
     return { box, rest, displacement, ...arrows, peak, sections, loads };

@@ -263,6 +263,40 @@ test("the time shown of an impact is that in which anything touches", () => {
   const [from, to] = page.contactSpan(motion({}, frames));
   assert.ok(from < 0.3 && from > 0.2 && to > 0.4 && to < 0.5, `${from} to ${to}`);
   assert.equal(page.contactSpan(motion()), null);
+  // With room it would be next to the whole run: the contact itself is left.
+  const closed = (last) => {
+    const touching = Float32Array.from(time, (t) => Number(t <= last));
+    return page.contactSpan(motion({}, { ...frames, contact_count: touching, contacts: new Float32Array(6 * 101) }));
+  };
+  assert.deepEqual([...closed(0.69)], [0, 0.69]);
+  assert.deepEqual([...closed(0.99)], [0, 0.99]);
+  assert.equal(closed(1), null);
+});
+
+test("diagrams go through the jumps and corners inside an interval, and their top is that of the run", () => {
+  // A force at a quarter of the way: the shear force jumps from 3 to -1, the moment has its corner of 6 there.
+  const sections = Float32Array.of(0, 0, 0, 0, 0, 0, 0, 3, 0, 0, -1, 0);
+  const frames = { sections, points: Float32Array.of(0, 0.25, 0, 3, 6, 0, 0.25, 0, -1, 6), point_count: Float32Array.of(0, 2) };
+  const m = motion({}, frames);
+  const at = (share) => m.sides(1, { interval: 0, share });
+  assert.deepEqual([...at(0.25)[0]], [0, 3, 6]);
+  assert.deepEqual([...at(0.25)[1]], [0, -1, 6]);
+  assert.deepEqual([...m.section(1, { interval: 0, share: 0.625 })], [0, -1, 3]);
+  assert.deepEqual([...m.section(0, { interval: 0, share: 0.25 })], [0, 0, 0]);
+  assert.equal(m.sectionTop(1, 2), 6);
+  assert.deepEqual([...m.size.sections], [0, 3, 6]);
+  // The curve that a diagram is drawn along has the place of the jump, in this frame and not in the other.
+  const has = (index) => m.curve(0, m.at(1).u, 1, 1, index).flat().some((p) => p.share === 0.25);
+  assert.ok(has(1));
+  // Where the scene notes the largest of the run that is the top, though no frame has it.
+  const largest = { axial: 0.5, shear: 3.5, moment: 7.25, stress: 1e6 };
+  const noted = motion({ beams: [beam({ largest })] }, frames);
+  assert.deepEqual([...noted.size.sections], [0.5, 3.5, 7.25]);
+  const drawing = new page.Drawing(noted, new Proxy({}, { get: () => "#000000" }));
+  assert.equal(drawing.colourTop("stress"), 1e6);
+  const pen = new page.SvgPen(600, 400);
+  drawing.draw(pen, 1, page.viewOf(drawing.bounds, 600, 400), { diagram: "moment" });
+  assert.match(pen.finish(), /M up to 6 N m \(maximum over time 7.25 N m\)/);
 });
 
 test("a picture for paper has what the canvas shows, and names cannot break out of it", () => {

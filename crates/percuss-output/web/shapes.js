@@ -9,15 +9,22 @@ function takeFrames(frames, list) {
     const width = n ? all.length / n : 0;
     return Float32Array.from(list.flatMap((k) => Array.from(all.slice(k * width, (k + 1) * width))));
   };
-  const from = [0];
-  for (const count of frames.contact_count) from.push(from[from.length - 1] + 6 * count);
+  // Lists of which every frame has as many rows as it needs.
+  const lists = (all, counts, width) => {
+    const from = [0];
+    for (const count of counts) from.push(from[from.length - 1] + width * count);
+    return Float32Array.from(list.flatMap((k) => Array.from(all.slice(from[k], from[k + 1]))));
+  };
+  const points = frames.point_count ?? new Float32Array(n);
   return {
     time: Float64Array.from(list, (k) => frames.time[k]),
     displacement: rows(frames.displacement),
     velocity: new Float32Array(0),
     sections: rows(frames.sections),
     loads: rows(frames.loads),
-    contacts: Float32Array.from(list.flatMap((k) => Array.from(frames.contacts.slice(from[k], from[k + 1])))),
+    points: lists(frames.points ?? new Float32Array(0), points, 5),
+    point_count: Float32Array.from(list, (k) => points[k]),
+    contacts: lists(frames.contacts, frames.contact_count, 6),
     contact_count: Float32Array.from(list, (k) => frames.contact_count[k]),
   };
 }
@@ -101,7 +108,7 @@ class ShapeMotion extends RestingMotion {
     const thrice = (list) => Float32Array.from([...list, ...list, ...list]);
     super(scene, {
       ...one, time: Float64Array.of(0, 0.25, 0.75), displacement: Float32Array.from([...base, ...at(amplitude), ...at(-amplitude)]),
-      sections: thrice(one.sections), loads: thrice(one.loads), contacts: thrice(one.contacts), contact_count: thrice(one.contact_count),
+      sections: thrice(one.sections), points: thrice(one.points), point_count: thrice(one.point_count), loads: thrice(one.loads), contacts: thrice(one.contacts), contact_count: thrice(one.contact_count),
     });
     Object.assign(this, { base, swing, amplitude, obstacles });
   }

@@ -104,12 +104,16 @@ fn open(ctx: &Ctx<'_>, fields: &Fields, look: &Look) -> rquickjs::Result<String>
     };
     let counts: Vec<f32> =
         fields.frames.iter().map(|f| (f.contact_forces.len() / 6) as f32).collect();
+    let points: Vec<f32> =
+        fields.frames.iter().map(|f| (f.section_points.len() / 5) as f32).collect();
     let time: Vec<f64> = fields.frames.iter().map(|f| f.time).collect();
     let frames = Object::new(ctx.clone())?;
     frames.set("time", TypedArray::new(ctx.clone(), time)?)?;
     frames.set("displacement", all(|f| &f.displacement)?)?;
     frames.set("velocity", all(|f| &f.velocity)?)?;
     frames.set("sections", all(|f| &f.section_forces)?)?;
+    frames.set("points", all(|f| &f.section_points)?)?;
+    frames.set("point_count", TypedArray::new(ctx.clone(), points)?)?;
     frames.set("contacts", all(|f| &f.contact_forces)?)?;
     frames.set("loads", all(|f| &f.load_factors)?)?;
     frames.set("contact_count", TypedArray::new(ctx.clone(), counts)?)?;

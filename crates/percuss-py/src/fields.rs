@@ -14,7 +14,7 @@ use crate::structure::shaped;
 use crate::watch::Watch;
 
 /// `scene` (JSON), `time`, and lists of the frames: `displacement`, `velocity`, `angular_velocity`, `section_forces`, `load_factors`, and
-/// `contact_forces` of all frames one behind the other with their `contact_counts`.
+/// `contact_forces` and `section_points` of all frames one behind the other with their `contact_counts` and `point_counts`.
 pub fn to_python<'py>(py: Python<'py>, fields: &Fields) -> PyResult<Bound<'py, PyDict>> {
     let frames = &fields.frames;
     let n = frames.len();
@@ -46,6 +46,11 @@ pub fn to_python<'py>(py: Python<'py>, fields: &Fields) -> PyResult<Bound<'py, P
     out.set_item("contact_forces", shaped(py, contacts, &[rows, 6])?)?;
     let counts: Vec<i64> = frames.iter().map(|f| (f.contact_forces.len() / 6) as i64).collect();
     out.set_item("contact_counts", shaped(py, counts, &[n])?)?;
+    let points = all(|f| &f.section_points);
+    let rows = points.len() / 5;
+    out.set_item("section_points", shaped(py, points, &[rows, 5])?)?;
+    let counts: Vec<i64> = frames.iter().map(|f| (f.section_points.len() / 5) as i64).collect();
+    out.set_item("point_counts", shaped(py, counts, &[n])?)?;
     Ok(out)
 }
 
@@ -64,7 +69,9 @@ fn from_python(fields: &Bound<'_, PyDict>) -> PyResult<Fields> {
     let [displacement, velocity, angular_velocity, section_forces, load_factors] = lists;
     let contacts = numbers::<f32>(&item("contact_forces")?)?;
     let all = [displacement?, velocity?, angular_velocity?, section_forces?, load_factors?];
-    let (mut frames, mut at) = (Vec::with_capacity(n), 0);
+    let points = numbers::<f32>(&item("section_points")?)?;
+    let point_counts = numbers::<i64>(&item("point_counts")?)?;
+    let (mut frames, mut at, mut from) = (Vec::with_capacity(n), 0, 0);
     for (k, time) in times.into_iter().enumerate() {
         let part = |list: &Vec<f32>| {
             let width = list.len() / n;
@@ -73,6 +80,9 @@ fn from_python(fields: &Bound<'_, PyDict>) -> PyResult<Fields> {
         let count = 6 * usize::try_from(counts[k]).unwrap_or(0);
         let contact_forces = contacts.get(at..at + count).unwrap_or_default().to_vec();
         at += count;
+        let count = 5 * usize::try_from(point_counts[k]).unwrap_or(0);
+        let section_points = points.get(from..from + count).unwrap_or_default().to_vec();
+        from += count;
         let [displacement, velocity, angular_velocity, section_forces, load_factors] =
             all.each_ref().map(part);
         frames.push(StoredFrame {
@@ -81,6 +91,7 @@ fn from_python(fields: &Bound<'_, PyDict>) -> PyResult<Fields> {
             velocity,
             angular_velocity,
             section_forces,
+            section_points,
             contact_forces,
             load_factors,
         });

@@ -149,7 +149,7 @@ impl Wanted {
         let ended = simulate(ready, origin, simulation, advice, &mut recorder);
         let RunRecorder { columns, frames, history, .. } = recorder;
         let mut fields = frames.finish();
-        fields.part(&ended.summary);
+        fields.note(&ended.summary);
         let mut place = None;
         if let Termination::Failed(error) = &ended.summary.termination
             && error.is_recorder()

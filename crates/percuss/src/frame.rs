@@ -16,6 +16,17 @@ pub struct FrameForce {
     pub impulsive: bool,
 }
 
+/// Section forces at a place of an element, a vertex of the polyline that they are drawn as. Where they jump two vertices are at one place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SectionPoint {
+    /// Number of the element in the model.
+    pub element: usize,
+    /// Arc length from the start of its beam \[m\].
+    pub s: f64,
+    /// Axial force, shear force and bending moment, shape (3) \[N, N, N m\].
+    pub forces: [f64; 3],
+}
+
 /// The configuration at an instant, and the forces that belong to it.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a> {
@@ -31,6 +42,9 @@ pub struct Frame<'a> {
     /// Axial force, shear force and bending moment at the start and the end of every element, of the last step without an impact,
     /// shape (elements, 2, 3) \[N, N, N m\].
     pub section_forces: &'a [[[f64; 3]; 2]],
+    /// The same along all elements, as polylines that keep to the section forces, the jumps and corners at forces inside elements and the
+    /// largest values included; in the order of elements, from the start to the end of each, shape (vertices).
+    pub section_points: &'a [SectionPoint],
     /// Forces of everything that touches, and impulses, shape (such forces and impulses).
     pub contact_forces: &'a [FrameForce],
     /// Factors of the loads, means over the last step, shape (loads) \[-\].

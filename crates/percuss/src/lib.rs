@@ -42,7 +42,7 @@ pub use analysis::{
     modes_about_equilibrium, natural_frequencies, slack_members, stops,
 };
 pub use error::{Error, RecorderError};
-pub use frame::{Frame, FrameForce};
+pub use frame::{Frame, FrameForce, SectionPoint};
 pub use geometry::dents::CarriedCrush;
 pub use ledger::{Ledger, Measures};
 pub use model::*;

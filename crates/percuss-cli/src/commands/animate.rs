@@ -94,9 +94,7 @@ fn still(arguments: &Animate, time: f64) -> Result<Status, Failure> {
     refuse_foreign(out, arguments.force)?;
     let film = open(arguments)?;
     let [first, last] = film.whole;
-    if !(first..=last).contains(&time) {
-        return Err(outside("--still", time, film.whole));
-    }
+    let time = within(time, film.whole).ok_or_else(|| outside("--still", time, film.whole))?;
     let svg = film.svg(time, FLASH * (last - first))?;
     let bytes = match format {
         // As the scripts wrote it, with text that can be edited.
@@ -147,17 +145,16 @@ fn open(arguments: &Animate) -> Result<Film, Failure> {
 fn span(arguments: &Animate, film: &Film) -> Result<[f64; 2], Failure> {
     if arguments.impact {
         return film.impact.ok_or_else(|| {
-            let reason = "this run has no contact, or permanent contact; omit --impact";
+            let reason = "in this run nothing touches, or something does from its start to its end; omit --impact";
             Failure::input(RequestCode::Instant, format!("{}: {reason}", arguments.dir.display()))
         });
     }
     let [first, last] = film.whole;
-    let [from, to] = [arguments.from.unwrap_or(first), arguments.to.unwrap_or(last)];
-    for (option, time) in [("--from", from), ("--to", to)] {
-        if !(first..=last).contains(&time) {
-            return Err(outside(option, time, film.whole));
-        }
-    }
+    let given = |option: &str, time: f64| {
+        within(time, film.whole).ok_or_else(|| outside(option, time, film.whole))
+    };
+    let from = given("--from", arguments.from.unwrap_or(first))?;
+    let to = given("--to", arguments.to.unwrap_or(last))?;
     if from >= to {
         return Err(Failure::input(
             RequestCode::Instant,
@@ -165,6 +162,12 @@ fn span(arguments: &Animate, film: &Film) -> Result<[f64; 2], Failure> {
         ));
     }
     Ok([from, to])
+}
+
+/// A time within those of the frames; the sum of so many steps may be a unit in the last place beside the end.
+fn within(time: f64, [first, last]: [f64; 2]) -> Option<f64> {
+    let near = 1e-9 * (last - first);
+    (first - near..=last + near).contains(&time).then_some(time.clamp(first, last))
 }
 
 fn outside(option: &str, time: f64, [first, last]: [f64; 2]) -> Failure {

@@ -59,6 +59,7 @@ pub fn run(arguments: &Modes) -> Result<Status, Failure> {
         displacement: &state.displacement,
         velocity: &[],
         spin: &[],
+        section_points: &[],
         section_forces: &[],
         contact_forces: &[],
         load_factors: &[],

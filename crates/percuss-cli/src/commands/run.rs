@@ -268,7 +268,7 @@ fn simulate(
     write_impacts(dir, &summary.contacts, &summary.supports)?;
     if ready.scenario.content().record.shapes > 0.0 {
         let mut shapes = frames.finish();
-        shapes.part(&summary);
+        shapes.note(&summary);
         fields::write(dir, &shapes)?;
     }
     Ok(Ended {

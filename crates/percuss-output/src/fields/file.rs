@@ -21,19 +21,21 @@ use crate::files;
 
 /// Lists of a frame: name of the column, and the list itself, to be written and to be read.
 type List = (&'static str, fn(&StoredFrame) -> &Vec<f32>, fn(&mut StoredFrame) -> &mut Vec<f32>);
-const LISTS: [List; 6] = [
+const LISTS: [List; 7] = [
     ("displacement", |f| &f.displacement, |f| &mut f.displacement),
     ("section_forces", |f| &f.section_forces, |f| &mut f.section_forces),
     ("contact_forces", |f| &f.contact_forces, |f| &mut f.contact_forces),
     ("velocity", |f| &f.velocity, |f| &mut f.velocity),
     ("load_factors", |f| &f.load_factors, |f| &mut f.load_factors),
     ("angular_velocity", |f| &f.angular_velocity, |f| &mut f.angular_velocity),
+    ("section_points", |f| &f.section_points, |f| &mut f.section_points),
 ];
 
 /// What the columns hold, for those who read the file without this program.
 const ABOUT: &str = "displacement: (u1, u2, u1', u2') of every station of every beam in the order of scene.json, then (u1, u2, angle, 0) of \
 every body; velocity: the rates of the same; section_forces: (axial, shear, moment) at the start and at the end of every interval between two stations; contact_forces: \
-(contact, x, y, force 1, force 2, 1 where it is an impulse) each, on the second partner; load_factors: one a load; angular_velocity: of the sections, at the start, in the middle and at the end of every interval. SI units.";
+(contact, x, y, force 1, force 2, 1 where it is an impulse) each, on the second partner; load_factors: one a load; angular_velocity: of the sections, at the start, in the middle and at the end of every interval; section_points: (interval, share of the way along it, axial, shear, moment) each, \
+where straight lines between the ends of an interval would miss them, two at a place where they jump. SI units.";
 
 /// Writes `fields/` into the directory of a run.
 ///
@@ -171,6 +173,7 @@ mod tests {
             velocity: (0..8).map(|i| (i + k) as f32).collect(),
             angular_velocity: (0..3).map(|i| (i * k) as f32).collect(),
             section_forces: vec![1.5; 6],
+            section_points: vec![0.0; 5 * (k % 4)],
             contact_forces: vec![k as f32; 6 * (k % 3)],
             load_factors: Vec::new(),
         };
@@ -187,8 +190,10 @@ mod tests {
     fn frames_without_velocities_can_still_be_read() {
         let frame = StoredFrame { time: 0.5, displacement: vec![1.0; 4], ..StoredFrame::default() };
         let fields = Fields { scene: json!({}), frames: vec![frame] };
-        let earlier: Vec<List> =
-            LISTS.into_iter().filter(|(name, ..)| !name.contains("velocity")).collect();
+        let earlier: Vec<List> = LISTS
+            .into_iter()
+            .filter(|(name, ..)| !name.contains("velocity") && *name != "section_points")
+            .collect();
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("frames.parquet");
         write_lists(File::create(&path).unwrap(), &fields, &earlier).unwrap();

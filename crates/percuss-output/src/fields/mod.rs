@@ -5,16 +5,18 @@
 
 mod file;
 mod places;
+mod polyline;
 mod scene;
 mod store;
 mod thin;
 
 pub use file::{read, write};
 pub(crate) use places::Places;
+pub(crate) use polyline::ROW;
 pub use scene::scene_value;
 pub use store::{FrameStore, KeptFrames};
 
-use percuss::RunSummary;
+use percuss::{RunSummary, SectionRange};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
@@ -31,8 +33,18 @@ pub struct Fields {
 }
 
 impl Fields {
-    /// Notes in the scene what parted or failed in a run, so that gaps are drawn from then on, and springs and hinges no longer.
-    pub fn part(&mut self, run: &RunSummary) {
+    /// Notes in the scene what a run came to: what parted or failed, so that gaps are drawn from then on, and springs and hinges no longer; and
+    /// the largest section forces of every beam, which may be between two frames.
+    pub fn note(&mut self, run: &RunSummary) {
+        for beam in self.scene["beams"].as_array_mut().into_iter().flatten() {
+            let own = run.section_forces.iter().find(|own| beam["name"] == own.name.as_str());
+            if let Some(own) = own {
+                let of = |range: &SectionRange| range.largest().value.abs();
+                beam["largest"] = json!({
+                    "axial": of(&own.axial), "shear": of(&own.shear), "moment": of(&own.moment), "stress": of(&own.stress),
+                });
+            }
+        }
         let number = |name: &str| {
             let beams = self.scene["beams"].as_array()?;
             beams.iter().position(|beam| beam["name"] == name)
@@ -77,6 +89,11 @@ pub struct StoredFrame {
     /// Axial force, shear force, moment at the start and at the end of every interval between two stations of a beam,
     /// shape (n_interval, 2, 3) \[N, N, N m\].
     pub section_forces: Vec<f32>,
+    /// The same inside intervals, where straight lines between their ends would miss them: number of the interval, share of the way along it,
+    /// axial force, shear force, moment; in the order of places, and two rows at a place where they jump; shape (n_point, 5)
+    /// \[-, -, N, N, N m\]. Empty in runs of versions up to 0.1 that kept none.
+    #[serde(default)]
+    pub section_points: Vec<f32>,
     /// Number of the contact, position, force on its second partner, and 1 where that is an impulse; shape (n, 6) \[-, m, N or N s, -\].
     pub contact_forces: Vec<f32>,
     /// Factors of the loads, shape (n_load) \[-\].

@@ -1,9 +1,13 @@
 //! Frames of the whole model as those of the scene's nodes and intervals.
 
-use percuss::Frame;
 use percuss::scene::Scene;
+use percuss::{Frame, SectionPoint};
 
 use super::StoredFrame;
+use super::polyline::{self, Extent, Vertex};
+
+/// Memory that the section forces inside an interval take \[bytes\], about: two vertices.
+const INSIDE: usize = 40;
 
 /// What of a model a scene is drawn from.
 #[derive(Clone, Debug)]
@@ -12,28 +16,31 @@ pub(crate) struct Places {
     nodes: Vec<usize>,
     /// Elements whose start and end bound each interval between stations, shape (intervals, 2) \[index of an element\].
     intervals: Vec<[usize; 2]>,
+    /// Arc lengths of both ends of each interval, shape (intervals, 2) \[m\].
+    stretches: Vec<[f64; 2]>,
     /// Loads of the scene.
     loads: usize,
 }
 
 impl Places {
     pub(crate) fn of(scene: &Scene) -> Self {
-        let mut intervals = Vec::new();
+        let (mut intervals, mut stretches) = (Vec::new(), Vec::new());
         for beam in &scene.beams {
             for pair in beam.stations.windows(2) {
                 // Between the end of a span and the next one lies nothing.
                 if !pair[0].ends_span {
                     let last = pair[1].element - usize::from(!pair[1].ends_span);
                     intervals.push([pair[0].element, last]);
+                    stretches.push([pair[0].s, pair[1].s]);
                 }
             }
         }
-        Self { nodes: scene.nodes.clone(), intervals, loads: scene.loads.len() }
+        Self { nodes: scene.nodes.clone(), intervals, stretches, loads: scene.loads.len() }
     }
 
     /// Memory that a frame takes \[bytes\], about.
     pub(super) fn bytes(&self) -> usize {
-        32 * self.nodes.len() + 36 * self.intervals.len() + 64
+        32 * self.nodes.len() + (36 + INSIDE) * self.intervals.len() + 64
     }
 
     /// A frame as it is kept.
@@ -67,11 +74,38 @@ impl Places {
             velocity: Vec::new(),
             angular_velocity: Vec::new(),
             section_forces: forces.map(single).collect(),
+            section_points: self.inside(frame),
             contact_forces: contacts.map(single).collect(),
             load_factors: (0..self.loads)
                 .map(|k| frame.load_factors.get(k).copied().map_or(0.0, single))
                 .collect(),
         }
+    }
+
+    /// Section forces inside the intervals.
+    fn inside(&self, frame: &Frame<'_>) -> Vec<f32> {
+        let (mut rows, mut rest) = (Vec::new(), frame.section_points);
+        let several = self.intervals.iter().any(|[a, b]| a < b);
+        let all = rest.iter().map(|point| point.forces.map(single));
+        let extent = if several { Extent::of(all) } else { Extent::default() };
+        for (number, ([first, last], [from, to])) in
+            self.intervals.iter().zip(&self.stretches).enumerate()
+        {
+            let (own, others) = rest.split_at(rest.partition_point(|point| point.element <= *last));
+            rest = others;
+            let share = |s: f64| (s - from) / (to - from);
+            let vertex = |point: &SectionPoint| Vertex {
+                share: share(point.s),
+                forces: point.forces.map(single),
+            };
+            let mut vertices: Vec<Vertex> = own.iter().map(vertex).collect();
+            if first < last {
+                vertices.dedup();
+                vertices = polyline::simplified(&vertices, &extent);
+            }
+            rows.extend(polyline::rows(number, &vertices));
+        }
+        rows
     }
 
     /// Whether a frame is one of this scene.
@@ -81,6 +115,7 @@ impl Places {
             && frame.velocity.len() == nodes
             && frame.angular_velocity.len() == 3 * self.intervals.len()
             && frame.section_forces.len() == 6 * self.intervals.len()
+            && frame.has_points_of(self.intervals.len())
             && frame.contact_forces.len().is_multiple_of(6)
             && frame.load_factors.len() == self.loads
     }

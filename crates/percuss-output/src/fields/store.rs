@@ -193,6 +193,7 @@ mod tests {
                     velocity: &[],
                     spin: &[],
                     section_forces: &[],
+                    section_points: &[],
                     contact_forces: &[],
                     load_factors: &[force(k)],
                 });
@@ -235,6 +236,7 @@ mod tests {
                     velocity: &[],
                     spin: &[],
                     section_forces: &[],
+                    section_points: &[],
                     contact_forces: &[],
                     load_factors: &[],
                 });

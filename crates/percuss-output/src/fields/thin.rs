@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 
 use serde_json::{Value, json};
 
+use super::polyline::{self, Extent, Vertex};
 use super::{Fields, StoredFrame};
 
 /// Columns of a beam in `scene.json`, one entry a station.
@@ -50,12 +51,13 @@ impl Fields {
         let every = every.max(1);
         let beams = self.scene["beams"].as_array().cloned().unwrap_or_default();
         let (mut stations, mut intervals, mut node, mut interval) = (Vec::new(), Vec::new(), 0, 0);
-        let mut coarse = Vec::new();
+        let (mut coarse, mut lengths) = (Vec::new(), Vec::new());
         for beam in beams {
             let kept = kept_stations(&beam, every);
             for pair in kept.windows(2).filter(|pair| at(&beam, pair[1]) > at(&beam, pair[0])) {
                 // A span has an interval between any two neighbours.
                 let count = pair[1] - pair[0];
+                lengths.extend((pair[0]..pair[1]).map(|k| at(&beam, k + 1) - at(&beam, k)));
                 intervals.push((interval, interval + count - 1));
                 interval += count;
             }
@@ -82,6 +84,7 @@ impl Fields {
                 velocity: of(&frame.velocity),
                 angular_velocity: intervals.iter().filter_map(spins).flatten().collect(),
                 section_forces: intervals.iter().flat_map(forces).collect(),
+                section_points: merged(frame, &intervals, &lengths),
                 ..frame.clone()
             }
         };
@@ -89,6 +92,24 @@ impl Fields {
         scene["beams"] = Value::Array(coarse);
         Self { scene, frames: self.frames.iter().map(frame).collect() }
     }
+}
+
+/// Rows inside intervals each of which has been several, from one number to another, of these lengths.
+fn merged(frame: &StoredFrame, intervals: &[(usize, usize)], lengths: &[f64]) -> Vec<f32> {
+    let all = (0..lengths.len()).flat_map(|k| frame.vertices(k));
+    let extent = Extent::of(all.map(|vertex| vertex.forces));
+    let rows = |(number, (a, b)): (usize, &(usize, usize))| {
+        let (whole, mut from) = (lengths[*a..=*b].iter().sum::<f64>(), 0.0);
+        let mut line: Vec<Vertex> = Vec::new();
+        for k in *a..=*b {
+            let moved = |v: Vertex| Vertex { share: (from + v.share * lengths[k]) / whole, ..v };
+            line.extend(frame.vertices(k).into_iter().map(moved));
+            from += lengths[k];
+        }
+        let line = if a < b { polyline::simplified(&line, &extent) } else { line };
+        polyline::rows(number, &line).collect::<Vec<f32>>()
+    };
+    intervals.iter().enumerate().flat_map(rows).collect()
 }
 
 /// Arc length at a station.
@@ -142,6 +163,7 @@ mod tests {
             velocity: (0..44).map(|i| i as f32).collect(),
             angular_velocity: (0..24).map(|i| i as f32).collect(),
             section_forces: (0..48).map(|i| i as f32).collect(),
+            section_points: Vec::new(),
             contact_forces: match k {
                 40..60 => vec![0.0, 0.0, 0.0, 1.0 + f32::from(k == 47), 0.0, 0.0],
                 _ => Vec::new(),

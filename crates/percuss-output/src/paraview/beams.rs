@@ -55,13 +55,8 @@ struct Section {
 
 impl Section {
     fn of(beam: &Beam, (k, interval, share): (usize, usize, f64), frame: &StoredFrame) -> Self {
-        let force = |i: usize| {
-            let at = 6 * interval + i;
-            let (a, b) = (frame.section_forces[at], frame.section_forces[at + 3]);
-            (1.0 - share) * f64::from(a) + share * f64::from(b)
-        };
         Self {
-            forces: std::array::from_fn(force),
+            forces: frame.section_at(interval, share),
             half_depth: mix(&beam.half_depth, k, share),
             area: mix(&beam.area, k, share),
             inertia: mix(&beam.inertia, k, share),

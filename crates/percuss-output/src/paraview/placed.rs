@@ -84,6 +84,7 @@ impl<'a> Placed<'a> {
                 && (frame.angular_velocity.is_empty()
                     || frame.angular_velocity.len() == 3 * intervals)
                 && frame.section_forces.len() == 6 * intervals
+                && frame.has_points_of(intervals)
                 && frame.contact_forces.len().is_multiple_of(6);
             if !fits {
                 return Err(format!(

@@ -27,7 +27,8 @@ const MOST: usize = 800_000;
 /// The page, with as many frames as fit into it; `None` without frames.
 pub fn scene_page(fields: &Fields, summary: &Value) -> Option<String> {
     let first = fields.frames.first()?;
-    let numbers = first.displacement.len() + first.section_forces.len();
+    let most = fields.frames.iter().map(|f| f.section_points.len()).max().unwrap_or(0);
+    let numbers = first.displacement.len() + first.section_forces.len() + most;
     let coarse = fields.coarsened(numbers.div_ceil(NUMBERS));
     let mut frames = FRAMES;
     loop {

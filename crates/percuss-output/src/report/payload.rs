@@ -7,7 +7,7 @@ use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
 use super::figure::{Abscissa, Axis, Figure, Series, Shape, Table};
-use crate::fields::{Fields, StoredFrame};
+use crate::fields::{Fields, ROW, StoredFrame};
 
 /// Smaller payloads are not deflated, so that any browser shows them.
 const DEFLATED_FROM: usize = 1 << 19;
@@ -64,8 +64,10 @@ fn scene(columns: &mut Columns, name: &str, fields: &Fields) -> Value {
         all(|f| &f.contact_forces),
         all(|f| &f.load_factors),
         all(|f| &f.velocity),
+        all(|f| &f.section_points),
     ];
     let counts = frames.iter().map(|f| (f.contact_forces.len() / 6) as f32);
+    let points = frames.iter().map(|f| (f.section_points.len() / ROW) as f32);
     json!({
         "name": name,
         "scene": fields.scene,
@@ -74,6 +76,8 @@ fn scene(columns: &mut Columns, name: &str, fields: &Fields) -> Value {
             "time": columns.push(frames.iter().map(|f| f.time), f64::to_le_bytes),
             "displacement": lists[0],
             "sections": lists[1],
+            "points": lists[5],
+            "point_count": columns.push(points, f32::to_le_bytes),
             "contacts": lists[2],
             "loads": lists[3],
             "contact_count": columns.push(counts, f32::to_le_bytes),

@@ -8,7 +8,7 @@ use super::largest_displacement::LargestDisplacement;
 use super::spectrum::Held;
 use super::static_contacts::StaticContact;
 use super::yields::StaticYielding;
-use crate::frame::{Frame, FrameForce};
+use crate::frame::{Frame, FrameForce, SectionPoint};
 use crate::state::State;
 use crate::step::contacts::PressingPair;
 use crate::summary::{PointForces, SectionForceSummary};
@@ -30,6 +30,8 @@ pub struct Equilibrium {
     pub point_forces: Vec<PointForces>,
     /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
     pub element_forces: Vec<[[f64; 3]; 2]>,
+    /// The same along all elements as polylines, in the order of elements, shape (vertices).
+    pub element_points: Vec<SectionPoint>,
     /// Forces of all active contacts, on the second of their partners, shape (places where something presses).
     pub contact_forces: Vec<FrameForce>,
     /// Factors of the loads, in the model's order, shape (loads) \[-\].
@@ -74,6 +76,7 @@ impl Equilibrium {
             velocity: &self.state.velocity,
             spin: &self.state.spin,
             section_forces: &self.element_forces,
+            section_points: &self.element_points,
             contact_forces: &self.contact_forces,
             load_factors: &self.load_factors,
         }

@@ -113,6 +113,7 @@ pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibriu
         section_forces: forces.beams,
         point_forces: forces.points,
         element_forces: forces.ends,
+        element_points: forces.vertices,
         contact_forces: search.contacts.frame_forces(model, &state),
         load_factors: search.forcing.factors.clone(),
         reactions: names.zip(reactions).collect(),

@@ -60,6 +60,20 @@ pub fn gauss_points() -> [f64; GAUSS] {
     [0.5 - d, 0.5, 0.5 + d]
 }
 
+/// Half-way between the first two Gauss points: `1/2 - sqrt(3/5)/4`.
+const BETWEEN: f64 = 0.306_350_832_689_629_15;
+
+/// The Gauss point nearest to a place of \[0, 1\].
+#[inline(always)]
+pub fn nearest_gauss_point(xi: f64) -> usize {
+    usize::from(xi > BETWEEN) + usize::from(xi > 1.0 - BETWEEN)
+}
+
+/// The same, twice; or the two that are as near: which of them is not for round-off to decide.
+pub fn nearest_gauss_points(xi: f64) -> [usize; 2] {
+    [xi - 1e-9, xi + 1e-9].map(nearest_gauss_point)
+}
+
 /// Weights of the three-point Gauss rule on \[0, 1\].
 pub const GAUSS_WEIGHTS: [f64; GAUSS] = [5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0];
 

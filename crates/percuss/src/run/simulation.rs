@@ -275,7 +275,8 @@ impl<'m> Simulation<'m> {
         recorder.state(state);
         let [force, impulse] = frames.contact();
         if recorder.wants_frame(state.time, force, impulse) {
-            recorder.frame(&frames.frame(model, state, monitor.lines()));
+            let forces = (monitor.lines(), &monitor.section_forces[..]);
+            recorder.frame(&frames.frame(model, state, forces));
         }
         if recorder.wants_rows() {
             let seen = (*model, &*state, &*measures);

@@ -9,6 +9,7 @@ use super::observing::monitor::Monitor;
 use super::observing::yielding;
 use super::solving::solver::{Counts, StateView};
 use crate::analysis::equivalent::equivalent_force;
+use crate::analysis::section_forces;
 use crate::ledger::Measures;
 use crate::math::vec2::{dot, norm, scale};
 use crate::model::Model;
@@ -88,7 +89,7 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
         yielding: connector_log::summaries(model, state, &monitor.connectors, &sets),
         foundations: monitor.foundations,
         joints: joint_log::summaries(model, &monitor.joints),
-        section_forces: monitor.section_forces,
+        section_forces: in_order(monitor.section_forces),
     };
     if !model.projectiles.is_empty() {
         let found = equivalent_force(model, settings.start, &summary);
@@ -98,6 +99,12 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
         }
     }
     summary
+}
+
+/// Section forces with the places of their envelopes in order.
+fn in_order(mut beams: Vec<SectionForceSummary>) -> Vec<SectionForceSummary> {
+    section_forces::ordered(&mut beams);
+    beams
 }
 
 fn contacts(

@@ -59,18 +59,19 @@ impl SectionRange {
     }
 }
 
-/// Smallest and largest values along a beam, over time: start, middle and end of each element.
+/// Smallest and largest values along a beam, over time: at start, middle and end of each element, and on both sides of every point inside one at
+/// which a load, a mass or a guided projectile acts.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Envelope {
-    /// Arc length from the start of the beam, shape (3 elements) \[m\].
+    /// Arc length from the start of the beam, shape (places) \[m\].
     pub s: Vec<f64>,
-    /// Axial force, smallest and largest, shape (2, 3 elements) \[N\].
+    /// Axial force, smallest and largest, shape (2, places) \[N\].
     pub axial: [Vec<f64>; 2],
-    /// Shear force, the derivative of the bending moment along the beam, shape (2, 3 elements) \[N\].
+    /// Shear force, the derivative of the bending moment along the beam, shape (2, places) \[N\].
     pub shear: [Vec<f64>; 2],
-    /// Bending moment, shape (2, 3 elements) \[N m\].
+    /// Bending moment, shape (2, places) \[N m\].
     pub moment: [Vec<f64>; 2],
-    /// Stress of the extreme fibres, shape (2, 3 elements) \[Pa\]; NaN where the section has no depth, empty where none of the beam has one.
+    /// Stress of the extreme fibres, shape (2, places) \[Pa\]; NaN where the section has no depth, empty where none of the beam has one.
     pub stress: [Vec<f64>; 2],
 }
 

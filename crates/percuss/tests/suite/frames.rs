@@ -12,6 +12,7 @@ struct Shown {
     impulsive: bool,
     displacement: Vec<[f64; 4]>,
     section_forces: Vec<[[f64; 3]; 2]>,
+    section_points: Vec<SectionPoint>,
     contact_forces: Vec<FrameForce>,
     load_factors: Vec<f64>,
 }
@@ -49,6 +50,7 @@ impl Recorder for Frames {
             impulsive: self.impulsive,
             displacement: frame.displacement.to_vec(),
             section_forces: frame.section_forces.to_vec(),
+            section_points: frame.section_points.to_vec(),
             contact_forces: frame.contact_forces.to_vec(),
             load_factors: frame.load_factors.to_vec(),
         });
@@ -219,4 +221,93 @@ fn a_scene_names_what_stands_there_and_the_nodes_that_place_it() {
     assert_eq!(scene.beams[0].roundings, [0.0; 2]);
     let last = scene.beams[0].stations[6];
     assert!(last.ends_span && last.element == 5 && (last.inertia - 8.33e-5).abs() < 1e-15);
+}
+
+/// Closed form: a plank on two supports under a force inside an element, `M = F a b / L` there and V from `F b / L` to `-F a / L`. The moment
+/// of a load along the beam is a parabola, largest in the middle of an element of seven.
+#[test]
+fn vertices_of_section_forces_go_through_jumps_corners_and_crests() {
+    let on_supports = |more: &dyn Fn(&mut ModelBuilder, BeamId)| {
+        let mut b = ModelBuilder::new();
+        let (material, section) = plank(&mut b);
+        let girder = b.beam(beam("girder", [0.0; 2], [2.0, 0.0], 7, material, section));
+        b.support(Support::new("left", at("left", girder, 0.0), SupportKind::Pin));
+        let level = SupportKind::Roller { direction: [1.0, 0.0] };
+        b.support(Support::new("right", at("right", girder, 1.0), level));
+        more(&mut b, girder);
+        equilibrium(&b.build().unwrap()).unwrap()
+    };
+    let near =
+        |found: f64, known: f64| assert!((found / known - 1.0).abs() < 1e-4, "{found} {known}");
+    let force = |b: &mut ModelBuilder, girder: BeamId| {
+        let (at, moment, follower) = (at("load", girder, 0.3), 0.0, false);
+        b.load(Load::new("f", LoadKind::Point { at, force: [0.0, -1.0], moment, follower }));
+    };
+    let found = on_supports(&force);
+    let here: Vec<&SectionPoint> =
+        found.element_points.iter().filter(|p| (p.s - 0.6).abs() < 1e-9).collect();
+    let [behind, ahead] = here[..] else { panic!("{here:?}") };
+    [(behind, 0.7), (ahead, -0.3)].map(|(p, shear)| near(p.forces[1], shear));
+    [behind, ahead].map(|p| near(p.forces[2], 0.42));
+    let envelope = &found.section_forces[0].envelope;
+    assert!(envelope.s.is_sorted());
+    let places: Vec<usize> =
+        (0..envelope.s.len()).filter(|k| (envelope.s[*k] - 0.6).abs() < 1e-9).collect();
+    let [before, after] = places[..] else { panic!("{places:?}") };
+    [(before, 0.7), (after, -0.3)].map(|(k, shear)| near(envelope.shear[0][k], shear));
+    [before, after].map(|k| near(envelope.moment[1][k], 0.42));
+    let spread = |b: &mut ModelBuilder, girder: BeamId| {
+        let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+        let kind = LoadKind::Distributed {
+            beam: girder,
+            stretch,
+            force: [[0.0, -1.0]; 2],
+            follower: false,
+        };
+        b.load(Load::new("q", kind));
+    };
+    let found = on_supports(&spread);
+    let most = found.element_points.iter().map(|p| p.forces[2]).fold(0.0, f64::max);
+    near(most, 0.5);
+    let told = found.section_forces[0].moment.largest().value.abs();
+    assert!((most / told - 1.0).abs() < 1e-9, "{most} {told}");
+}
+
+/// A plank of seven elements struck in the middle of the fourth: what a frame shows is what points record, and nothing is larger than the
+/// summary has it.
+#[test]
+fn the_largest_vertices_of_all_frames_are_the_largest_section_forces_of_the_run() {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("steel", 210e9, 7850.0));
+    let section = b.section(Section::rectangle("plank", 0.2, 0.012));
+    let girder = b.beam(beam("girder", [0.0; 2], [2.0, 0.0], 7, material, section));
+    b.support(Support::new("left", at("left", girder, 0.0), SupportKind::Pin));
+    let level = SupportKind::Roller { direction: [1.0, 0.0] };
+    b.support(Support::new("right", at("right", girder, 1.0), level));
+    b.projectile(Projectile {
+        kind: ProjectileKind::spring(40e3),
+        mass: 10.0,
+        standoff: 0.05,
+        ..elastic("bag", at("mid", girder, 0.5), [0.0, -5.0])
+    });
+    b.record_point(at("aside", girder, 0.41));
+    let model = b.build().unwrap();
+    let mut frames = Frames { column: "section.aside.moment", ..Frames::default() };
+    let run = simulate(&model, &Settings::new(0.07, 2e-4), &mut frames).unwrap();
+    let beam = &run.section_forces[0];
+    let largest = |i: usize| {
+        let all = frames.frames.iter().flat_map(|f| &f.section_points);
+        all.map(|p| p.forces[i].abs()).fold(0.0, f64::max)
+    };
+    for (i, range) in [&beam.axial, &beam.shear, &beam.moment].into_iter().enumerate() {
+        let known = range.largest().value.abs();
+        assert!((largest(i) / known - 1.0).abs() < 1e-9, "{i}: {} {known}", largest(i));
+    }
+    let size = beam.moment.largest().value.abs();
+    for (frame, recorded) in frames.frames.iter().zip(&frames.rows) {
+        let after = frame.section_points.iter().position(|p| p.s > 0.82).unwrap();
+        let [a, b] = [&frame.section_points[after - 1], &frame.section_points[after]];
+        let shown = a.forces[2] + (0.82 - a.s) / (b.s - a.s) * (b.forces[2] - a.forces[2]);
+        assert!((shown - recorded).abs() < 0.01 * size, "{}: {shown} {recorded}", frame.time);
+    }
 }

@@ -46,6 +46,7 @@ mod shear_flexible;
 mod shear_forces;
 mod shear_stresses;
 mod shear_yielding;
+mod sides;
 mod slack;
 mod sliding;
 mod spectra;

@@ -2,7 +2,7 @@
 
 use super::element::{ElementForces, PLACES, station};
 use super::fibres::Fibres;
-use super::line::{Rise, SectionForces};
+use super::line::{Rise, SAME_PLACE, SectionForces};
 use super::screen::{depth_of, extremes, may_exceed_between, stress_may_exceed};
 use crate::summary::SectionForceSummary;
 
@@ -10,7 +10,8 @@ use crate::summary::SectionForceSummary;
 const PIECES: usize = 4;
 
 /// Derivatives of axial force, shear force and moment.
-const RISES: [fn(&Rise) -> f64; 3] = [|rise| rise.axial, |rise| rise.shear, |rise| rise.moment];
+pub(super) const RISES: [fn(&Rise) -> f64; 3] =
+    [|rise| rise.axial, |rise| rise.shear, |rise| rise.moment];
 
 impl ElementForces<'_> {
     /// Takes section forces where they are largest between two places.
@@ -26,13 +27,19 @@ impl ElementForces<'_> {
         }
     }
 
+    /// The next place from one on at which a force acts inside, or of these; those next to it are the same place.
+    pub(super) fn next_stop(&self, from: f64, places: &[f64]) -> f64 {
+        let stops = self.inner.iter().map(|one| one.xi).chain(places.iter().copied());
+        let to = stops.filter(|xi| *xi > from + SAME_PLACE).fold(1.0, f64::min);
+        if to > 1.0 - SAME_PLACE { 1.0 } else { to }
+    }
+
     /// Takes what is behind and ahead of every force inside, and where section forces are largest between them.
     pub(super) fn take_between_forces(&self, out: &mut SectionForceSummary, time: f64) {
         let mut from = 0.0;
         let mut ahead = self.line.at(from, self.inner, true);
         while from < 1.0 {
-            let stops = self.inner.iter().map(|one| one.xi).chain(PLACES);
-            let to = stops.filter(|xi| *xi > from).fold(1.0, f64::min);
+            let to = self.next_stop(from, &PLACES);
             let behind = self.line.at(to, self.inner, false);
             self.take_within(out, [from, to], [&ahead, &behind], time);
             self.take_at(out, to, &behind, time);

@@ -81,7 +81,7 @@ impl<'a> ElementForces<'a> {
     }
 
     fn fibres_of(&self, section: &SectionValues, xi: f64, forces: &SectionForces) -> Fibres {
-        let gauss = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
+        let gauss = hermite::nearest_gauss_point(xi);
         let curvature = self.span.table(self.k).rows[gauss].reference.curvature;
         let strained = self.strained.map(|[a, b]| {
             let mix = |a: f64, b: f64| (1.0 - xi) * a + xi * b;
@@ -95,13 +95,7 @@ impl<'a> ElementForces<'a> {
         let places = PLACES.map(|xi| self.line.at(xi, self.inner, false));
         for (j, forces) in places.iter().enumerate() {
             let fibres = self.take_at(out, PLACES[j], forces, time);
-            let e = &mut out.envelope;
-            widen(&mut e.axial, index + j, forces.axial, forces.axial);
-            widen(&mut e.shear, index + j, forces.shear, forces.shear);
-            widen(&mut e.moment, index + j, forces.moment, forces.moment);
-            if let Some(Fibres { stress: [least, most], .. }) = fibres {
-                widen(&mut e.stress, index + j, least, most);
-            }
+            self.widen(out, index + j, forces, fibres.as_ref());
         }
         for (j, fibres) in self.yielded.iter().flatten().enumerate() {
             let xi = if self.span.shear.is_some() { 0.5 } else { hermite::gauss_points()[j] };
@@ -113,6 +107,23 @@ impl<'a> ElementForces<'a> {
             self.take_between_forces(out, time);
         } else {
             self.take_between_places(out, &places, time);
+        }
+    }
+
+    /// Takes section forces and stresses of a place into the envelope.
+    pub(super) fn widen(
+        &self,
+        out: &mut SectionForceSummary,
+        index: usize,
+        forces: &SectionForces,
+        fibres: Option<&Fibres>,
+    ) {
+        let e = &mut out.envelope;
+        widen(&mut e.axial, index, forces.axial, forces.axial);
+        widen(&mut e.shear, index, forces.shear, forces.shear);
+        widen(&mut e.moment, index, forces.moment, forces.moment);
+        if let Some(Fibres { stress: [least, most], .. }) = fibres {
+            widen(&mut e.stress, index, *least, *most);
         }
     }
 

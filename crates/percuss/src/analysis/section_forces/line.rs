@@ -23,6 +23,9 @@ const UNIT_MASS_INVERSE: [[f64; 4]; 4] = [
     [-60.0, 840.0, 120.0, 1200.0],
 ];
 
+/// Places of an element that are nearer to each other than this share of it are one: which of two comes first is not for round-off to decide.
+pub const SAME_PLACE: f64 = 1e-9;
+
 /// Numbers of a [`Line`].
 pub const NUMBERS: usize = 24;
 
@@ -333,8 +336,7 @@ impl Line {
     #[inline]
     pub fn at(&self, xi: f64, inner: &[Inner], ahead: bool) -> SectionForces {
         let smooth = self.smooth(xi);
-        let mut before =
-            inner.iter().filter(|one| one.xi < xi || (ahead && one.xi == xi)).peekable();
+        let mut before = inner.iter().filter(|one| is_behind(one, xi, ahead)).peekable();
         if before.peek().is_none() {
             return smooth;
         }
@@ -369,6 +371,12 @@ impl Line {
         }
         0.5 * (a.0 + b.0)
     }
+}
+
+/// Whether a force inside acts behind a place, or at it where what is ahead of it is asked for.
+fn is_behind(one: &Inner, xi: f64, ahead: bool) -> bool {
+    let beyond = if ahead { SAME_PLACE } else { -SAME_PLACE };
+    one.xi < xi + beyond
 }
 
 /// Share of the way at which the shape functions give the second node this share of a force.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::line::{ElementShape, Inner, Line, NUMBERS, OnNodes, place_of, resultant};
+use super::line::{ElementShape, Inner, Line, NUMBERS, OnNodes, SAME_PLACE, place_of, resultant};
 use super::span_lines::SpanLines;
 use crate::element::shear::spread_linearly;
 use crate::geometry::row::Row;
@@ -20,9 +20,6 @@ use crate::step::forcing::Forcing;
 use crate::step::given_strains;
 use crate::step::integration::{Integration, Rule};
 use crate::step::masses;
-
-/// Nearer to a node than this share of an element is at the node.
-const AT_NODE: f64 = 1e-9;
 
 /// What acts in a solved step, or in an equilibrium.
 #[derive(Clone, Copy, Debug)]
@@ -336,7 +333,7 @@ impl Lines {
             let (on_a, on_b) = ([c[0], c[1]], [d[0], d[1]]);
             let whole = add(on_a, on_b);
             let share = dot(on_b, whole) / dot(whole, whole);
-            if !(AT_NODE..=1.0 - AT_NODE).contains(&share) {
+            if !(SAME_PLACE..=1.0 - SAME_PLACE).contains(&share) {
                 continue;
             }
             let on = |n: usize| {

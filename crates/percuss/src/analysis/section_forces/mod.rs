@@ -4,7 +4,9 @@
 //! inertia ([`line`]), not from its strains: they agree with the reactions of supports, and jump only where something acts.
 //! Of a step they are those of its middle, where the scheme has its balance, as reactions are means over the step.
 
+mod acted;
 mod between;
+mod drawn;
 mod element;
 mod fibres;
 mod lanes;
@@ -17,7 +19,7 @@ mod span_lines;
 
 use crate::element::beam::ElementValues;
 use crate::element::shear::MIDDLE;
-use crate::math::hermite::GAUSS;
+use crate::math::hermite::{self, GAUSS};
 use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span, SpanFibres};
 use crate::scalar::in_lanes;
@@ -31,18 +33,24 @@ use fibres::{Fibres, Strained};
 use lanes::PlainSpan;
 use line::SectionForces;
 
+pub use acted::ordered;
 pub use lines::{Acting, Lines};
 pub use runs::{ElementActing, ElementPlace, ForceInside, RunForces};
+
+/// Stresses whose magnitudes differ by less than this share are as large.
+const SAME_STRESS: f64 = 1e-9;
 
 /// Nothing seen yet, one entry a beam.
 pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
     let entry = |beam: &BeamData| {
-        let n = PLACES.len() * beam.elements.len();
+        let acted = acted::places(model, beam);
+        let n = acted::regular(beam) + 2 * acted.len();
         let places = |w: &[f64]| PLACES.map(|xi| station(w[0], w[1], xi));
         let mut s = Vec::with_capacity(n);
         for span in &model.spans[beam.spans.clone()] {
             s.extend(span.stations.windows(2).flat_map(places));
         }
+        s.extend(acted.iter().flat_map(|at| [*at; 2]));
         let open = || [vec![f64::NAN; n], vec![f64::NAN; n]];
         let stressed = model.spans[beam.spans.clone()].iter().any(|span| !is_plain(span));
         let stress = if stressed { open() } else { Default::default() };
@@ -82,10 +90,15 @@ pub fn fit(a: &[SectionForceSummary], b: &[SectionForceSummary]) -> bool {
 /// Takes section forces into the extremes so far; `state` is that at the end of the step.
 pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionForceSummary]) {
     for (beam, out) in model.beams.iter().zip(out) {
+        let regular = acted::regular(beam);
+        let acted = out.envelope.s.len() > regular;
         for span in &model.spans[beam.spans.clone()] {
             if is_plain(span) {
                 let first = beam.elements.start;
                 in_lanes(PlainSpan { span, first, lines, state, out: &mut *out });
+                if acted {
+                    acted::take_plain(span, lines, out, regular);
+                }
                 continue;
             }
             for k in 0..span.elements.len() {
@@ -97,6 +110,9 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
                     ElementForces { span, k, line, inner, strained, yielded, stresses, sheared };
                 let index = PLACES.len() * (element - beam.elements.start);
                 piece.take(out, index, state.time);
+                if acted {
+                    piece.take_acted(out, regular);
+                }
             }
         }
     }
@@ -183,9 +199,10 @@ pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoi
         let piece = ElementForces { span, k, line, inner, strained, yielded, stresses, sheared };
         let f = line.at(xi, inner, ahead);
         let own = stress_at(&piece, xi, &f, state);
-        let worse = |other: f64| other.abs() > own.largest.abs() || own.largest.is_nan();
         let stress = match found {
-            Some(PointForces { stress: other, .. }) if worse(other.largest) => other,
+            Some(PointForces { stress: other, .. }) if is_worse(other.largest, own.largest) => {
+                other
+            }
             _ => own,
         };
         found = Some(PointForces { axial: f.axial, shear: f.shear, moment: f.moment, stress });
@@ -203,18 +220,28 @@ fn stress_at(
     state: &State,
 ) -> PointStress {
     let ElementForces { span, k, yielded, .. } = piece;
-    // Of an element that can yield, at the nearest Gauss point: elsewhere fibres remember nothing.
-    let near = ((xi * GAUSS as f64) as usize).min(GAUSS - 1);
-    let [top, bottom] = match &span.fibres {
-        Some(fibres) => yielded_faces(span, fibres, *k, state, near),
-        None => fibres::faces(&span.section_at(*k, xi), forces),
+    let Some((fibres, yielded)) = span.fibres.as_ref().zip(*yielded) else {
+        let [top, bottom] = fibres::faces(&span.section_at(*k, xi), forces);
+        let largest = piece.fibres(xi, forces).map_or(f64::NAN, |fibres| larger(fibres.stress));
+        return PointStress { largest, top, bottom };
     };
-    let all = piece.fibres(xi, forces).or(yielded.map(|fibres| fibres[near]));
-    let largest = all.map_or(f64::NAN, |fibres| {
-        let [least, most] = fibres.stress;
-        if least.abs() > most.abs() { least } else { most }
-    });
-    PointStress { largest, top, bottom }
+    // Of an element that can yield, at the nearest Gauss point, of two the one with the larger stress: elsewhere fibres remember nothing.
+    let at = |gauss: usize| {
+        let [top, bottom] = yielded_faces(span, fibres, *k, state, gauss);
+        PointStress { largest: larger(yielded[gauss].stress), top, bottom }
+    };
+    let [one, other] = hermite::nearest_gauss_points(xi).map(at);
+    if is_worse(other.largest, one.largest) { other } else { one }
+}
+
+/// Of the least and the largest stress that of larger magnitude; tension, where they are as large.
+fn larger([least, most]: [f64; 2]) -> f64 {
+    if is_worse(least, most) { least } else { most }
+}
+
+/// Whether a stress is larger than another by more than round-off, or there is no other.
+fn is_worse(one: f64, other: f64) -> bool {
+    one.abs() > other.abs() * (1.0 + SAME_STRESS) || other.is_nan()
 }
 
 /// The sides of a point, behind it and ahead of it: node a of the element, share of the way, whether ahead of what acts there.

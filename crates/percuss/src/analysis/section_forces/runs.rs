@@ -2,6 +2,7 @@
 //!
 //! Axial force, shear force and moment, and stresses of elastic beams where they are asked for; strains are not reported.
 
+use super::acted;
 use super::element::{ElementForces, PLACES, widen};
 use super::line::{ElementShape, Inner, Line, OnNodes, SectionForces};
 use super::lines::{inner_of, take};
@@ -62,6 +63,8 @@ pub struct RunForces<'m, S: Number> {
     known: Vec<BeamExtremes<S>>,
     /// The same at both ends and in the middle of each element, shape (elements, 3, 3, 2) \[N, N, N m\].
     envelope: Vec<[BeamExtremes<S>; 3]>,
+    /// Whether a fixed place of action is inside an element in a lane's run, shape (elements).
+    acted: Vec<bool>,
     /// Stresses, if they are asked for.
     stresses: Option<Stresses<S>>,
 }
@@ -87,6 +90,7 @@ impl<'m, S: Number> RunForces<'m, S> {
             found: vec![Vec::new(); S::LANES],
             known: vec![none; model.beams.len()],
             envelope: vec![[none; 3]; elements],
+            acted: vec![false; elements],
             stresses: stresses.then(|| Stresses {
                 depth: vec![none; elements],
                 known: vec![none[0]; model.beams.len()],
@@ -99,7 +103,9 @@ impl<'m, S: Number> RunForces<'m, S> {
     pub fn begin(&mut self, lane: usize, model: &'m Model) {
         self.models[lane] = Some(model);
         self.found[lane] = unset(model);
-        for beam in &mut self.found[lane] {
+        for (beam, data) in self.found[lane].iter_mut().zip(&model.beams) {
+            let stressed = self.stresses.is_some();
+            acted::begin(model, data, &mut beam.envelope, (stressed, &mut self.acted));
             let s = beam.envelope.s.first().map_or(0.0, |s| *s);
             ranges(beam).into_iter().for_each(|range| range.take(0.0, s, 0.0));
             if self.stresses.is_some() {
@@ -128,6 +134,9 @@ impl<'m, S: Number> RunForces<'m, S> {
                 range[0] = S::choose(go & value.less(range[0]), value, range[0]);
                 range[1] = S::choose(go & range[1].less(value), value, range[1]);
             }
+        }
+        if self.acted[at.element] {
+            self.take_acted(at, &line, go);
         }
         let [mut exceeds, mut turns] = look_at(&places, &self.known[at.beam]);
         if let Some(stresses) = &mut self.stresses {
@@ -178,6 +187,10 @@ impl<'m, S: Number> RunForces<'m, S> {
         let piece = ElementForces::elastic(span, at.k, line, &inner, self.stresses.is_some());
         let index = PLACES.len() * (at.element - first);
         piece.take(&mut self.found[lane][at.beam], index, time);
+        if let Some(model) = self.models[lane] {
+            let regular = acted::regular(&model.beams[at.beam]);
+            piece.take_acted(&mut self.found[lane][at.beam], regular);
+        }
         self.know(lane, at.beam);
     }
 
@@ -199,6 +212,7 @@ impl<'m, S: Number> RunForces<'m, S> {
                 }
             }
         }
+        acted::ordered(&mut found);
         found
     }
 
@@ -206,6 +220,16 @@ impl<'m, S: Number> RunForces<'m, S> {
     fn span(&self, lane: usize, at: ElementPlace) -> Option<(&'m Span, usize)> {
         let model = self.models[lane]?;
         Some((&model.spans[at.span], model.beams[at.beam].elements.start))
+    }
+
+    /// Takes the fixed places of action inside an element into the envelopes of the lanes that `go`.
+    fn take_acted(&mut self, at: ElementPlace, line: &Line<S>, go: S::Mask) {
+        for lane in (0..S::LANES).filter(|lane| go.lane(*lane)) {
+            let Some(piece) = self.piece(lane, at, line) else { continue };
+            let regular =
+                self.models[lane].map_or(0, |model| acted::regular(&model.beams[at.beam]));
+            piece.take_acted(&mut self.found[lane][at.beam], regular);
+        }
     }
 
     fn take_places(&mut self, lane: usize, at: ElementPlace, line: &Line<S>, time: f64) {

@@ -3,6 +3,7 @@
 use super::{INVERSE_ITERATIONS, Motions, RULE, Reached, StaticSearch, constraint_step, largest};
 use crate::analysis::section_forces::{self, Acting, Lines};
 use crate::analysis::spectrum::{metric, random, size};
+use crate::frame::SectionPoint;
 use crate::linalg::block::inner;
 use crate::math::vec2::{add, cross, scale};
 use crate::model::Model;
@@ -25,6 +26,8 @@ pub struct ReachedForces {
     pub points: Vec<PointForces>,
     /// Axial force, shear force and moment at the ends of every element, shape (elements, 2, 3) \[N, N, N m\].
     pub ends: Vec<[[f64; 3]; 2]>,
+    /// Vertices of the section forces along all elements, shape (vertices).
+    pub vertices: Vec<SectionPoint>,
 }
 
 impl StaticSearch<'_> {
@@ -170,8 +173,12 @@ impl StaticSearch<'_> {
         let pressed = pressed.chain(pushed);
         lines.set(self.model, &acting, pressed);
         section_forces::update(self.model, &lines, state, &mut beams);
+        section_forces::ordered(&mut beams);
         let at = |point| section_forces::at_point(self.model, &lines, state, point);
+        let mut vertices = Vec::new();
+        lines.vertices(self.model, &beams, &mut vertices);
         ReachedForces {
+            vertices,
             beams,
             points: self.model.points.iter().map(at).collect(),
             ends: lines.ends(self.model.element_count()).collect(),

@@ -3,13 +3,14 @@
 use serde::{Deserialize, Serialize};
 
 use crate::analysis::section_forces::Lines;
-use crate::frame::{Frame, FrameForce};
+use crate::frame::{Frame, FrameForce, SectionPoint};
 use crate::geometry::touch::{SearchRegion, tangent_of};
 use crate::math::vec2::{add, norm, scale};
 use crate::model::Model;
 use crate::run::solving::trial::{Accepted, PartKind};
 use crate::state::State;
 use crate::step::contacts::PressingPair;
+use crate::summary::SectionForceSummary;
 
 /// In an impact a contact at rest has an impulse of its own only above this multiple of that of its force.
 const OF_FORCE: f64 = 2.0;
@@ -37,6 +38,9 @@ pub struct Frames {
     /// Axial force, shear force and moment at the start and the end of every element, shape (elements, 2, 3) \[N, N, N m\].
     #[serde(skip)]
     section_forces: Vec<[[f64; 3]; 2]>,
+    /// Section forces along all elements, shape (vertices).
+    #[serde(skip)]
+    section_points: Vec<SectionPoint>,
     /// Forces and impulses of everything that touches, shape (such forces and impulses).
     #[serde(skip)]
     contact_forces: Vec<FrameForce>,
@@ -108,10 +112,16 @@ impl Frames {
         [sum(&self.compliant) + sum(&self.persistent), sum(&self.impulses)]
     }
 
-    /// The frame of a state.
-    pub fn frame<'a>(&'a mut self, model: &Model, state: &'a State, lines: &Lines) -> Frame<'a> {
+    /// The frame of a state, with the section forces of the last step and the extremes so far.
+    pub fn frame<'a>(
+        &'a mut self,
+        model: &Model,
+        state: &'a State,
+        (lines, so_far): (&Lines, &[SectionForceSummary]),
+    ) -> Frame<'a> {
         self.section_forces.clear();
         self.section_forces.extend(lines.ends(model.element_count()));
+        lines.vertices(model, so_far, &mut self.section_points);
         self.contact_forces.clear();
         let forces = self.compliant.iter().chain(&self.persistent).map(|one| (one, false));
         let impulses = self.impulses.iter().map(|one| (one, true));
@@ -128,6 +138,7 @@ impl Frames {
             velocity: &state.velocity,
             spin: &state.spin,
             section_forces: &self.section_forces,
+            section_points: &self.section_points,
             contact_forces: &self.contact_forces,
             load_factors: &self.load_factors,
         }
