@@ -53,8 +53,10 @@ pub struct Comparison {
     pub by_hand: f64,
     /// By the run.
     pub simulated: f64,
-    /// `(simulated - by_hand) / by_hand`, in per cent.
+    /// `(simulated - by_hand) / by_hand`, in per cent; of a bound no error.
     pub difference_percent: f64,
+    /// Whether the formula gives an upper bound, below which the result may be far.
+    pub bound: bool,
     /// The formula's assumptions, and for each whether it is met here.
     pub holds_if: String,
 }
@@ -85,6 +87,13 @@ pub struct AuditWarning {
     pub text: String,
     /// Why it is allowed, in the words of whoever allowed it.
     pub reason: Option<String>,
+}
+
+impl Comparison {
+    /// Assumptions that are not met, in words, shape (assumptions).
+    pub fn unmet(&self) -> Vec<&str> {
+        self.holds_if.split("; ").filter_map(|one| one.strip_suffix(" (not met)")).collect()
+    }
 }
 
 impl Verdict {

@@ -20,32 +20,89 @@ const MOST: usize = 50;
 /// Tells notes and warnings, a line each, those said of several contacts once; what is fine stands in the report. Where there are very
 /// many, the weightiest are reported and the rest is counted.
 pub fn tell(advice: &[Advice]) {
-    let mut reported: Vec<(&Advice, usize)> = Vec::new();
-    let mut places: HashMap<(&str, Verdict, &str), usize> = HashMap::new();
-    for one in advice.iter().filter(|one| one.verdict > Verdict::Fine) {
-        match places.entry((one.topic.name(), one.verdict, one.text.as_str())) {
-            Entry::Occupied(place) => reported[*place.get()].1 += 1,
-            Entry::Vacant(place) => {
-                place.insert(reported.len());
-                reported.push((one, 1));
-            }
-        }
-    }
+    let mut reported = grouped(advice);
     let rest = reported.len().saturating_sub(MOST);
     if rest > 0 {
-        reported.sort_by_key(|(one, _)| std::cmp::Reverse(one.verdict));
+        reported.sort_by_key(|group| std::cmp::Reverse(group.first.verdict));
         reported.truncate(MOST);
     }
-    for (one, all) in reported {
-        let contact = match all {
-            1 => one.contact.clone(),
-            all => format!("{} and {} more", one.contact, all - 1),
-        };
-        let text = format!("{contact}, {}: {}", one.topic.name(), one.text);
+    for group in reported {
+        let one = group.first;
+        let text = format!("{}, {}: {}", group.names(), one.topic.name(), one.text);
+        let text = if group.differ { format!("{text} (of {})", one.contact) } else { text };
         say(one.topic.into(), one.verdict, (&text, one.reason.as_deref()));
     }
     if rest > 0 {
         terminal::tell(&format!("and {rest} more notes and warnings"));
+    }
+}
+
+/// Findings that say the same of several subjects.
+struct Group<'a> {
+    /// The first of them, whose text is told.
+    first: &'a Advice,
+    /// Their subjects.
+    subjects: Vec<&'a str>,
+    /// Whether their numbers differ.
+    differ: bool,
+}
+
+/// Subjects of a finding that are named.
+const NAMED: usize = 6;
+/// Findings of one kind with numbers of their own that are told one by one.
+const APART: usize = 4;
+
+impl Group<'_> {
+    /// The subjects, of many the first ones.
+    fn names(&self) -> String {
+        let all = &self.subjects;
+        match all.len() - all.len().min(NAMED) {
+            0 => all.join(", "),
+            more => format!("{} and {more} more", all[..NAMED].join(", ")),
+        }
+    }
+}
+
+/// What is worth telling, equal findings once: those whose texts differ in nothing but names of subjects, and those that differ in numbers, too,
+/// where there are many.
+fn grouped(advice: &[Advice]) -> Vec<Group<'_>> {
+    let told = || advice.iter().filter(|one| one.verdict > Verdict::Fine);
+    let mut kinds: HashMap<Kind<'_>, usize> = HashMap::new();
+    told().for_each(|one| *kinds.entry(kind(one, true)).or_default() += 1);
+    let mut reported: Vec<Group<'_>> = Vec::new();
+    let mut places: HashMap<Kind<'_>, usize> = HashMap::new();
+    for one in told() {
+        let many = kinds[&kind(one, true)] > APART;
+        match places.entry(kind(one, many)) {
+            Entry::Occupied(place) => {
+                let group = &mut reported[*place.get()];
+                group.differ |= shape(&one.text, false) != shape(&group.first.text, false);
+                group.subjects.push(&one.contact);
+            }
+            Entry::Vacant(place) => {
+                place.insert(reported.len());
+                reported.push(Group { first: one, subjects: vec![&one.contact], differ: false });
+            }
+        }
+    }
+    reported
+}
+
+/// Topic, verdict, reason, and the text without what differs between subjects.
+type Kind<'a> = (&'a str, Verdict, Option<&'a str>, String);
+
+fn kind(one: &Advice, without_numbers: bool) -> Kind<'_> {
+    (one.topic.name(), one.verdict, one.reason.as_deref(), shape(&one.text, without_numbers))
+}
+
+/// A text without the names in quotes, and without its numbers.
+fn shape(text: &str, without_numbers: bool) -> String {
+    let names: String = text.split('\'').step_by(2).collect::<Vec<_>>().join("''");
+    let plain = |c: char| !(without_numbers && (c.is_ascii_digit() || c == '.'));
+    // Prefixes of units go with the numbers.
+    match without_numbers {
+        true => names.split(' ').filter(|word| word.chars().all(plain) && word.len() > 3).collect(),
+        false => names,
     }
 }
 
@@ -107,4 +164,41 @@ pub fn warn(caution: Caution, text: &str, codes: &[Code]) -> Option<String> {
 
 fn refused(code: Code, text: &str, codes: &[Code]) -> Option<String> {
     codes.contains(&code).then(|| format!("{} is denied", code.behind(text)))
+}
+
+#[cfg(test)]
+mod tests {
+    use percuss_codes::Topic;
+
+    use super::*;
+
+    fn note(contact: &str, text: &str) -> Advice {
+        Advice {
+            contact: contact.to_owned(),
+            topic: Topic::ContactDuration,
+            value: 1.0,
+            reference: 1.0,
+            unit: "s",
+            verdict: Verdict::Note,
+            text: text.to_owned(),
+            reason: None,
+        }
+    }
+
+    #[test]
+    fn equal_notes_of_many_contacts_are_one_with_their_names() {
+        let same: Vec<Advice> = (0..50)
+            .map(|k| note(&format!("p{k}"), &format!("'p{k}' touches along a face")))
+            .collect();
+        let groups = grouped(&same);
+        assert_eq!(groups.len(), 1);
+        assert_eq!(groups[0].names(), "p0, p1, p2, p3, p4, p5 and 44 more");
+        assert!(!groups[0].differ);
+        // Those with numbers of their own: few are told one by one, many once with the numbers of the first.
+        let own = |k: usize| note(&format!("p{k}"), &format!("waves return after {k}.5 ms, early"));
+        let few: Vec<Advice> = (0..3).map(own).collect();
+        assert_eq!(grouped(&few).len(), 3);
+        let many: Vec<Advice> = (0..50).map(own).collect();
+        assert_eq!((grouped(&many).len(), grouped(&many)[0].differ), (1, true));
+    }
 }

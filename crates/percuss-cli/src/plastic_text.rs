@@ -2,7 +2,15 @@
 
 use percuss::{PermanentSet, PlasticHinge};
 
+use percuss_output::round_off::{HINGE, without_round_off};
+
 use crate::number::quantity;
+
+/// The plastic hinge of the largest rotation, if it is one for a reader.
+pub fn largest_hinge(hinges: &[PlasticHinge]) -> Option<&PlasticHinge> {
+    let told = hinges.iter().filter(|hinge| hinge.rotation.abs() >= HINGE);
+    told.max_by(|a, b| a.rotation.abs().total_cmp(&b.rotation.abs()))
+}
 
 /// Rotation, centre and length of a plastic hinge.
 pub fn plastic_hinge(hinge: &PlasticHinge) -> String {
@@ -17,7 +25,7 @@ pub fn permanent_deflection(set: &PermanentSet) -> String {
     if set.s.is_nan() {
         return format!("permanent deflection {size}");
     }
-    let plain = |x: f64| quantity(if x.abs() < 1e-9 * set.size() { 0.0 } else { x }, "m");
+    let plain = |x: f64| quantity(without_round_off(x, set.size()), "m");
     let ([x, y], s) = (set.displacement.map(plain), quantity(set.s, "m"));
     format!("permanent deflection {size}, (x, y) = ({x}, {y}) at s = {s}")
 }

@@ -20,6 +20,7 @@ pub mod paraview;
 mod path;
 mod place;
 pub mod report;
+pub mod round_off;
 mod shapes;
 pub mod shock;
 mod summary;

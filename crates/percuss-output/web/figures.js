@@ -21,10 +21,10 @@ function significant(value, digits) {
   return String(Number(value.toPrecision(digits)));
 }
 
-// Five digits; what is below 1e-12 of the scale is round-off, and nothing.
+// Five digits; what is below 1e-9 of the scale is round-off (round_off.rs), and nothing.
 function withUnit(value, unit, scale = 0) {
   if (value == null) return "";
-  const plain = Math.abs(value) <= 1e-12 * scale ? 0 : value;
+  const plain = Math.abs(value) <= 1e-9 * scale ? 0 : value;
   return significant(plain, 5) + (unit ? (unit.startsWith("10") ? " \u00b7 " : " ") + unit : "");
 }
 

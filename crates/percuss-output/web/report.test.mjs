@@ -66,7 +66,8 @@ test("figures over time share their span, an empty one has some", () => {
 
 test("what is round-off beside its scale is nothing", () => {
   assert.equal(withUnit(3e-14, "kN", 1), "0 kN");
-  assert.equal(withUnit(3e-11, "kN", 1), "3e-11 kN");
+  assert.equal(withUnit(3e-11, "kN", 1), "0 kN");
+  assert.equal(withUnit(3e-8, "kN", 1), "3e-8 kN");
   assert.equal(withUnit(123456.7, ""), "123460");
 });
 

@@ -41,6 +41,7 @@ pub fn free_beam(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Com
     }
     let longer = format!("contact longer than the lowest period: {} periods", digits(share));
     let formula = Formula {
+        bound: false,
         name: "two free rigid bodies",
         source: "conservation of momentum and energy, with the reduced mass",
         assumptions: lossless(observed, observed.undisturbed(struck).and(longer, share >= 1.0)),
@@ -72,6 +73,7 @@ pub fn impulse_of_struck(observed: &ObservedContact<'_>, struck: &Struck<'_>) ->
         quantity(limit, "N s")
     );
     let formula = Formula {
+        bound: false,
         name: "effective mass of the struck point",
         source: "Newton's impact law with 1/(1/M + n M^-1 n)",
         assumptions: observed
@@ -122,6 +124,7 @@ pub fn two_bodies(observed: &ObservedContact<'_>, two: &Bodies) -> Vec<Compariso
         Assumptions::default().and("no previous contact of either body", observed.is_alone());
     if let Some(restitution) = observed.restitution() {
         let formula = Formula {
+            bound: false,
             name: "two rigid bodies",
             source: "Newton's impact law with the reduced mass",
             assumptions: alone,
@@ -142,6 +145,7 @@ pub fn two_bodies(observed: &ObservedContact<'_>, two: &Bodies) -> Vec<Compariso
         return Vec::new();
     };
     let formula = Formula {
+        bound: false,
         name: "two rigid bodies",
         source: if weight == 0.0 {
             "half a period of mass and spring, or Hertz (Johnson 1985, eq. 11.24)"

@@ -89,6 +89,7 @@ pub fn of_the_force(
         } else {
             "all energy stored in the contact"
         },
+        bound: true,
         source: "the contact stores at most the kinetic energy and the work of the weight: V(p) <= M v^2/2 + work; with a spring v sqrt(k M)",
         assumptions,
     };

@@ -76,6 +76,8 @@ pub(crate) struct ObservedContact<'a> {
 pub(crate) struct Formula {
     pub name: &'static str,
     pub source: &'static str,
+    /// Whether it gives an upper bound.
+    pub bound: bool,
     pub assumptions: Assumptions,
 }
 
@@ -150,6 +152,7 @@ impl ObservedContact<'_> {
             by_hand: q.by_hand,
             simulated: q.simulated,
             difference_percent: 100.0 * (q.simulated - q.by_hand) / q.by_hand,
+            bound: formula.bound,
             holds_if: holds_if(&q).text(),
         };
         quantities.into_iter().filter(known).map(row).collect()

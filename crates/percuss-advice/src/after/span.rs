@@ -112,6 +112,7 @@ pub fn two_masses(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Co
     let assumptions = hangs(observed, assumptions, sag, impact.deflection);
     let assumptions = stiff_in_shear(struck, &span, assumptions);
     let formula = Formula {
+        bound: false,
         name: "two-degree-of-freedom model",
         source: "Shivakumar, Elber and Illg 1985, with the span's reduced mass",
         assumptions: weightless(observed, struck, assumptions, impact.peak_force),
@@ -141,6 +142,7 @@ pub fn cox(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec<Compariso
     }
     let sag = sag(observed, struck, &span);
     let formula = |assumptions| Formula {
+        bound: false,
         name: "Cox",
         source: "Cox 1849: conservation of momentum of the mass and the reduced span, then of their energy",
         assumptions,
@@ -205,7 +207,7 @@ pub fn impact_factor(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec
                 format!("light span: its reduced mass is {} of the falling mass", digits(ratio));
             small(if light { all.and(share, ratio < LIGHT) } else { all }, struck, by_hand)
         };
-        let formula = |assumptions| Formula { name, source, assumptions };
+        let formula = |assumptions| Formula { bound: false, name, source, assumptions };
         let bent = assumptions().and(STATIC_SHAPE, false);
         let bending = vec![deflection(observed, struck, by_hand + hung(observed, sag))];
         let mut all = observed.rows(&formula(assumptions()), bending);

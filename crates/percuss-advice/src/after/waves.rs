@@ -44,6 +44,7 @@ pub fn infinite_beam(observed: &ObservedContact<'_>, struck: &Struck<'_>) -> Vec
     }
     let assumptions = observed.carried(struck, assumptions, lasts);
     let formula = Formula {
+        bound: false,
         name: "infinite beam",
         source: if linear_stiffness(observed.case.law).is_some() && struck.pull() == 0.0 {
             "closed form for a mass with a linear spring on an infinite Bernoulli beam"
@@ -138,7 +139,8 @@ pub fn bar_on_wall(observed: &ObservedContact<'_>, beams: &Beams<'_>) -> Vec<Com
             format!("weight negligible: {} % of the speed in the contact", digits(100.0 * share));
         assumptions = assumptions.and(what, share < NEGLIGIBLE);
     }
-    let formula = Formula { name: "elastic bar on a rigid wall", source, assumptions };
+    let formula =
+        Formula { bound: false, name: "elastic bar on a rigid wall", source, assumptions };
     let impulse: f64 = observed.intervals().iter().map(|i| i.impulse).sum::<f64>()
         + match &observed.contact.record {
             ContactRecord::Nonsmooth { impacts, .. } => impacts.iter().map(|i| i.impulse).sum(),

@@ -145,22 +145,30 @@ fn advice(cheapest: &Cheapest, results: usize) -> String {
     };
     let of = match cheapest.out_of_reach.len() {
         0 => String::new(),
-        more => format!(" of {} of {results} results", results.saturating_sub(more)),
+        more => format!(", for {} of {results} results", results.saturating_sub(more)),
     };
     let mut text = match cheapest.step.is_nan() {
         true => format!("no settings found for {percent} %\n"),
         false => format!(
-            "cheapest for {percent} %{of}: time.step = {}, {} times the elements ({}), {fibres}{} times the work\n",
+            "least work for an error of {percent} %{of}: time.step = {}, {} elements ({}), {fibres}{}\n",
             number(cheapest.step),
-            number(cheapest.mesh_factor),
             number(cheapest.elements),
-            number(cheapest.cost),
+            times(cheapest.mesh_factor, "as in the file", "times as many"),
+            times(cheapest.cost, "as much work as with the file's settings", "times the work"),
         ),
     };
     for one in &cheapest.out_of_reach {
         text += &format!("  not {one}\n");
     }
     text
+}
+
+/// A factor in words: `as it is` for one.
+fn times(factor: f64, same: &str, more: &str) -> String {
+    match number(factor).as_str() {
+        "1" => same.to_owned(),
+        factor => format!("{factor} {more}"),
+    }
 }
 
 #[cfg(test)]
@@ -180,9 +188,13 @@ mod tests {
             out_of_reach,
         };
         let all = advice(&cheapest(Vec::new()), 3);
-        assert!(all.starts_with("cheapest for 2 %: time.step = "), "{all}");
+        assert_eq!(
+            all,
+            "least work for an error of 2 %: time.step = 1e-4, 20 elements (as in the file), as much work as with the file's settings\n"
+        );
         let some = advice(&cheapest(vec!["a: no order".into(), "b: no order".into()]), 3);
-        assert!(some.starts_with("cheapest for 2 % of 1 of 3 results: time.step = "), "{some}");
+        let begins = "least work for an error of 2 %, for 1 of 3 results: time.step = ";
+        assert!(some.starts_with(begins), "{some}");
         assert!(some.ends_with("  not a: no order\n  not b: no order\n"), "{some}");
     }
 }

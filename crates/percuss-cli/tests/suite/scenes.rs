@@ -117,7 +117,8 @@ fn converge_tells_orders_limits_and_settings() {
     let result = ["--result", "contact.mass.peak_force.value", "--set", "time.step=1e-3"];
     let reported = sandbox.percuss(&[&arguments[..], &result].concat());
     assert_eq!(reported.status, Some(0), "{}", reported.stderr);
-    for words in ["step: converges with order", "mesh: ", "limit", "cheapest for 1 %"] {
+    for words in ["step: converges with order", "mesh: ", "limit", "least work for an error of 1 %"]
+    {
         assert!(reported.stdout.contains(words), "{words}: {}", reported.stdout);
     }
     let json = sandbox.percuss(&[&arguments[..], &result, &["--json"]].concat());

@@ -137,7 +137,10 @@ fn formula(group: &[Value]) -> String {
             entry["quantity"].as_str().unwrap_or_default().to_owned(),
             value("by_hand"),
             value("simulated"),
-            percent(entry["difference_percent"].as_f64()),
+            match entry["bound"] == true {
+                true => of_bound(entry),
+                false => percent(entry["difference_percent"].as_f64()),
+            },
         ]
     };
     let rows: Vec<Vec<String>> = group.iter().map(row).collect();
@@ -154,6 +157,14 @@ fn formula(group: &[Value]) -> String {
         table(&caption, &header, &rows),
         escape(text("source")),
     )
+}
+
+/// A result as a share of its upper bound, which is no error of either.
+fn of_bound(entry: &Value) -> String {
+    let share = entry["simulated"].as_f64().zip(entry["by_hand"].as_f64()).map(|(a, b)| a / b);
+    share.map_or("\u{2013}".to_owned(), |share| {
+        format!("{}\u{a0}% of the bound", number((1000.0 * share).round() / 10.0))
+    })
 }
 
 /// A difference, signed, three significant digits.

@@ -114,7 +114,7 @@ fn step_cuts(summary: &Value) -> [String; 3] {
 /// Steps with more impacts than are followed, where there are any.
 fn accumulated_steps(summary: &Value) -> Option<[String; 3]> {
     let steps = summary["accumulated_steps"].as_u64().filter(|steps| *steps > 0)?;
-    let verdict = "Zeno limit reached: remaining impacts in the step treated as plastic; consider a smaller step";
+    let verdict = "more impacts in a step than are followed one by one: the last ones are without rebound; a smaller step follows more";
     Some(["steps with accumulated impacts".to_owned(), steps.to_string(), verdict.to_owned()])
 }
 

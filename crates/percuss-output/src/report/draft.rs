@@ -5,6 +5,7 @@ use super::quantity::Scale;
 use super::thin::{Bins, Thinner};
 use crate::error::Error;
 use crate::history::HistorySource;
+use crate::round_off::is_round_off;
 
 /// A curve before its rows are read: `constant` and a sum of channels times factors.
 #[derive(Clone, Debug)]
@@ -167,7 +168,7 @@ impl Draft {
             let worth = match self.omit {
                 Omit::Nothing => true,
                 Omit::Zeros => largest(y) > 0.0,
-                Omit::RoundOff => largest(y) > 1e-11 * size.max(self.floor),
+                Omit::RoundOff => !is_round_off(largest(y), size.max(self.floor)),
             };
             let hidden = curve.where_below.is_some() && !y.iter().any(|v| v.is_finite());
             worth && !hidden
@@ -237,7 +238,7 @@ fn apart(read: Vec<Read>) -> Vec<Vec<Read>> {
     for one in read {
         let range = own(&one.1);
         // What does not move needs no height, wherever it is.
-        let moves = extent(range) > 1e-9 * largest(&one.1);
+        let moves = !is_round_off(extent(range), largest(&one.1));
         let height = if moves { extent(range) } else { f64::INFINITY };
         let joined = |other: &([f64; 2], f64, Vec<Read>)| {
             let both = [other.0[0].min(range[0]), other.0[1].max(range[1])];

@@ -6,6 +6,7 @@ use super::decimate;
 use super::figure::{Abscissa, Axis, Figure, Section, Series, Shape, Table, largest};
 use super::quantity::Scale;
 use crate::envelopes::BeamEnvelope;
+use crate::round_off::ROUND_OFF;
 
 /// Beams that get figures: where there are more, those of the largest values.
 const SHOWN: usize = 12;
@@ -37,7 +38,7 @@ pub(super) fn figures(beams: &[BeamEnvelope]) -> Vec<Figure> {
     // Axial and shear forces are measured by each other: alone they might be round-off.
     let force = size(|e| &e.axial).max(size(|e| &e.shear));
     let worth = |q: &&Quantity| {
-        let floor = if q.unit == "N" { 1e-11 * force } else { 0.0 };
+        let floor = if q.unit == "N" { ROUND_OFF * force } else { 0.0 };
         size(q.of) > floor
     };
     QUANTITIES.iter().filter(worth).flat_map(|q| of_quantity(q, beams)).collect()

@@ -4,13 +4,12 @@ use serde_json::{Map, Value};
 
 use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
+use crate::round_off::{SMALL_IMPULSE, Scales, is_round_off};
 
 /// Rows shown of a table.
 const LISTED: usize = 400;
 /// Beams named in a note.
 const NAMED: usize = 12;
-/// Impulses below this share of the largest are round-off.
-const ROUND_OFF: f64 = 1e-12;
 
 /// Joints with a strength, fractures, and impulses of supports.
 pub(super) fn failures_and_impulses(summary: &Value) -> String {
@@ -91,17 +90,21 @@ fn impulses(summary: &Value) -> String {
         each.fold(0.0, f64::max)
     };
     let most = [largest(&["impulse_1", "impulse_2"]), largest(&["impulse_moment"])];
-    let is_round_off =
-        |entry: &Value, k: usize| of(entry, quantities[k].0) <= ROUND_OFF * most[k / 2];
+    let scales = Scales::of(summary);
+    let least = [scales.momentum, scales.angular].map(|scale| SMALL_IMPULSE * scale);
+    let is_nothing = |entry: &Value, k: usize| {
+        let impulse = of(entry, quantities[k].0);
+        impulse <= least[k / 2] || is_round_off(impulse, most[k / 2])
+    };
     let mut rows = Vec::new();
     for (name, entry) in supports {
-        if (0..3).all(|k| is_round_off(entry, k)) {
+        if (0..3).all(|k| is_nothing(entry, k)) {
             continue;
         }
         let text_of = |k: usize| {
             let (key, unit) = quantities[k];
             let value = entry[key].as_f64();
-            quantity(if is_round_off(entry, k) { value.map(|_| 0.0) } else { value }, unit)
+            quantity(if is_nothing(entry, k) { value.map(|_| 0.0) } else { value }, unit)
         };
         rows.push([vec![name.clone()], (0..3).map(text_of).collect()].concat());
     }

@@ -15,6 +15,7 @@ use super::structure;
 use super::thin::Bins;
 use crate::error::Error;
 use crate::history::HistorySource;
+use crate::round_off::ROUND_OFF;
 
 /// Recorded points that get a figure.
 const POINTS_SHOWN: usize = 24;
@@ -153,7 +154,7 @@ pub(super) fn crushes(summary: &Value) -> bool {
 pub(super) fn damping(summary: &Value) -> &'static str {
     let energy = &summary["energy"];
     let all = energy["loss_damping"].as_f64().unwrap_or(0.0);
-    let floor = 1e-12 * energy["scale"].as_f64().unwrap_or(0.0);
+    let floor = ROUND_OFF * energy["scale"].as_f64().unwrap_or(0.0);
     match energy["loss_contacts"].as_f64() {
         Some(contacts) if contacts.abs() <= floor => "dissipated by damping",
         Some(contacts) if (all - contacts).abs() <= floor => "dissipated in contacts",

@@ -1,5 +1,7 @@
 //! Numbers with units, for people: `337.784 kN`, `66.4362 ms`, `2.1e-12`.
 
+pub(crate) use crate::round_off::without_round_off;
+
 /// Factor and unit in which a quantity is shown.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Scale {
@@ -9,8 +11,6 @@ pub(crate) struct Scale {
     pub unit: String,
 }
 
-/// What is below this share of its scale is round-off.
-const ROUND_OFF: f64 = 1e-12;
 /// Between a number and its unit: never broken across lines.
 const NBSP: &str = "\u{a0}";
 
@@ -109,11 +109,6 @@ fn digits(value: f64, significant: i32) -> String {
     };
     let decimals = (f64::from(significant - 1) - exponent).max(0.0) as usize;
     trim(&format!("{value:.decimals$}")).to_owned()
-}
-
-/// `value`, or zero where it is round-off beside `scale`.
-pub(crate) fn without_round_off(value: f64, scale: f64) -> f64 {
-    if value.abs() <= ROUND_OFF * scale.abs() { 0.0 } else { value }
 }
 
 fn trim(digits: &str) -> &str {

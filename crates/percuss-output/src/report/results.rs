@@ -6,7 +6,8 @@ use crate::summary::kind_of_body;
 
 use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
-use super::{extremes, figures, foundations, yields};
+use super::{extremes, figures, foundations, warnings, yields};
+use crate::round_off::{Scales, is_round_off};
 
 /// Rows shown of a long list.
 const LISTED: usize = 200;
@@ -43,7 +44,8 @@ fn tables(summary: &Value) -> String {
     let crowded = untouched.len() > 1;
     for (name, contact) in contacts.iter().filter(|(n, c)| !crowded || !waits(n, c)) {
         out.push_str(&contact_table(name, contact, projectiles.get(name), &sizes));
-        out.push_str(&mass_warning(contact));
+        let accepted = warnings::is_accepted(summary, &["W005", "W104"], name);
+        out.push_str(&mass_warning(contact, accepted));
     }
     if crowded {
         out.push_str(&not_closed(&untouched));
@@ -58,17 +60,17 @@ fn tables(summary: &Value) -> String {
     out
 }
 
-/// Terms of the energy balance below this share of its scale are round-off.
-const NO_ENERGY: f64 = 1e-13;
-
 /// The energy at the start and the end, and what it was spent on.
 fn energy(summary: &Value) -> String {
     let energy = &summary["energy"];
-    let Some(scale) = energy["scale"].as_f64() else { return String::new() };
-    let value = |key: &str| energy[key].as_f64().filter(|v| v.abs() > NO_ENERGY * scale);
+    if !energy["scale"].is_number() {
+        return String::new();
+    }
+    let scale = Scales::of(summary).energy;
+    let value = |key: &str| energy[key].as_f64().filter(|v| !is_round_off(*v, scale));
     let in_contacts = value("loss_contacts").unwrap_or(0.0);
     let damping = value("loss_damping").map(|all| all - in_contacts);
-    let damping = damping.filter(|v| v.abs() > NO_ENERGY * scale);
+    let damping = damping.filter(|v| !is_round_off(*v, scale));
     let always = |key: &str| Some(value(key).unwrap_or(0.0));
     // Results of earlier versions do not separate the two losses.
     let damping_label = if energy["loss_contacts"].is_number() {
@@ -211,7 +213,10 @@ fn aftermath(contact: &Value, sizes: &Sizes) -> Vec<(&'static str, String)> {
     let depth = contact["permanent_penetration"].as_f64().filter(|depth| *depth > 0.0);
     let work = contact["friction_work"].as_f64();
     let work = work.filter(|work| without_round_off(*work, sizes.energy) > 0.0);
-    let sliding = work.map(|_| quantity(contact["sliding_distance"].as_f64(), "m"));
+    let distance = contact["sliding_distance"].as_f64();
+    let distance = distance.filter(|distance| !is_round_off(*distance, sizes.length));
+    let sliding = work.and(distance).map(|distance| quantity(Some(distance), "m"));
+    let work = work.filter(|_| sliding.is_some());
     let moreau = "impacts with Moreau's law (Newton's law would increase the energy)";
     let fallbacks = contact["fallback_count"].as_u64().filter(|count| *count > 0);
     [
@@ -233,6 +238,7 @@ struct Sizes {
     velocity: f64,
     momentum: f64,
     energy: f64,
+    length: f64,
 }
 
 impl Sizes {
@@ -258,6 +264,7 @@ impl Sizes {
             velocity: size(&approach.concat()),
             momentum: size(&momentum),
             energy: size(&given).max(size(&[&summary["energy"]["scale"]])),
+            length: Scales::of(summary).length,
         }
     }
 }
@@ -301,7 +308,7 @@ fn departure(projectile: &Value, sizes: &Sizes) -> Vec<Vec<String>> {
 }
 
 /// The warning that a rigid impact's impulse belongs to the mesh, where it does.
-fn mass_warning(contact: &Value) -> String {
+fn mass_warning(contact: &Value, accepted: bool) -> String {
     let rigid = contact["impact_count"].is_u64();
     let mass = contact["effective_mass"].as_f64();
     let limit = contact["effective_mass_limit"].as_f64();
@@ -316,8 +323,10 @@ fn mass_warning(contact: &Value) -> String {
         number(mass),
         number(limit)
     );
+    // No box of a warning where the scenario accepts it.
+    let class = if accepted { "more" } else { "warning" };
     format!(
-        "<p class=\"warning\" role=\"note\"><strong>Mesh-dependent result.</strong> {}</p>\n",
+        "<p class=\"{class}\" role=\"note\"><strong>Mesh-dependent result.</strong> {}</p>\n",
         escape(&text)
     )
 }
@@ -327,10 +336,7 @@ fn points(summary: &Value) -> String {
         return String::new();
     };
     let list: Vec<Value> = points.iter().map(|(name, p)| serde_json::json!([name, p])).collect();
-    let peaks = points.values().flat_map(|p| {
-        ["component_1", "component_2"].map(|c| p["displacement_max"][c]["value"].as_f64())
-    });
-    let moved = peaks.flatten().map(f64::abs).fold(0.0, f64::max);
+    let moved = Scales::of(summary).length;
     let header =
         ["point", "largest displacement x", "at time", "largest displacement y", "at time"];
     listing("Recorded points", &header, &list, list.len(), |_, entry| {

@@ -10,6 +10,7 @@ pub use contacts::taken_as_start;
 
 use serde_json::Value;
 
+use crate::round_off::{ROUND_OFF, Scales, is_round_off, is_still, is_unstrained};
 use words::{instant, list, place, quantity};
 
 /// A larger relative error of the energy balance is a warning.
@@ -25,6 +26,8 @@ pub fn story(summary: &Value) -> String {
     out.extend(yielding::beams(summary));
     out.extend(yielding::connectors(summary));
     out.extend(foundations::foundations(summary));
+    // What did not happen comes last.
+    out.extend(contacts::none_closed(summary));
     out.push(balance(summary));
     out.retain(|sentence| !sentence.is_empty());
     out.join(" ")
@@ -54,25 +57,45 @@ fn deflection(summary: &Value) -> Option<String> {
         })
     });
     let (name, component, value, time) = each.max_by(|a, b| a.2.abs().total_cmp(&b.2.abs()))?;
-    if value == 0.0 {
+    if is_round_off(value, Scales::of(summary).length) {
         return None;
     }
     let axis = if component == "component_1" { "x" } else { "y" };
     let (value, time) = (quantity(Some(value), "m"), instant(time));
     // Other points of the structure may move further.
     let of = if points.len() > 1 { "points" } else { "point" };
+    let more = match further(summary, points) {
+        true => " Places that are not recorded moved further (permanent deflection).",
+        false => "",
+    };
     Some(format!(
-        "Largest displacement of the recorded {of}: {value} in {axis} at '{name}', {time}."
+        "Largest displacement of the recorded {of}: {value} in {axis} at '{name}', {time}.{more}"
     ))
+}
+
+/// Whether a permanent deflection is larger than any displacement of a recorded point may have been.
+fn further(summary: &Value, points: &serde_json::Map<String, Value>) -> bool {
+    let most = |point: &Value| {
+        let of = |c: &str| point["displacement_max"][c]["value"].as_f64().unwrap_or(0.0);
+        f64::hypot(of("component_1"), of("component_2"))
+    };
+    let recorded = points.values().map(most).fold(0.0, f64::max);
+    let beams = summary["plastic"].as_object().into_iter().flat_map(|all| all.values());
+    let sets = beams.filter_map(|beam| beam["permanent_set"].as_f64());
+    sets.fold(0.0, f64::max) > recorded
 }
 
 /// The peak bending moment, and the peak fibre stress where one is known; where shear governs, the peak shear stress and von Mises stress.
 fn sections(summary: &Value) -> Option<String> {
-    let beams = summary["section_forces"].as_object()?;
+    let all = summary["section_forces"].as_object()?;
+    // What a beam bears that is not strained is round-off.
+    let beams: Vec<(&String, &Value)> =
+        all.iter().filter(|(_, beam)| !is_unstrained(beam)).collect();
     let parting = last_parting(summary);
     let largest = |quantity: &str| {
         beams
             .iter()
+            .copied()
             .flat_map(|(name, beam)| ["min", "max"].map(|end| (name, &beam[quantity][end])))
             .filter_map(|(name, one)| Some((name, one, one["value"].as_f64()?)))
             .max_by(|a, b| a.2.abs().total_cmp(&b.2.abs()))
@@ -86,19 +109,20 @@ fn sections(summary: &Value) -> Option<String> {
         format!("{what}: {} in '{name}' at {s}, {time}{after}.", quantity(Some(value.abs()), unit))
     };
     // A moment below the round-off of the energy scale is zero.
-    let floor = 1e-12 * summary["energy"]["scale"].as_f64().unwrap_or(0.0);
+    let floor = ROUND_OFF * summary["energy"]["scale"].as_f64().unwrap_or(0.0);
     let moment = largest("moment")
         .filter(|m| m.2.abs() > floor)
         .map(|one| peak("Peak bending moment", one, "N*m"));
     let stress = largest("stress");
     let equivalent = beams
         .iter()
+        .copied()
         .filter_map(|(name, beam)| {
             let one = &beam["von_mises_max"];
             Some((name, one, one["value"].as_f64()?))
         })
         .max_by(|a, b| a.2.total_cmp(&b.2))
-        .filter(|one| stress.is_none_or(|stress| one.2 > stress.2.abs()));
+        .filter(|one| one.2 > stress.map_or(0.0, |stress| stress.2.abs()));
     let shear = largest("shear_stress").filter(|_| equivalent.is_some());
     let all = [
         moment,
@@ -113,8 +137,10 @@ fn sections(summary: &Value) -> Option<String> {
 /// The error of the energy balance, and how the run ended where it did not reach its end.
 fn balance(summary: &Value) -> String {
     let energy = &summary["energy"];
+    let still = is_still(summary);
     let scale = quantity(energy["scale"].as_f64(), "J");
-    let error = energy["residual_max"].as_f64().map(|error| {
+    let error = energy["residual_max"].as_f64().filter(|_| energy["scale"] != 0.0 && !still);
+    let error = error.map(|error| {
         let begin = if error < CLOSED { "Energy" } else { "Warning: energy" };
         let error = if error == 0.0 { "0".to_owned() } else { format!("{error:.0e}") };
         format!("{begin} balance error {error} of {scale}.")
@@ -125,7 +151,8 @@ fn balance(summary: &Value) -> String {
         Some("interrupted") => Some(format!("The run was interrupted at {time}.")),
         _ => None,
     };
-    let both: Vec<String> = ended.into_iter().chain(error).collect();
+    let nothing = still.then(|| "Nothing moved.".to_owned());
+    let both: Vec<String> = ended.into_iter().chain(nothing).chain(error).collect();
     both.join(" ")
 }
 
@@ -166,11 +193,46 @@ mod tests {
         });
         assert_eq!(
             plain(&summary),
-            "'left@0.5m' was struck by projectile 'car' at 8.333 m/s, t = 10 ms. Peak contact force 176.6 kN at t = 111.2 ms. \
+            "'left@0.5m' was struck by projectile 'car' at 8.333 m/s, t = 10 ms. Peak contact force 176.6 kN at t = 111.2 ms, in contact 2 of 2, at 1 m/s. \
              Final separation at t = 222.3 ms with a separation velocity of 8.326 m/s. \
              Largest displacement of the recorded point: -20 mm in y at 'mid', t = 300 ms. \
              Peak bending moment: 63 kN m in 'left' at s = 0 m, t = 100 ms. Energy balance error 9e-15 of 52.93 kJ."
         );
+    }
+
+    /// A structure at rest has moments, stresses and displacements of round-off, and a balance of nothing.
+    #[test]
+    fn a_structure_at_rest_is_told_to_be_so() {
+        let range = |value: f64| {
+            let at = |value: f64| json!({ "value": value, "s": 0.5, "time": 0.1 });
+            json!({ "min": at(-value), "max": at(value) })
+        };
+        let run = |times: f64| {
+            let beam = json!({
+                "length": 2.0, "moment": range(6e-9 * times), "stress": range(8e-4 * times), "strain": range(4e-15 * times),
+                "shear_stress": range(1e-5 * times), "von_mises_max": { "value": 0.0, "s": 0.0, "time": 0.0 },
+            });
+            let moved = json!({ "value": 3e-16 * times, "time": 0.07 });
+            plain(&json!({
+                "point": { "a.mid": { "displacement_max": { "component_1": moved, "component_2": moved } } },
+                "section_forces": { "a": beam }, "energy": { "residual_max": 2e-6, "scale": 1e-16 },
+            }))
+        };
+        assert_eq!(run(1.0), "Nothing moved.");
+        assert!(run(1e6).contains("Peak fibre stress: 800 Pa in 'a'"), "{}", run(1e6));
+    }
+
+    #[test]
+    fn a_permanent_deflection_beyond_the_recorded_displacements_is_no_contradiction() {
+        let run = |set: f64| {
+            let moved = |value: f64| json!({ "value": value, "time": 0.09 });
+            plain(&json!({
+                "point": { "rail@7m": { "displacement_max": { "component_1": moved(0.05), "component_2": moved(0.6011) } } },
+                "plastic": { "rail": { "permanent_set": set } }, "energy": {},
+            }))
+        };
+        let more = "Places that are not recorded moved further (permanent deflection).";
+        assert!(run(0.7682).contains(more) && !run(0.5).contains(more), "{}", run(0.7682));
     }
 
     #[test]
@@ -210,7 +272,7 @@ mod tests {
         };
         let text = plain(&run(vec![impact(0.1, 2.0, 4.0), impact(0.2, 5.0, 3e-16)], json!([])));
         assert!(
-            text.contains("2 impacts, total impulse 7 N s; largest impulse 5 N s at t = 200 ms."),
+            text.contains("2 impacts, total impulse 7 N s; largest impulse 5 N s at t = 200 ms, approach 4 m/s."),
             "{text}"
         );
         assert!(
@@ -246,6 +308,6 @@ mod tests {
         let text = plain(&run(vec![impact(0.1, 7.0, 4.0)], resting));
         assert!(text.contains("The contact is closed at the end of the run."), "{text}");
         let nothing = json!({ "contact": { "tap": { "between": ["a", "b"], "intervals": [] } }, "energy": {} });
-        assert_eq!(plain(&nothing), "The contact did not close.");
+        assert_eq!(plain(&nothing), "Contact 'tap' did not close.");
     }
 }

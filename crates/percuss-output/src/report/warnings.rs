@@ -1,11 +1,14 @@
 //! Warnings of a run, the worst first: their number, and those shown above the scene.
 
+use percuss::AuditSummary;
 use serde_json::Value;
 
 use super::html::escape;
 
 /// Warnings above the scene.
 const SHOWN: usize = 3;
+/// Subjects named of a warning.
+const NAMED: usize = 6;
 
 /// Warnings of one kind with the same text.
 struct Warning<'s> {
@@ -36,7 +39,32 @@ fn of(summary: &Value) -> Vec<Warning<'_>> {
             }),
         }
     }
+    found.extend(unresolved(summary));
     found
+}
+
+/// That the step does not resolve the motion, by the same rule as the audit table.
+fn unresolved(summary: &Value) -> Option<Warning<'_>> {
+    let drift = summary["audit"]["angular_rate_drift_max"].as_f64()?;
+    let text = "the time step does not resolve the motion; use a smaller step";
+    let about = Vec::new();
+    (drift > AuditSummary::UNRESOLVED).then_some(Warning {
+        code: "",
+        topic: "resolution",
+        text,
+        about,
+    })
+}
+
+/// Whether the scenario accepts a finding about a subject.
+pub(super) fn is_accepted(summary: &Value, codes: &[&str], subject: &str) -> bool {
+    let of = |list: &Value| -> bool {
+        list.as_array().into_iter().flatten().any(|one| {
+            let own = one["contact"] == subject || one["contact"].is_null();
+            own && one["verdict"] == "allowed" && codes.iter().any(|code| one["code"] == *code)
+        })
+    };
+    of(&summary["advice"]) || of(&summary["warnings"])
 }
 
 /// Number of warnings that nobody has accepted, equal ones counted once.
@@ -52,6 +80,14 @@ fn subject(of: &str) -> String {
     }
 }
 
+/// The names of several subjects, of many the first ones.
+fn subjects(all: &[&str]) -> String {
+    let mut names: Vec<String> = all.iter().take(NAMED).map(|one| subject(one)).collect();
+    let more = all.len() - names.len();
+    let last = if more > 0 { format!("{more} more") } else { names.pop().unwrap_or_default() };
+    format!("{} and {last}", names.join(", "))
+}
+
 /// The worst of them in a list; nothing where there are none.
 pub(super) fn worst(summary: &Value) -> String {
     let all = of(summary);
@@ -63,9 +99,10 @@ pub(super) fn worst(summary: &Value) -> String {
         let about = match w.about.as_slice() {
             [] => String::new(),
             [one] => format!(", {}", subject(one)),
-            [first, others @ ..] => format!(", {} and {} more", subject(first), others.len()),
+            several => format!(", {}", subjects(several)),
         };
-        format!("<li><strong>{code} {topic}{}:</strong> {text}</li>\n", escape(&about))
+        let title = format!("{code} {topic}{}", escape(&about));
+        format!("<li><strong>{}:</strong> {text}</li>\n", title.trim_start())
     };
     let items: String = all.iter().take(SHOWN).map(item).collect();
     let link = match all.len() {
@@ -98,7 +135,7 @@ mod tests {
         let worst = worst(&summary);
         let place = |text: &str| worst.find(text).unwrap();
         assert!(
-            place("W101 energy:") < place("W002 t, &#39;a&lt;b&gt;&#39; and 1 more:"),
+            place("W101 energy:") < place("W002 t, &#39;a&lt;b&gt;&#39; and &#39;b&#39;:"),
             "{worst}"
         );
         assert!(worst.contains("All 4 warnings in full") && !worst.contains("W010"), "{worst}");

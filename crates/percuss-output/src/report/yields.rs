@@ -5,11 +5,10 @@ use serde_json::{Map, Value};
 use super::extremes::{first_rows, metres};
 use super::html::escape;
 use super::quantity::{quantity, without_round_off};
+use crate::round_off::HINGE;
 
 /// Rows shown of a table.
 const LISTED: usize = 200;
-/// Components of a permanent deflection below this share of its size are round-off.
-const NO_COMPONENT: f64 = 1e-9;
 const NONE: &str = "\u{2013}";
 
 /// All tables; nothing where nothing has yielded or failed.
@@ -75,8 +74,7 @@ fn deflection(entry: &Value, s: &Value) -> [String; 3] {
     };
     let component = |k: usize| {
         let value = entry["permanent_set_at"]["displacement"][k].as_f64();
-        let plain = |v: f64| if v.abs() < NO_COMPONENT * size { 0.0 } else { v };
-        quantity(value.map(plain), "m")
+        quantity(value.map(|v| without_round_off(v, size)), "m")
     };
     [quantity(Some(size), "m"), format!("({}, {})", component(0), component(1)), metres(s)]
 }
@@ -93,7 +91,8 @@ fn hinge_table(beams: &[Named<'_>]) -> String {
                 quantity(hinge["dissipated"].as_f64(), "J"),
             ]
         };
-        beam["hinges"].as_array().into_iter().flatten().map(row).collect()
+        let told = |hinge: &&Value| hinge["rotation"].as_f64().is_none_or(|r| r.abs() >= HINGE);
+        beam["hinges"].as_array().into_iter().flatten().filter(told).map(row).collect()
     };
     let header =
         ["beam", "rotation", "centre s", "length", "element length", "plastic dissipation"];

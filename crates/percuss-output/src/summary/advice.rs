@@ -63,6 +63,7 @@ pub(super) fn comparison(comparison: &Comparison) -> Value {
         "by_hand": comparison.by_hand,
         "simulated": comparison.simulated,
         "difference_percent": comparison.difference_percent,
+        "bound": comparison.bound,
         "holds_if": comparison.holds_if,
     })
 }

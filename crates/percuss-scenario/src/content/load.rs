@@ -22,8 +22,9 @@ kinds! {
             acceleration: [f64; 2] as Vector<measure::Acceleration>,
         },
         /// An acceleration of the base: of the ground, and of all supports and obstacles with it, as of an accelerogram (`acceleration =
-        /// [1, 0]` with a table of the record in m/s^2). Displacements, velocities and energies are those against the base, which do not
-        /// drift away with it; reactions are those of the true motion. Outside the times of its table it is zero. In statics it counts with its
+        /// [1, 0]` with a table of the record in m/s^2). Displacements, velocities, accelerations, their spectra, and energies are relative to
+        /// the base, not absolute: the absolute acceleration is the relative one plus that of the base. Reactions, section forces and stresses
+        /// are those of the true motion. Outside the times of its table it is zero. In statics it counts with its
         /// value at time zero, as other loads do. A CSV file may hold accelerations, by its header (`time (s),acceleration (m/s^2)`, or `(g)`);
         /// `acceleration` is then their direction, of magnitude 1 m/s^2.
         Base = "base" {

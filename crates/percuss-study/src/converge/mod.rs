@@ -141,7 +141,7 @@ fn converged(
     let sequence = |refined, values: Vec<f64>| {
         meaning.sequence(refined, compared(path, &values, finest), values)
     };
-    let value = step[0];
+    let value = compared(path, &step, finest)[0];
     let [step, mesh, fibres] = [
         sequence(Refined::Step, step),
         sequence(Refined::Mesh, mesh),

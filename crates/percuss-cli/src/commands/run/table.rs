@@ -6,36 +6,33 @@ mod lines;
 use std::path::Path;
 
 use percuss::{
-    FoundationSummary, JointSummary, PlasticHinge, PlasticSummary, RunSummary, StepControl,
-    SupportSummary, Termination, YieldingSummary,
+    FoundationSummary, JointSummary, PlasticSummary, RunSummary, StepControl, SupportSummary,
+    Termination, YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::{RunState, story};
+use percuss_output::round_off::{SMALL_IMPULSE, Scales, is_round_off, without_round_off};
 use serde_json::Value;
 
 use super::drift::{drift, unresolved};
 use super::ended::Ended;
 use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity, small};
-use crate::plastic_text::{permanent_deflection, plastic_hinge};
+use crate::plastic_text::{largest_hinge, permanent_deflection, plastic_hinge};
 use crate::terminal::{self, painted};
 use contacts::{contact_lines, touched};
-use lines::{ROUNDING, listed};
+use lines::listed;
 
 /// Hand formulas and supports listed.
 const HANDED: usize = 6;
 /// Contacts named that did not close.
 const NAMED: usize = 6;
-/// Support impulses below this share of the momentum of the run are those of the instants in which a motion begins.
-const SMALL_IMPULSE: f64 = 1e-6;
-/// Impulses below this share of it are round-off.
-const NO_IMPULSE: f64 = 1e-9;
-
 /// The summary text, the balances and the results of a run, with the output directory.
 pub(super) fn table(ended: &Ended, out: &Path) -> String {
     let run = &ended.summary;
     let mut rows = vec![("status".to_owned(), status(ended))];
-    rows.push(("energy".into(), energy(run)));
+    let scales = Scales::of(&ended.value);
+    rows.push(("energy".into(), energy(run, &scales)));
     rows.push((
         "momentum".into(),
         format!(
@@ -50,7 +47,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
     for contact in touched.iter().chain(alone) {
         let label = format!("contact '{}'", contact.name);
-        let lines = contact_lines(contact, run);
+        let lines = contact_lines(contact, run, &scales);
         let labels = [label].into_iter().chain(std::iter::repeat(String::new()));
         rows.extend(labels.zip(lines));
     }
@@ -69,16 +66,12 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     rows.extend(run.step_control.as_ref().map(|control| ("steps".into(), steps(control))));
     if run.accumulated_steps > 0 {
         let steps = count(run.accumulated_steps, "step");
-        let what = "Zeno limit reached, remaining impacts in the step treated as plastic";
-        rows.push(("accumulation".into(), format!("{steps}: {what}")));
+        let what = "had more impacts than are followed one by one; their last impacts are without rebound (a smaller step follows more)";
+        rows.push(("accumulation".into(), format!("{steps} {what}")));
     }
     let by_hand = ["hand formulas".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
-    rows.extend(by_hand.zip(listed(
-        &ended.comparisons,
-        ended.comparisons.len(),
-        HANDED,
-        comparison,
-    )));
+    let compared = comparisons(&ended.comparisons);
+    rows.extend(by_hand.zip(listed(&compared, compared.len(), HANDED, String::clone)));
     rows.push(("results".into(), out.display().to_string()));
     let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
     let title = ended.value["title"].as_str().filter(|title| !title.is_empty());
@@ -117,9 +110,7 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
         format!("largest plastic strain {}", number(beam.strain_max.value)),
         dissipated(beam.dissipated, beam.dissipated_by_preload),
     ];
-    let larger =
-        |a: &&PlasticHinge, b: &&PlasticHinge| a.rotation.abs().total_cmp(&b.rotation.abs());
-    if let Some(hinge) = beam.hinges.iter().max_by(larger) {
+    if let Some(hinge) = largest_hinge(&beam.hinges) {
         let length = quantity(hinge.element_length, "m");
         parts.push(format!("{} (element length {length})", plastic_hinge(hinge)));
     }
@@ -144,7 +135,7 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
 
 /// Plastic dissipation, and the part of it in a static start.
 fn dissipated(all: f64, by_preload: f64) -> String {
-    match by_preload > ROUNDING * all {
+    match !is_round_off(by_preload, all) {
         true => format!(
             "{} dissipated ({} in the static start, {} in the run)",
             quantity(all, "J"),
@@ -227,20 +218,17 @@ fn impulses(run: &RunSummary) -> Vec<String> {
         .iter()
         .map(parts)
         .fold([0.0_f64; 2], |[force, moment], [a, b, c]| [force.max(a).max(b), moment.max(c)]);
-    let counts = |s: &&SupportSummary| {
-        let [a, b, c] = parts(s);
-        let least =
-            [SMALL_IMPULSE * run.momentum.linear_scale, SMALL_IMPULSE * run.momentum.angular_scale];
-        a.max(b) > least[0].max(ROUNDING * most[0]) || c > least[1].max(ROUNDING * most[1])
-    };
     let momentum = &run.momentum;
-    let nothing = [momentum.linear_scale, momentum.angular_scale].map(|scale| NO_IMPULSE * scale);
+    let least = [momentum.linear_scale, momentum.angular_scale].map(|scale| SMALL_IMPULSE * scale);
+    let is_nothing =
+        |impulse: f64, k: usize| impulse <= least[k / 2] || is_round_off(impulse, most[k / 2]);
+    let counts =
+        |s: &&SupportSummary| parts(s).into_iter().enumerate().any(|(k, i)| !is_nothing(i, k));
     let found: Vec<&SupportSummary> = run.supports.iter().filter(counts).collect();
     listed(&found, found.len(), HANDED, |support| {
         let impulse = |k: usize, unit: &str| {
             let i = support.impulse[k];
-            let none = nothing[k / 2].max(ROUNDING * most[k / 2]);
-            quantity(if i.abs() <= none { 0.0 } else { i }, unit)
+            quantity(if is_nothing(i.abs(), k) { 0.0 } else { i }, unit)
         };
         let moment = match support.impulse[2].is_nan() {
             true => String::new(),
@@ -290,14 +278,14 @@ fn steps(control: &StepControl) -> String {
     )
 }
 
-fn energy(run: &RunSummary) -> String {
-    let energy = &run.energy;
-    let plain = |x: f64| quantity(if x.abs() < ROUNDING * energy.scale { 0.0 } else { x }, "J");
+fn energy(run: &RunSummary, scales: &Scales) -> String {
+    let (energy, scale) = (&run.energy, scales.energy);
+    let plain = |x: f64| quantity(without_round_off(x, scale), "J");
     let mut parts = vec![format!("{} to {}", plain(energy.initial), plain(energy.final_))];
     let in_contacts = run.loss_contacts();
     let before = run.plastic.iter().map(|beam| beam.dissipated_by_preload);
     let before = before.chain(run.yielding.iter().map(|one| one.dissipated_by_preload));
-    let plastic = match before.sum::<f64>() > ROUNDING * energy.scale {
+    let plastic = match !is_round_off(before.sum::<f64>(), scale) {
         true => "dissipated by plastic flow in the run",
         false => "dissipated by plastic flow",
     };
@@ -311,24 +299,49 @@ fn energy(run: &RunSummary) -> String {
         ("work of loads", energy.work_loads),
         ("work of supports", energy.work_supports),
     ];
-    let present = terms.iter().filter(|(_, value)| value.abs() > ROUNDING * energy.scale);
+    let present = terms.iter().filter(|(_, value)| !is_round_off(*value, scale));
     parts.extend(present.map(|(label, value)| format!("{label} {}", quantity(*value, "J"))));
     parts.push(format!("residual {} (relative)", small(energy.residual_max)));
     parts.join(", ")
 }
 
-/// A result beside a hand formula, and whether the formula's assumptions are met.
+/// A result beside a hand formula, and which of the formula's assumptions are not met; those of equal bodies once, with their names.
+fn comparisons(all: &[Comparison]) -> Vec<String> {
+    let several = all.iter().any(|one| one.contact != all[0].contact);
+    let mut rows: Vec<(Vec<&str>, String)> = Vec::new();
+    for one in all {
+        let text = comparison(one);
+        match rows
+            .iter_mut()
+            .find(|(names, known)| *known == text && !names.contains(&&*one.contact))
+        {
+            Some((names, _)) => names.push(&one.contact),
+            None => rows.push((vec![&one.contact], text)),
+        }
+    }
+    let row = |(names, text): (Vec<&str>, String)| {
+        let shown = listed(&names, names.len(), NAMED, |name| format!("'{name}'"));
+        if several { format!("{}: {text}", shown.join(", ")) } else { text }
+    };
+    rows.into_iter().map(row).collect()
+}
+
 fn comparison(one: &Comparison) -> String {
-    let unmet = one.holds_if.matches("(not met)").count();
-    let met = match unmet {
-        0 => String::new(),
-        _ => format!("; {} not met", count(unmet, "assumption")),
+    let met = match one.unmet().as_slice() {
+        [] => String::new(),
+        [only] => format!("; not met: {only}"),
+        [first, others @ ..] => format!("; not met: {first}, and {} more", others.len()),
     };
     let value = |value: f64| quantity(value, &one.unit.replace(' ', "*"));
     let sign = if one.difference_percent >= 0.0 { "+" } else { "" };
     let digits = if one.difference_percent.abs() < 0.01 { 0.0 } else { one.difference_percent };
+    let beside = match one.bound {
+        true => format!("{:.1} % of the bound", 100.0 * one.simulated / one.by_hand),
+        false => format!("{sign}{digits:.2} %"),
+    };
+    let most = if one.bound { "at most " } else { "" };
     format!(
-        "{}, {}: {}, simulated {} ({sign}{digits:.2} %{met})",
+        "{}, {}: {most}{}, simulated {} ({beside}{met})",
         one.formula,
         one.quantity,
         value(one.by_hand),

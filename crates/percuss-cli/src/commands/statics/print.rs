@@ -2,13 +2,14 @@
 
 use percuss::{
     BucklingOutcome, Equilibrium, FollowerStability, LargestDisplacement, LinearBuckling, Model,
-    Path, PlasticHinge, PlasticSummary, SectionForceSummary, SectionPeak, SectionRange,
-    StaticContact, StaticFailure, StaticFoundation, StaticYielding, yielded_at_rest,
+    Path, PlasticSummary, SectionForceSummary, SectionPeak, SectionRange, StaticContact,
+    StaticFailure, StaticFoundation, StaticYielding, yielded_at_rest,
 };
 
 use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity};
-use crate::plastic_text::{permanent_deflection, plastic_hinge};
+use crate::plastic_text::{largest_hinge, permanent_deflection, plastic_hinge};
+use percuss_output::round_off::{LEAST, NO_DISTANCE, NO_GAP, SectionScales, without_round_off};
 
 /// Limit points and failures printed, of each.
 const LISTED: usize = 20;
@@ -46,6 +47,7 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
     text.push_str("section forces, smallest to largest\n");
     for beam in &found.section_forces {
         text.push_str(&format!("  '{}'\n", beam.name));
+        let scales = SectionScales::of(beam);
         for (what, range, unit) in [
             ("moment", &beam.moment, "N*m"),
             ("axial force", &beam.axial, "N"),
@@ -54,10 +56,10 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
             ("shear stress", &beam.shear_stress, "Pa"),
         ] {
             if !range.max.value.is_nan() {
-                text.push_str(&format!("    {what:12} {}\n", in_words(range, unit)));
+                text.push_str(&format!("    {what:12} {}\n", in_words(&scales, range, unit)));
             }
         }
-        text.push_str(&equivalent(beam));
+        text.push_str(&equivalent(&scales, beam));
     }
     if let Some(mode) = linear.modes.first() {
         text.push_str(&format!(
@@ -85,7 +87,7 @@ fn displacements(found: &Equilibrium) -> String {
     let mut text = found.largest_displacement.as_ref().map_or(String::new(), farthest);
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
     // A single recorded rotation has no other one to be compared with; slopes have the round-off of numbers of the size of one.
-    let turned = largest(found.rotations.iter()).max(1e-4);
+    let turned = largest(found.rotations.iter()).max(LEAST);
     for ((name, u), rotation) in found.points.iter().zip(&found.rotations) {
         let [x, y] = u.map(|u| beside(moved, u, "m"));
         let rotation = beside(turned, *rotation, "rad");
@@ -227,9 +229,7 @@ fn in_short(model: &Model, found: &Equilibrium, beam: &PlasticSummary) -> String
         format!("first yield at s = {}{by}", quantity(first.s, "m")),
         format!("largest plastic strain {}", number(beam.strain_max.value)),
     ];
-    let larger =
-        |a: &&PlasticHinge, b: &&PlasticHinge| a.rotation.abs().total_cmp(&b.rotation.abs());
-    parts.extend(beam.hinges.iter().max_by(larger).map(plastic_hinge));
+    parts.extend(largest_hinge(&beam.hinges).map(plastic_hinge));
     parts.push(match beam.permanent_set {
         Ok(set) => permanent_deflection(&set),
         Err(reason) => format!("permanent deflection not available: {reason}"),
@@ -284,7 +284,7 @@ fn contacts(found: &[StaticContact]) -> String {
             let [from, to, centre] = [from, to, contact.centre].map(|s| quantity(s, "m"));
             line.push_str(&format!(", from s = {from} to {to}, centre at {centre}"));
         }
-        if contact.gap < -1e-12 {
+        if contact.gap < -NO_GAP {
             line.push_str(&format!(", penetration {}", quantity(-contact.gap, "m")));
         }
         text.push_str(&line);
@@ -297,20 +297,13 @@ fn largest<'a>(values: impl Iterator<Item = &'a f64>) -> f64 {
     values.fold(0.0, |most: f64, v| most.max(v.abs()))
 }
 
-/// Share of the largest of its kind below which a number is round-off, as balance errors are (docs/results.md).
-const ROUND_OFF: f64 = 1e-10;
-
-/// Share of the other place below which that of an extreme value is the start of the beam: a place at which a smooth function is largest is known
-/// to the root of round-off, 1e-8.
-const NO_DISTANCE: f64 = 1e-7;
-
 /// A quantity, zero if it is round-off beside `size`.
 fn beside(size: f64, value: f64, unit: &str) -> String {
-    quantity(if value.abs() < ROUND_OFF * size { 0.0 } else { value }, unit)
+    quantity(without_round_off(value, size), unit)
 }
 
 /// The largest von Mises stress of a beam, or that shear stresses are not known.
-fn equivalent(beam: &SectionForceSummary) -> String {
+fn equivalent(scales: &SectionScales, beam: &SectionForceSummary) -> String {
     let most = beam.von_mises();
     let text = match (most.value.is_nan(), beam.stress.max.value.is_nan()) {
         (true, true) => return String::new(),
@@ -318,17 +311,18 @@ fn equivalent(beam: &SectionForceSummary) -> String {
             "not available, as is the shear stress: no elastic section with a shape".to_owned()
         }
         (false, _) => {
-            format!("{} at s = {} at most", quantity(most.value, "Pa"), quantity(most.s, "m"))
+            let value = quantity(scales.plain(most.value, "Pa"), "Pa");
+            format!("{value} at s = {} at most", quantity(most.s, "m"))
         }
     };
     format!("    {:12} {text}\n", "von Mises")
 }
 
-fn in_words(range: &SectionRange, unit: &str) -> String {
-    let size = range.min.value.abs().max(range.max.value.abs());
+fn in_words(scales: &SectionScales, range: &SectionRange, unit: &str) -> String {
     let far = range.min.s.abs().max(range.max.s.abs());
     let place = |s: f64| quantity(if s.abs() < NO_DISTANCE * far { 0.0 } else { s }, "m");
-    let at = |p: &SectionPeak| format!("{} at s = {}", beside(size, p.value, unit), place(p.s));
+    let value = |p: &SectionPeak| quantity(scales.plain(p.value, unit), unit);
+    let at = |p: &SectionPeak| format!("{} at s = {}", value(p), place(p.s));
     format!("{} to {}", at(&range.min), at(&range.max))
 }
 

@@ -8,6 +8,7 @@ use super::entry::{Entry, brief};
 use crate::report::figure::largest;
 use crate::report::html::{Cell, escape};
 use crate::report::quantity::{Scale, fine_number, number, without_round_off};
+use crate::round_off::is_round_off;
 
 /// Parts of the energy below this share are not named beside their bar.
 const NAMED: f64 = 5e-3;
@@ -139,7 +140,7 @@ fn restitution(entry: &Entry) -> Cell {
         return Cell::Text(why.to_owned());
     }
     // The round-off of a plastic impact is nothing worth reading.
-    let text = value.map_or("\u{2013}".to_owned(), |e| match e.abs() < 1e-11 {
+    let text = value.map_or("\u{2013}".to_owned(), |e| match is_round_off(e, 1.0) {
         true => "0".to_owned(),
         false => significant(e),
     });

@@ -14,6 +14,7 @@ use crate::report::foundations::{AT_REST, rows_at_rest};
 use crate::report::html::{sentences, table};
 use crate::report::quantity::{number, quantity, without_round_off};
 use crate::report::scene;
+use crate::round_off::{LEAST, NO_DISTANCE, NO_GAP, SectionScales};
 
 /// An equilibrium and what it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -132,8 +133,8 @@ pub(super) fn tables(found: &Equilibrium) -> String {
     let moved = largest(found.points.iter().flat_map(|(_, u)| u));
     let text_of =
         |v: f64, scale: f64, unit: &str| quantity(Some(without_round_off(v, scale)), unit);
-    // Rotations are compared with one radian.
-    let turned = largest(found.rotations.iter()).max(1.0);
+    // A single recorded rotation has no other one to be compared with.
+    let turned = largest(found.rotations.iter()).max(LEAST);
     let points: Vec<Vec<String>> = (found.points.iter().zip(&found.rotations))
         .map(|((name, u), rotation)| {
             let [u1, u2] = u.map(|u| text_of(u, moved, "m"));
@@ -189,13 +190,6 @@ pub(super) fn tables(found: &Equilibrium) -> String {
     filled.map(|(caption, header, rows)| table(caption, header, &rows)).collect()
 }
 
-/// Share of the other place below which that of an extreme value is the start of the beam: a place at which a smooth function is largest is known
-/// to the root of round-off, 1e-8.
-const NO_DISTANCE: f64 = 1e-7;
-
-/// Gaps below this are none \[m\].
-const CLOSED: f64 = 1e-12;
-
 fn contacts(found: &Equilibrium) -> Vec<Vec<String>> {
     let row = |c: &StaticContact| {
         let place = match c.s {
@@ -205,7 +199,7 @@ fn contacts(found: &Equilibrium) -> Vec<Vec<String>> {
             [from, _] => quantity(Some(from), "m"),
         };
         let force = quantity(Some(c.force), "N");
-        let gap = if c.gap.abs() < CLOSED { 0.0 } else { c.gap };
+        let gap = if c.gap.abs() < NO_GAP { 0.0 } else { c.gap };
         vec![c.name.clone(), c.between.join(", "), force, quantity(Some(gap), "m"), place]
     };
     found.contacts.iter().map(row).collect()
@@ -237,11 +231,10 @@ fn section_rows(beam: &percuss::SectionForceSummary) -> Vec<Vec<String>> {
         ("fibre stress", &beam.stress, "Pa"),
         ("shear stress", &beam.shear_stress, "Pa"),
     ];
-    let largest_force = beam.axial.largest().value.abs().max(beam.shear.largest().value.abs());
+    let scales = SectionScales::of(beam);
     let known = all.into_iter().filter(|(_, range, _)| !range.max.value.is_nan());
     let row = |(what, range, unit): (&str, &SectionRange, &str)| {
-        let scale = if unit == "N" { largest_force } else { range.largest().value.abs() };
-        let value = |v: f64| quantity(Some(without_round_off(v, scale)), unit);
+        let value = |v: f64| quantity(Some(scales.plain(v, unit)), unit);
         let far = range.min.s.abs().max(range.max.s.abs());
         let at = |s: f64| quantity(Some(if s.abs() < NO_DISTANCE * far { 0.0 } else { s }), "m");
         let name = format!("{}, {what}", beam.name);
@@ -251,8 +244,8 @@ fn section_rows(beam: &percuss::SectionForceSummary) -> Vec<Vec<String>> {
     let equivalent = beam.von_mises();
     if !equivalent.value.is_nan() {
         let none = || "\u{2013}".to_owned();
-        let (value, s) =
-            (quantity(Some(equivalent.value), "Pa"), quantity(Some(equivalent.s), "m"));
+        let value = quantity(Some(scales.plain(equivalent.value, "Pa")), "Pa");
+        let s = quantity(Some(equivalent.s), "m");
         let name = format!("{}, von Mises stress", beam.name);
         rows.push(vec![name, none(), none(), value, s]);
     }

@@ -11,6 +11,7 @@ use crate::report::figure::largest;
 use crate::report::html::{escape, sentences, table};
 use crate::report::quantity::{Scale, number, quantity, without_round_off};
 use crate::report::scene;
+use crate::round_off::is_round_off;
 
 /// A path and what it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -214,7 +215,7 @@ pub(crate) fn drawn_displacements(path: &Path) -> Vec<(usize, usize)> {
         (0..path.names.len()).flat_map(|point| [(point, 0), (point, 1)]).collect();
     all.sort_by(|a, b| largest(&column(*b)).total_cmp(&largest(&column(*a))));
     let size = all.first().map_or(0.0, |first| largest(&column(*first)));
-    all.retain(|c| largest(&column(*c)) > 1e-9 * size);
+    all.retain(|c| !is_round_off(largest(&column(*c)), size));
     all.truncate(CURVES);
     all.sort_unstable();
     all

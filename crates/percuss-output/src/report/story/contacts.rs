@@ -2,12 +2,11 @@
 
 use serde_json::{Map, Value};
 
+use crate::round_off::{ROUND_OFF, Scales};
 use crate::summary::kind_of_body;
 
 use super::words::{capital, instant, list, quantity};
 
-/// Beside those of the run, smaller velocities are none.
-const ROUND_OFF: f64 = 1e-9;
 /// Instants within less than this share of a step after the start are the start: impacts take as long.
 const AT_START: f64 = 1e-3;
 
@@ -37,9 +36,7 @@ impl Touched<'_> {
 
 /// Velocities up to this one are round-off: beside twice the energy over the momentum of the run, and beside those of a contact \[m/s\].
 fn round_off(summary: &Value, contact: &Value) -> f64 {
-    let number = |pointer: &str| summary.pointer(pointer).and_then(Value::as_f64).unwrap_or(0.0);
-    let (energy, momentum) = (number("/energy/scale"), number("/momentum/linear_scale"));
-    let of_run = if momentum > 0.0 { 2.0 * energy / momentum } else { 0.0 };
+    let of_run = Scales::of(summary).velocity;
     let events = list(contact, "impacts").iter().chain(list(contact, "intervals"));
     let each = events.flat_map(|one| ["approach_velocity", "separation_velocity"].map(|k| &one[k]));
     let largest = each.filter_map(Value::as_f64).map(f64::abs).fold(of_run, f64::max);
@@ -65,10 +62,7 @@ pub(super) fn contacts(summary: &Value) -> String {
         })
         .collect();
     if touched.is_empty() {
-        return match all.len() {
-            1 => "The contact did not close.".into(),
-            n => format!("None of the {n} contacts closed."),
-        };
+        return String::new();
     }
     // Forces and impulses do not compare: contacts with a force come first.
     let has_force = |t: &Touched<'_>| t.contact["peak_force"].is_object();
@@ -87,6 +81,19 @@ pub(super) fn contacts(summary: &Value) -> String {
     }
     out.retain(|sentence| !sentence.is_empty());
     out.join(" ")
+}
+
+/// That no contact closed, where none did; nothing else.
+pub(super) fn none_closed(summary: &Value) -> Option<String> {
+    let all = summary["contact"].as_object().filter(|all| !all.is_empty())?;
+    let closed = |c: &Value| !list(c, "intervals").is_empty() || !list(c, "impacts").is_empty();
+    if all.values().any(closed) {
+        return None;
+    }
+    Some(match all.len() {
+        1 => format!("Contact '{}' did not close.", all.keys().next().map_or("?", |name| name)),
+        n => format!("None of the {n} contacts closed."),
+    })
 }
 
 /// What struck what, at which velocity and when.
@@ -160,7 +167,8 @@ fn largest(main: &Touched<'_>) -> String {
         let crushed =
             permanent.map(|p| format!("; permanent indentation {}", quantity(Some(p), "m")));
         let crushed = crushed.unwrap_or_default();
-        return format!("Peak contact force {force} at {time}{crushed}.");
+        let which = which_interval(main, peak["time"].as_f64());
+        return format!("Peak contact force {force} at {time}{which}{crushed}.");
     }
     let count = main.contact["impact_count"].as_u64().unwrap_or(0);
     let rested = main.contact["impulse_resting"].as_f64().unwrap_or(0.0);
@@ -176,7 +184,14 @@ fn largest(main: &Touched<'_>) -> String {
             let size = quantity(one["impulse"].as_f64(), "N*s");
             let time = one["time"].as_f64().filter(|t| *t > main.start).unwrap_or(0.0);
             let when = instant(Some(time));
-            format!("{n} impacts, total impulse {total}; largest impulse {size} at {when}.")
+            // The sentence before tells the velocity of the first.
+            let first = one["time"] == first_touch(main.contact)["time"];
+            let approach = main.velocity(one, "approach_velocity").filter(|_| !first);
+            let approach = approach.map(|v| format!(", approach {}", quantity(Some(v), "m/s")));
+            let approach = approach.unwrap_or_default();
+            format!(
+                "{n} impacts, total impulse {total}; largest impulse {size} at {when}{approach}."
+            )
         }
     };
     // An impulse that is round-off of the sum of both is left out.
@@ -185,6 +200,23 @@ fn largest(main: &Touched<'_>) -> String {
         (true, true) => format!("Impulse of persistent contact: {resting}."),
         (true, false) => format!("{impacts} Impulse of persistent contact: {resting}."),
     }
+}
+
+/// In which of several contact intervals an instant is, and at which velocity that one began, unless it is the first, of which that is told.
+fn which_interval(main: &Touched<'_>, time: Option<f64>) -> String {
+    let intervals = list(main.contact, "intervals");
+    let holds = |one: &&Value| {
+        let end = one["end"].as_f64().unwrap_or(f64::INFINITY);
+        time.zip(one["start"].as_f64()).is_some_and(|(time, start)| start <= time && time <= end)
+    };
+    // At the end of one and the start of the next it is of the first of them.
+    let Some(k) = intervals.iter().position(|one| holds(&one)).filter(|k| *k > 0) else {
+        return String::new();
+    };
+    let approach = main.velocity(&intervals[k], "approach_velocity");
+    let approach = approach.map(|v| format!(", at {}", quantity(Some(v), "m/s")));
+    let approach = approach.unwrap_or_default();
+    format!(", in contact {} of {}{approach}", k + 1, intervals.len())
 }
 
 fn impulse(impact: &Value) -> f64 {
@@ -301,6 +333,36 @@ mod tests {
             text.contains("The last impact, at t = 10 ms, did not separate the bodies."),
             "{text}"
         );
+    }
+
+    /// Two buildings pound ten times: the velocity beside the largest force is that of its own contact, and that of the first is told of the first.
+    #[test]
+    fn the_velocity_beside_a_largest_force_is_that_of_its_own_contact() {
+        let interval = |k: usize| {
+            json!({
+                "start": k as f64, "end": k as f64 + 0.03, "approach_velocity": 0.1 * (k + 1) as f64,
+                "separation_velocity": 0.05,
+            })
+        };
+        let pounding = |peak: f64| {
+            plain(&json!({
+                "section_forces": { "a": {}, "b": {} },
+                "contact": { "pounding": {
+                    "between": ["a", "b"], "peak_force": { "value": 886e3, "time": peak },
+                    "intervals": (0..10).map(interval).collect::<Vec<_>>(),
+                } },
+                "time": 20.0, "steps": 10_000,
+            }))
+        };
+        let text = pounding(3.01);
+        assert!(
+            text.starts_with(
+                "Beam 'a' and beam 'b' collided at 0.1 m/s, t = 0 s. Peak contact force 886 kN at t = 3.01 s, in contact 4 of 10, at \
+                 0.4 m/s."
+            ),
+            "{text}"
+        );
+        assert!(pounding(0.01).contains("886 kN at t = 10 ms."), "{}", pounding(0.01));
     }
 
     /// The kinds of two bodies decide which one was struck; two beams collide.

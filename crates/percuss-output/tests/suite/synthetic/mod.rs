@@ -459,6 +459,7 @@ pub fn comparisons(contact: &str) -> Vec<Comparison> {
         by_hand,
         simulated,
         difference_percent: 100.0 * (simulated - by_hand) / by_hand,
+        bound: false,
         holds_if: "no damping (met); small slopes: up to 0.3 (not met)".to_owned(),
     };
     vec![

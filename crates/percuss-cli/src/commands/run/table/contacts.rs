@@ -4,14 +4,12 @@ use percuss::{
     ContactInterval, ContactRecord, ContactSummary, Impact, NoRestitution, RunSummary, Sliding,
 };
 use percuss_output::report::taken_as_start;
+use percuss_output::round_off::{Scales, is_round_off, without_round_off};
 
 use super::super::equivalent::{equivalent, without_equivalent};
-use super::lines::{LISTED, ROUNDING, listed};
+use super::lines::{LISTED, listed};
 use crate::effective_mass;
 use crate::number::{count, quantity};
-
-/// Velocities below this share of the other one of an impact are round-off of a plastic impact, or of a touch without approach.
-const NO_VELOCITY: f64 = 1e-8;
 
 /// Whether the contact closed.
 pub(super) fn touched(contact: &ContactSummary) -> bool {
@@ -24,7 +22,11 @@ pub(super) fn touched(contact: &ContactSummary) -> bool {
 }
 
 /// The rows of a contact.
-pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<String> {
+pub(super) fn contact_lines(
+    contact: &ContactSummary,
+    run: &RunSummary,
+    scales: &Scales,
+) -> Vec<String> {
     let interval = |one: &ContactInterval| interval(one, run);
     match &contact.record {
         ContactRecord::Smooth { peak_force, intervals } => {
@@ -65,8 +67,8 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
                 let total = quantity(*impulse_resting, "N*s");
                 lines.push(format!("persistent contact, total impulse {total}"));
             }
-            lines.extend(contact.sliding.and_then(|sliding| slid(sliding, run)));
-            lines.extend(listed(impacts, *impact_count, LISTED, |one| impact(one, run)));
+            lines.extend(contact.sliding.and_then(|sliding| slid(sliding, scales)));
+            lines.extend(listed(impacts, *impact_count, LISTED, |one| impact(one, run, scales)));
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             if *fallback_count > 0 {
                 let law = "Moreau's law used (Newton's law would increase the energy)";
@@ -81,9 +83,9 @@ pub(super) fn contact_lines(contact: &ContactSummary, run: &RunSummary) -> Vec<S
 }
 
 /// How far a contact with friction slid; nothing where it stuck or rolled, or never closed.
-fn slid(sliding: Sliding, run: &RunSummary) -> Option<String> {
+fn slid(sliding: Sliding, scales: &Scales) -> Option<String> {
     let Sliding { distance, work } = sliding;
-    let slides = work > ROUNDING * run.energy.scale;
+    let slides = !is_round_off(work, scales.energy) && !is_round_off(distance, scales.length);
     slides.then(|| {
         let (distance, work) = (quantity(distance, "m"), quantity(work, "J"));
         format!("sliding distance {distance}, friction work {work}")
@@ -110,11 +112,12 @@ fn interval(interval: &ContactInterval, run: &RunSummary) -> String {
     format!("closed from t = {start} to {end}, impulse {impulse}{why}")
 }
 
-fn impact(impact: &Impact, run: &RunSummary) -> String {
-    let beside = |a: f64, b: f64| if a.abs() <= NO_VELOCITY * b.abs() { 0.0 } else { a };
-    let approach = beside(impact.approach_velocity, impact.separation_velocity);
-    let separation = beside(impact.separation_velocity, impact.approach_velocity);
-    let friction = match impact.tangential_impulse {
+fn impact(impact: &Impact, run: &RunSummary, scales: &Scales) -> String {
+    let (approach, separation) = (impact.approach_velocity, impact.separation_velocity);
+    // Round-off of a plastic impact, or of a touch without approach.
+    let fast = approach.abs().max(separation.abs()).max(scales.velocity);
+    let [approach, separation] = [approach, separation].map(|v| without_round_off(v, fast));
+    let friction = match without_round_off(impact.tangential_impulse, impact.impulse) {
         0.0 => String::new(),
         impulse => format!(", friction impulse {}", quantity(impulse, "N*s")),
     };

@@ -1,7 +1,5 @@
 //! Lines of a list that may be too long.
 
-/// Terms of the balance below this share of the energy scale are nothing but rounding.
-pub(super) const ROUNDING: f64 = 1e-13;
 /// Impacts and intervals listed for a contact.
 pub(super) const LISTED: usize = 3;
 
