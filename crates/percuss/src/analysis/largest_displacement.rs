@@ -5,6 +5,7 @@ use crate::model::Model;
 use crate::model::frozen::Span;
 use crate::model::point::combine;
 use crate::state::State;
+use crate::summary::SAME_SIZE;
 
 /// Pieces of an element at whose ends displacements are looked at.
 const PIECES: usize = 8;
@@ -36,7 +37,10 @@ impl LargestDisplacement {
                 let whole = |k: &usize| !state.has_parted(span.nodes.start + k);
                 for k in (0..span.elements.len()).filter(whole) {
                     let (xi, displacement) = farthest(span, k, state);
-                    if most.as_ref().is_none_or(|most| norm(displacement) > most.size()) {
+                    // Of places that move as far, the first: round-off does not decide.
+                    let farther =
+                        |most: &Self| norm(displacement) > most.size() * (1.0 + SAME_SIZE);
+                    if most.as_ref().is_none_or(farther) {
                         let (a, b) = (span.stations[k], span.stations[k + 1]);
                         let (beam, s) = (beam.name.clone(), a + xi * (b - a));
                         most = Some(Self { beam, s, displacement });

@@ -41,21 +41,32 @@ pub struct SectionRange {
     pub max: SectionPeak,
 }
 
+/// Magnitudes that differ by less than this share are as large: which of two places or signs is told is not for round-off to decide.
+pub(crate) const SAME_SIZE: f64 = 1e-9;
+
 impl SectionRange {
-    /// The one of larger magnitude.
+    /// The one of larger magnitude; of two as large the positive one.
     pub fn largest(&self) -> SectionPeak {
-        if self.min.value.abs() > self.max.value.abs() { self.min } else { self.max }
+        let (min, max) = (self.min.value.abs(), self.max.value.abs());
+        if min > max * (1.0 + SAME_SIZE) { self.min } else { self.max }
     }
 
-    /// Enters a value.
+    /// Enters a value. Of places along the beam with the same value at an instant, the first is kept.
     #[doc(hidden)]
     pub fn take(&mut self, value: f64, s: f64, time: f64) {
         if value > self.max.value || self.max.value.is_nan() {
-            self.max = SectionPeak { value, s, time };
+            self.max.replace(value, s, time);
         }
         if value < self.min.value || self.min.value.is_nan() {
-            self.min = SectionPeak { value, s, time };
+            self.min.replace(value, s, time);
         }
+    }
+}
+
+impl SectionPeak {
+    fn replace(&mut self, value: f64, s: f64, time: f64) {
+        let same = time == self.time && (value - self.value).abs() <= SAME_SIZE * value.abs();
+        *self = if same { Self { value, ..*self } } else { Self { value, s, time } };
     }
 }
 

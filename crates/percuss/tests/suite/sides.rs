@@ -138,3 +138,37 @@ fn stresses_of_a_beam_that_yields_are_those_of_one_gauss_point_however_a_scene_l
         }
     }
 }
+
+/// A beam clamped at both ends under equal forces at its quarters: its largest moments are those at the ends, its shear forces those before the
+/// first force and after the second. Of the ends the first is told, of the shear forces the positive one.
+#[test]
+fn of_values_as_large_the_positive_and_the_first_is_told_however_a_scene_lies() {
+    for pose in &POSES {
+        let mut b = ModelBuilder::new();
+        let density = pose.mass(7850.0) / pose.length(1.0).powi(3);
+        let material = b.material(Material::new("m", pose.per(210e9, 2), density));
+        let (wide, deep) = (pose.length(0.03), pose.length(0.02));
+        let section = b.section(Section::rectangle("s", wide, deep));
+        let ends = [pose.place([0.0; 2]), pose.place([1.0, 0.0])];
+        let bar = b.beam(beam("a", ends[0], ends[1], 8, material, section));
+        for (name, f) in [("left", 0.0), ("right", 1.0)] {
+            b.support(Support::new(name, at(name, bar, f), SupportKind::Clamp));
+        }
+        for fraction in [0.25, 0.75] {
+            let force = pose.vector([0.0, -1.0]).map(|f| f / pose.length(1.0) * pose.per(1.0, 0));
+            let kind = LoadKind::Point {
+                at: at("load", bar, fraction),
+                force,
+                moment: 0.0,
+                follower: false,
+            };
+            b.load(Load::new(format!("load at {fraction}"), kind));
+        }
+        let found = equilibrium(&b.build().unwrap()).unwrap();
+        let moment = &found.section_forces[0].moment;
+        let ends = if pose.mirror > 0.0 { moment.min } else { moment.max };
+        assert!(ends.s < 1e-6 * pose.length(1.0), "{pose:?}: {moment:?}");
+        let shear = &found.section_forces[0].shear;
+        assert!(shear.largest().value > 0.0, "{pose:?}: {shear:?}");
+    }
+}

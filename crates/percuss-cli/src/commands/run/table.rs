@@ -348,3 +348,51 @@ fn comparison(one: &Comparison) -> String {
         value(one.simulated),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(contact: &str, simulated: f64, bound: bool, holds_if: &str) -> Comparison {
+        Comparison {
+            contact: contact.to_owned(),
+            formula: "formula",
+            source: "a book",
+            quantity: "largest contact force",
+            unit: "N",
+            by_hand: 100.0,
+            simulated,
+            difference_percent: simulated - 100.0,
+            bound,
+            holds_if: holds_if.to_owned(),
+        }
+    }
+
+    #[test]
+    fn a_bound_has_no_error_and_unmet_assumptions_are_named() {
+        let alone = |one: Comparison| comparisons(&[one]).remove(0);
+        assert_eq!(
+            alone(of("p", 14.0, true, "no losses (met)")),
+            "formula, largest contact force: at most 100 N, simulated 14 N (14.0 % of the bound)"
+        );
+        assert_eq!(
+            alone(of(
+                "p",
+                90.0,
+                false,
+                "no damping (not met); small slopes (met); one beam (not met)"
+            )),
+            "formula, largest contact force: 100 N, simulated 90 N (-10.00 %; not met: no damping, and 1 more)"
+        );
+    }
+
+    #[test]
+    fn equal_rows_of_several_contacts_are_one_with_their_names() {
+        let all = ["a", "b", "c", "d"]
+            .map(|name| of(name, if name == "d" { 80.0 } else { 90.0 }, false, ""));
+        let rows = comparisons(&all);
+        assert_eq!(rows.len(), 2);
+        assert!(rows[0].starts_with("'a', 'b', 'c': formula, "), "{rows:?}");
+        assert!(rows[1].starts_with("'d': formula, "), "{rows:?}");
+    }
+}

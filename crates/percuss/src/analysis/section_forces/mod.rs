@@ -26,7 +26,7 @@ use crate::scalar::in_lanes;
 use crate::state::State;
 use crate::step::fibres::fibre_strains;
 use crate::summary::{
-    Envelope, PointForces, PointStress, SectionForceSummary, SectionPeak, SectionRange,
+    Envelope, PointForces, PointStress, SAME_SIZE, SectionForceSummary, SectionPeak, SectionRange,
 };
 use element::{ElementForces, PLACES, station};
 use fibres::{Fibres, Strained};
@@ -36,9 +36,6 @@ use line::SectionForces;
 pub use acted::ordered;
 pub use lines::{Acting, Lines};
 pub use runs::{ElementActing, ElementPlace, ForceInside, RunForces};
-
-/// Stresses whose magnitudes differ by less than this share are as large.
-const SAME_STRESS: f64 = 1e-9;
 
 /// Nothing seen yet, one entry a beam.
 pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
@@ -241,7 +238,7 @@ fn larger([least, most]: [f64; 2]) -> f64 {
 
 /// Whether a stress is larger than another by more than round-off, or there is no other.
 fn is_worse(one: f64, other: f64) -> bool {
-    one.abs() > other.abs() * (1.0 + SAME_STRESS) || other.is_nan()
+    one.abs() > other.abs() * (1.0 + SAME_SIZE) || other.is_nan()
 }
 
 /// The sides of a point, behind it and ahead of it: node a of the element, share of the way, whether ahead of what acts there.
