@@ -247,15 +247,16 @@ fn vertices_of_section_forces_go_through_jumps_corners_and_crests() {
     let here: Vec<&SectionPoint> =
         found.element_points.iter().filter(|p| (p.s - 0.6).abs() < 1e-9).collect();
     let [behind, ahead] = here[..] else { panic!("{here:?}") };
-    [(behind, 0.7), (ahead, -0.3)].map(|(p, shear)| near(p.forces[1], shear));
-    [behind, ahead].map(|p| near(p.forces[2], 0.42));
+    [(behind, 0.7), (ahead, -0.3)].into_iter().for_each(|(p, shear)| near(p.forces[1], shear));
+    [behind, ahead].into_iter().for_each(|p| near(p.forces[2], 0.42));
     let envelope = &found.section_forces[0].envelope;
     assert!(envelope.s.is_sorted());
     let places: Vec<usize> =
         (0..envelope.s.len()).filter(|k| (envelope.s[*k] - 0.6).abs() < 1e-9).collect();
     let [before, after] = places[..] else { panic!("{places:?}") };
-    [(before, 0.7), (after, -0.3)].map(|(k, shear)| near(envelope.shear[0][k], shear));
-    [before, after].map(|k| near(envelope.moment[1][k], 0.42));
+    let shears = [(before, 0.7), (after, -0.3)];
+    shears.into_iter().for_each(|(k, shear)| near(envelope.shear[0][k], shear));
+    [before, after].into_iter().for_each(|k| near(envelope.moment[1][k], 0.42));
     let spread = |b: &mut ModelBuilder, girder: BeamId| {
         let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
         let kind = LoadKind::Distributed {

@@ -53,11 +53,6 @@ impl Pose {
         [moved[0] + self.length(self.to[0]), moved[1] + self.length(self.to[1])]
     }
 
-    /// Newtons of a force of the pose.
-    fn newtons(&self, force: f64) -> f64 {
-        force * self.units[1] * self.units[0]
-    }
-
     /// Shear force, bending moment and size of the stress at a point of a beam from (0, 0) to (1, 0) on two supports that is struck there from
     /// above, shape (3, rows) [N, N m, Pa].
     fn struck(&self, elements: usize, share: f64, yields: bool) -> [Vec<f64>; 3] {
