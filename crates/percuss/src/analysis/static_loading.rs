@@ -12,7 +12,9 @@ use crate::model::Model;
 /// A step is cut down to this share of the total before the analysis ends without convergence.
 const SMALLEST_STEP: f64 = 1e-4;
 /// Steps that lead to an unstable equilibrium are cut down to this share before it is believed.
-const FINEST_SHARE: f64 = 1.0 / 128.0;
+const FINEST_SHARE: f64 = 1.0 / 4096.0;
+/// Beside a bifurcation steps are that fine, and the analysis ends without convergence below this share.
+const SMALLEST_BESIDE: f64 = 1e-6;
 /// Purpose of a step.
 #[derive(Clone, Copy, Debug)]
 enum Stage {
@@ -57,7 +59,7 @@ impl<'a, 'm> Loading<'a, 'm> {
 
     /// Brings the loads up; `structure` is the beams alone, for their stability.
     pub fn bring_up(&mut self, structure: &Model) -> Result<(), Error> {
-        let (mut reached, mut step) = (0.0, self.longest);
+        let (mut reached, mut step, mut smallest) = (0.0, self.longest, SMALLEST_STEP);
         while reached < 1.0 {
             let target: f64 = f64::min(reached + step, 1.0);
             let onset = self.onset(reached);
@@ -68,7 +70,7 @@ impl<'a, 'm> Loading<'a, 'm> {
                 let behind = onset.is_some_and(|onset| self.search.leaves(&self.accepted, &onset));
                 let unstable = self.loses_stability(structure);
                 if (behind || unstable) && step > self.longest * FINEST_SHARE {
-                    step *= 0.5;
+                    (step, smallest) = (0.5 * step, SMALLEST_BESIDE);
                     self.search.go_back(&self.accepted);
                     continue;
                 }
@@ -94,7 +96,7 @@ impl<'a, 'm> Loading<'a, 'm> {
                     }
                     step *= 0.5;
                     self.search.go_back(&self.accepted);
-                    if step < SMALLEST_STEP {
+                    if step < smallest {
                         let failures = in_words(self.failures.iter(), true);
                         return Err(lost(self.search, reached).after(&failures));
                     }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::equivalent::EquivalentForce;
 use super::peak::Peak;
 use crate::geometry::dents::CarriedCrush;
 
@@ -326,97 +327,6 @@ impl PressedIn {
     pub fn is_deep(&self) -> bool {
         self.share() > Self::DEEP
     }
-}
-
-/// Static force at the struck point along the line of motion, in addition to permanent loads, with the same peak effect as the run in nonlinear
-/// statics.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct EquivalentForce {
-    /// Force with the same largest moment in the struck beam, or why there is none \[N\].
-    pub moment: Result<f64, NoEquivalentForce>,
-    /// Force with the same deflection of the struck point along the line of motion, or why there is none \[N\].
-    pub deflection: Result<f64, NoEquivalentForce>,
-    /// Whether the largest deflection is one on rebound: the force for it then acts against the impact.
-    pub on_rebound: bool,
-    /// Whether permanent loads act beside it.
-    pub beside_loads: bool,
-    /// Whether the structure yielded in the run: then it is the force on the same structure, assumed elastic.
-    pub as_if_elastic: bool,
-}
-
-/// Reason why no static force has the effect of an impact.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-#[non_exhaustive]
-pub enum NoEquivalentForce {
-    /// The struck point or its direction is not recorded.
-    NotRecorded,
-    /// The impact increases the effect by round-off at most.
-    NoIncrease,
-    /// The structure has no stiffness against such a force.
-    NotSupported,
-    /// The force turns: a structure under a larger one snaps through or collapses.
-    LimitPoint {
-        /// The largest force \[N\].
-        force: f64,
-    },
-    /// The equilibrium with this effect is not stable.
-    Unstable,
-    /// A part of the structure fails before.
-    Fails {
-        /// The force at which it does \[N\].
-        force: f64,
-    },
-    /// The search found no equilibrium beyond a force.
-    NotFound {
-        /// This force \[N\].
-        force: f64,
-    },
-}
-
-impl NoEquivalentForce {
-    /// Whether it is told: without a recorded point there is no question.
-    pub fn is_told(&self) -> bool {
-        !matches!(self, Self::NotRecorded)
-    }
-}
-
-impl std::fmt::Display for NoEquivalentForce {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::NotRecorded => f.write_str("the struck point is not recorded"),
-            Self::NoIncrease => f.write_str("the impact does not increase it"),
-            Self::NotSupported => f.write_str("the structure is not supported in this direction"),
-            Self::LimitPoint { force } => write!(
-                f,
-                "no static force has this effect: beyond {} the structure snaps through or collapses",
-                newtons(*force)
-            ),
-            Self::Unstable => {
-                f.write_str("the equilibrium with this effect is not stable: the structure buckles")
-            }
-            Self::Fails { force } => {
-                write!(
-                    f,
-                    "a part of the structure fails under a static force of {}",
-                    newtons(*force)
-                )
-            }
-            Self::NotFound { force } => {
-                write!(f, "not determined: no equilibrium was found beyond {}", newtons(*force))
-            }
-        }
-    }
-}
-
-/// A force with four digits, in N, kN or MN.
-fn newtons(force: f64) -> String {
-    let (scaled, unit) = match force.abs() {
-        size if size >= 1e6 => (force / 1e6, "MN"),
-        size if size >= 1e4 => (force / 1e3, "kN"),
-        _ => (force, "N"),
-    };
-    let digits = (3.0 - scaled.abs().max(1e-3).log10().floor()).max(0.0) as usize;
-    format!("{scaled:.digits$} {unit}")
 }
 
 /// Impacts on several touching bodies at once, for which the impact law determined all impulses together.

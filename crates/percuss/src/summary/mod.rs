@@ -1,6 +1,7 @@
 //! Results of a run. Unset results are NaN.
 
 mod contact;
+mod equivalent;
 mod forces;
 mod foundation;
 mod joints;
@@ -9,6 +10,7 @@ mod plastic;
 mod step_control;
 
 pub use contact::*;
+pub use equivalent::*;
 pub use forces::*;
 pub use foundation::*;
 pub use joints::*;

@@ -100,3 +100,30 @@ fn a_static_start_far_from_the_drawing_is_reported_for_projectiles() {
         }
     }
 }
+
+/// A straight strut between pins that heat or a ramp presses beyond buckling in a run; not where its ends are clamped (four times the factor), where a
+/// lateral load bends it, or below the factor.
+#[test]
+fn a_straight_strut_pressed_beyond_buckling_in_a_run_is_reported() {
+    let found = |share: f64, kind: SupportKind, lateral: f64| {
+        let mut b = ModelBuilder::new();
+        let strut = bar(&mut b, 2.0, 16, [0.05, 0.05]);
+        hold(&mut b, strut, &kind, &[0.0, 1.0]);
+        let slenderness = 0.05_f64.powi(2) / 12.0 / 4.0;
+        let strain = share * std::f64::consts::PI.powi(2) * slenderness;
+        let stretch = [Along::Fraction(0.0), Along::Fraction(1.0)];
+        let kind = LoadKind::Strain { beam: strut, stretch, strain, curvature: 0.0 };
+        let function = TimeFunction::Ramp { duration: 0.3 };
+        b.load(Load { function: function.clone(), ..Load::new("growth", kind) });
+        if lateral != 0.0 {
+            let at = at("mid", strut, 0.5);
+            let kind = LoadKind::Point { at, force: [0.0, lateral], moment: 0.0, follower: false };
+            b.load(Load { function, ..Load::new("lateral", kind) });
+        }
+        verdict(&advise(&freeze(&b), &Settings::new(0.5, 5e-4)), Topic::Stability)
+    };
+    assert_eq!(found(2.0, SupportKind::Pin, 0.0), Some(Verdict::Warning));
+    assert_eq!(found(0.9, SupportKind::Pin, 0.0), None);
+    assert_eq!(found(2.0, SupportKind::Clamp, 0.0), None);
+    assert_eq!(found(2.0, SupportKind::Pin, 100.0), None);
+}
