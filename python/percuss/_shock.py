@@ -40,6 +40,8 @@ def filtered(history: History, column: str, cfc: int | None) -> xarray.DataArray
         native, unit = _percuss.acceleration(*_velocity(history, column), cfc), "m/s^2"
         times = "Middle of the step"
     suffix = "" if cfc is None else f" (CFC {cfc})"
+    if _absolute(history, column) is not None:
+        suffix = f" relative to the accelerated base{suffix}"
     about = {"units": unit_words(unit), "long_name": f"{column}{suffix}", "resampled": int(native["resampled"])}
     time = ("time", native["time"], {"units": "s", "long_name": times})
     array: xarray.DataArray = arrays.DataArray(native["values"], {"time": time}, ("time",), column, about)
@@ -51,6 +53,10 @@ def shock_spectrum(
 ) -> xarray.Dataset:
     """Answers over the natural frequency."""
     arrays = xarray_module()
+    absolute = _absolute(history, column)
+    if absolute is not None:
+        text = f"{column}: is relative to the accelerated base, and an oscillator responds to the absolute acceleration; expected {absolute}"
+        raise coded(InputError, text, "E320")
     native = _percuss.shock_spectrum(_velocity(history, column), damping, band, cfc)
     variables: dict[str, Any] = {}
     for name, (unit, words) in _ANSWERS.items():
@@ -65,11 +71,20 @@ def shock_spectrum(
     return data
 
 
+def _absolute(history: History, column: str) -> str | None:
+    """The absolute acceleration beside one that is relative to an accelerated base."""
+    absolute = column.replace(".acceleration_", ".absolute_acceleration_")
+    velocity = absolute.replace("acceleration_", "velocity_")
+    return absolute if absolute != column and velocity in history.columns else None
+
+
 def _velocity(history: History, column: str) -> tuple[list[float], list[float]]:
     """Times, and the velocity that an acceleration follows from."""
-    known = {
-        name.replace(".velocity_", ".acceleration_"): name for name in history.columns if ".velocity_" in name
-    }
+    known = {}
+    for name in history.columns:
+        for what in (".velocity_", ".absolute_velocity_"):
+            if what in name:
+                known[name.replace(what, what.replace("velocity", "acceleration"))] = name
     if column not in known:
         what = "is no acceleration" if column in history else "the run has no such column"
         expected = nearest(column, known) if known else "; no velocities were recorded that one follows from: record points"

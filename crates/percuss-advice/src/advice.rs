@@ -5,6 +5,8 @@ use percuss_codes::{Caution, Topic};
 /// How much a finding weighs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
+    /// Not known: no estimate applies.
+    Unchecked,
     /// As it should be.
     Fine,
     /// Found, and allowed by the author of the scenario.
@@ -100,6 +102,7 @@ impl Verdict {
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
+            Self::Unchecked => "not checked",
             Self::Fine => "fine",
             Self::Allowed => "allowed",
             Self::Note => "note",

@@ -1,6 +1,6 @@
 //! Warnings of the audit of a finished run.
 
-use percuss::{ContactRecord, ContactSummary, Peak, RunSummary};
+use percuss::{AuditSummary, ContactRecord, ContactSummary, Peak, RunSummary};
 use percuss_codes::{Caution, Topic};
 
 use super::words::quantity;
@@ -8,8 +8,6 @@ use super::{Advice, Verdict};
 
 /// A violation of the contact conditions beyond this, relative to the largest velocity, is worth a warning.
 const CONDITIONS: f64 = 1e-8;
-/// Residuals beyond this are worth a warning whatever the scheme.
-const BALANCE_OPEN: f64 = 1e-8;
 /// Penetrations of rigid contacts beyond this are worth a warning \[m\].
 const INSIDE: f64 = 1e-7;
 
@@ -32,7 +30,7 @@ pub fn warnings(run: &RunSummary, advice: &[Advice]) -> Vec<(Caution, String)> {
         ("angular momentum", run.momentum.angular_residual_max),
     ];
     for (what, residual) in residuals {
-        if residual > BALANCE_OPEN || residual.is_nan() {
+        if residual > AuditSummary::JUDGED || residual.is_nan() {
             let text = format!("{what} balance error {residual:.1e} of its scale");
             all.push((Caution::Balance, text));
         }

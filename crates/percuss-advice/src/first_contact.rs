@@ -97,7 +97,7 @@ fn assessed(time: f64, end: f64, contact: f64, known: Known) -> (Verdict, String
         let text = format!(
             "first contact at {first} for free motion, {side} the end ({last}); {why}, so that it may be earlier or later"
         );
-        return (if time >= end { Verdict::Note } else { Verdict::Fine }, text);
+        return (if time >= end { Verdict::Note } else { Verdict::Unchecked }, text);
     }
     let seen = if known == Known::Trial { " in a trial computation" } else { "" };
     if time >= end {

@@ -21,6 +21,7 @@ mod neglected_shear;
 mod planned;
 mod property_magnitudes;
 mod resolution;
+mod resolved;
 mod review;
 mod shear;
 mod stability;
@@ -113,6 +114,7 @@ pub fn conclude<'r>(
     let mut advice = before;
     let after = review(model, settings, summary, &advice);
     settle(&mut advice, settings, summary);
+    advice.retain(|one| !resolved::is_settled(one, &after));
     let before = advice.len();
     advice.extend(after);
     allow(&mut advice, &reason);

@@ -27,11 +27,12 @@ impl PlannedContact<'_> {
             Stays::About(time) => ("lasts about", *time),
             Stays::AtLeast(time) => ("lasts at least", *time),
             Stays::Untouched => {
-                return self.no_duration("no contact before the end in a trial computation");
+                let text = "no contact before the end in a trial computation";
+                return self.no_duration(Verdict::Fine, text.to_owned());
             }
             Stays::Unknown(why) => {
                 let text = format!("contact duration not estimated: {why}");
-                return self.no_duration(&text);
+                return self.no_duration(Verdict::Unchecked, text);
             }
         };
         let steps = contact / step;
@@ -55,9 +56,9 @@ impl PlannedContact<'_> {
         self.finding(Topic::ContactDuration, [contact, step], "s", verdict, text)
     }
 
-    fn no_duration(&self, text: &str) -> Advice {
+    fn no_duration(&self, verdict: Verdict, text: String) -> Advice {
         let values = [f64::NAN, self.settings.step];
-        self.finding(Topic::ContactDuration, values, "s", Verdict::Fine, text.to_owned())
+        self.finding(Topic::ContactDuration, values, "s", verdict, text)
     }
 
     fn resolved(&self, steps: f64, off: Option<f64>) -> Verdict {

@@ -1,21 +1,19 @@
 //! Findings after a run: where its results are incomplete, inaccurate or depend on the mesh.
 
 use super::case::is_on_a_spring;
-use super::planned::{STEPS, graded};
 use super::structure::BeamPlace;
-use super::words::{digits, quantity, round_down};
-use super::{Advice, Topic, Verdict};
+use super::words::{digits, quantity};
+use super::{Advice, Topic, Verdict, resolved};
 use percuss::Settings;
-use percuss::inspect::{ContactView, MovingPartner, SpanView};
+use percuss::inspect::SpanView;
 use percuss::{
     ContactRecord, ContactSummary, PressedIn, RunSummary, SectionForceSummary, Termination,
+    WithoutLimit,
 };
 use percuss::{Model, StrainMeasure, Strength};
 
 /// Compressive strains from which on strain measures differ by some per cent, and by a tenth.
 const STRAINS: [f64; 2] = [0.05, 0.15];
-/// Jumps of a prescribed velocity above this share of the largest one are worth a word; splines leave smaller ones at their ends.
-const JUMP: f64 = 0.05;
 
 /// Findings of a finished run; `before` are those before it.
 pub fn findings(
@@ -24,11 +22,7 @@ pub fn findings(
     run: &RunSummary,
     before: &[Advice],
 ) -> Vec<Advice> {
-    let mut all = Vec::new();
-    if settings.accuracy.is_none() {
-        let coarse = |contact| unresolved(contact, settings, before);
-        all.extend(run.contacts.iter().filter_map(coarse));
-    }
+    let mut all = resolved::findings(model, settings, run, before);
     if matches!(run.termination, Termination::Completed) {
         let untouched = !run.contacts.iter().any(touched);
         let open = |(index, contact)| {
@@ -47,34 +41,6 @@ pub fn findings(
     all.extend((0..model.beam_count()).filter_map(|beam| compressed(model, run, beam)));
     all.extend(run.section_forces.iter().filter_map(|beam| beyond_strength(model, beam)));
     all
-}
-
-/// A contact that the run shows to last a few steps only, where nothing was said of it before.
-fn unresolved(contact: &ContactSummary, settings: &Settings, before: &[Advice]) -> Option<Advice> {
-    let ContactRecord::Smooth { intervals, .. } = &contact.record else { return None };
-    let whole = intervals.iter().filter(|one| !one.end.is_nan());
-    let hardest = whole.max_by(|a, b| a.impulse.abs().total_cmp(&b.impulse.abs()))?;
-    let (steps, duration) = (hardest.steps as f64, hardest.end - hardest.start);
-    let verdict = graded(steps, STEPS);
-    let mut reported = (before.iter())
-        .filter(|one| one.topic == Topic::ContactDuration && one.contact == contact.name);
-    // An estimate that found the steps fine knows more than their number, unless they are next to none.
-    let known = reported.any(|one| {
-        one.verdict != Verdict::Fine || one.value.is_finite() && verdict != Verdict::Warning
-    });
-    if known || verdict == Verdict::Fine {
-        return None;
-    }
-    let better = quantity(round_down(duration / STEPS[0]), "s");
-    let text = format!(
-        "contact of {} at t = {} resolved by {} steps (20 recommended): peak force and velocities are inaccurate; set time.step to \
-         {better}",
-        quantity(duration, "s"),
-        quantity(hardest.start, "s"),
-        digits(steps)
-    );
-    let values = [duration, settings.step];
-    Some(Advice::new(&contact.name, Topic::ContactDuration, values, "s", verdict, text))
 }
 
 /// A compliant contact with a deep penetration.
@@ -111,10 +77,8 @@ fn still_to_come(contact: &ContactSummary, settings: &Settings, untouched: bool)
     let (ContactRecord::Smooth { intervals, .. } | ContactRecord::Nonsmooth { intervals, .. }) =
         &contact.record;
     let end = quantity(settings.end, "s");
-    let (since, verdict, text) = match intervals.last() {
-        // What lies on something from the start on, and stays there, is no contact cut short.
-        Some(only) if only.start == 0.0 && only.approach_velocity == 0.0 => return None,
-        Some(last) if last.end.is_nan() => {
+    let (since, verdict, text) = match contact.cut_short() {
+        Some(last) => {
             let since = quantity(settings.end - last.start, "s");
             // A rigid contact has impulses, and no peak force.
             let peak = match contact.record {
@@ -126,7 +90,7 @@ fn still_to_come(contact: &ContactSummary, settings: &Settings, untouched: bool)
             );
             (last.start, Verdict::Note, text)
         }
-        None if untouched && impacts(contact) == 0 => {
+        None if untouched && intervals.is_empty() && impacts(contact) == 0 => {
             let text = format!("no contact up to the end of the run ({end})");
             (f64::NAN, Verdict::Note, text)
         }
@@ -155,12 +119,11 @@ fn touched(contact: &ContactSummary) -> bool {
 /// and the largest reaction that they make grows as elements and steps become shorter: of the paper's clamped beam 10 MN with 6
 /// elements, 17 with 12, 33 with 24, 43 with 48 and 52 with 96.
 fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
-    let strikes = |(view, contact): &(ContactView<'_>, &ContactSummary)| {
-        let is_beam = |partner: &MovingPartner| matches!(partner, MovingPartner::Beam(_));
-        let on_beam = view.pairs().any(|(partners, _)| partners.iter().any(is_beam));
-        on_beam && impacts(contact) > 0
-    };
-    let (_, contact) = model.contacts().zip(&run.contacts).find(strikes)?;
+    let impact = run.forces_without_limit(model).into_iter().find_map(|one| match one {
+        WithoutLimit::Impact(contact) => Some(contact),
+        WithoutLimit::Jump(_) => None,
+    });
+    let contact = &run.contacts[impact?];
     let forces =
         run.supports.iter().flat_map(|s| s.force.iter().flat_map(|f| [f.min.value, f.max.value]));
     let largest = forces.filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
@@ -168,8 +131,8 @@ fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
         return None;
     }
     let text = format!(
-        "peak reaction ({}) and section forces depend on mesh and step (rigid impact), and grow with refinement; use impulses and \
-         displacements, or a compliant contact",
+        "peak reaction ({}) and section forces depend on mesh and step (rigid impact): reactions and shear forces grow with refinement, \
+         bending moments little or not at all (percuss converge); use impulses and displacements, or a compliant contact",
         quantity(largest, "N")
     );
     let values = [largest, f64::NAN];
@@ -181,14 +144,17 @@ fn reactions(model: &Model, run: &RunSummary) -> Option<Advice> {
 /// A jump gives the end of a beam a velocity at once, as a rigid impact does, and the impulse of the support is its share of the beam's
 /// mass: half an element's.
 fn jumps(model: &Model, run: &RunSummary) -> Option<Advice> {
-    let mut driven = model.supports().zip(&run.supports);
-    let (_, support) = driven.find(|(view, _)| view.jump > JUMP)?;
+    let jump = run.forces_without_limit(model).into_iter().find_map(|one| match one {
+        WithoutLimit::Jump(support) => Some(support),
+        WithoutLimit::Impact(_) => None,
+    });
+    let support = run.supports.get(jump?)?;
     let forces = support.force.iter().flat_map(|f| [f.min.value, f.max.value]);
     let largest = forces.filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
     let text = format!(
         "velocity jump of support '{}' (at the ends of a ramp, for example): peak reaction ({}) and section forces depend on mesh \
-         and step, and grow with refinement; use a motion that starts and ends with zero velocity (a table with smooth = true, for \
-         example), or displacements",
+         and step: reactions and shear forces grow with refinement, bending moments little or not at all (percuss converge); use a motion \
+         that starts and ends with zero velocity (a table with smooth = true, for example), or displacements",
         support.name,
         quantity(largest, "N")
     );

@@ -42,25 +42,29 @@ pub fn finding(
     let of_contact = lasting.filter(|lasting| {
         lasting.from == From::WithoutEnd || lasting.shear(&section, shear).is_some()
     });
-    let (share, what) = match of_contact {
+    let (share, told, what) = match of_contact {
         Some(lasting) if lasting.from == From::WithoutEnd => {
             let [_, change] = struck.corrections(planned.case.law, struck.speed)?;
             let rebound = change.rebound.map_or(String::new(), |share| {
                 format!(" and the rebound velocity by {} %", digits(100.0 * share))
             });
             let share = change.rebound.unwrap_or(0.0).abs().max(change.force.abs());
-            (share, format!("change the force by {} %{rebound}", digits(100.0 * change.force)))
+            let what = format!("change the force by {} %{rebound}", digits(100.0 * change.force));
+            (share, share, what)
         }
         Some(lasting) => {
-            let share = lasting.shear(&section, shear)?;
-            (share, format!("change the force by {} %", digits(100.0 * share)))
+            // First order in modes misses even the sign of what reflected waves do to the force: it tells that shear matters, not how much.
+            let share = lasting.shear(&section, shear)?.abs().max(yields.unwrap_or(0.0));
+            let what = "change the force by a share that is not estimated (waves return during the contact; compare with theory = \"shear\")";
+            (share, yields.unwrap_or(f64::NAN), what.to_owned())
         }
         None => {
             let share = yields?;
-            (share, format!("increase the static deflection by {} %", digits(100.0 * share)))
+            let what = format!("increase the static deflection by {} %", digits(100.0 * share));
+            (share, share, what)
         }
     };
-    let share = share.abs();
+    let (share, told) = (share.abs(), told.abs());
     if !share.is_finite() {
         return None;
     }
@@ -80,7 +84,7 @@ pub fn finding(
         _ => Verdict::Warning,
     };
     let verdict = of_force.max(of_way);
-    Some(planned.finding(Topic::Shear, [share, SHARES[0]], "1", verdict, text))
+    Some(planned.finding(Topic::Shear, [told, SHARES[0]], "1", verdict, text))
 }
 
 /// Slender beams without a finding of a contact whose lowest vibration would have larger deflections by shear; `estimated` are those with one, shape

@@ -151,6 +151,7 @@ impl<S: Number> SummaryInput<'_, S> {
             plastic: self.plastic(reading.derivative),
             yielding: Vec::new(),
             joints: Vec::new(),
+            pulses: Vec::new(),
         }
     }
 

@@ -118,7 +118,7 @@ fn say(code: Code, verdict: Verdict, (text, reason): (&str, Option<&str>)) {
     let reason = reason.map_or(String::new(), |why| format!(" (reason: {why})"));
     let text = format!("{text}{reason}");
     match verdict {
-        Verdict::Fine => {}
+        Verdict::Unchecked | Verdict::Fine => {}
         Verdict::Allowed => terminal::allowed(code, &text),
         Verdict::Note => terminal::note(code, &text),
         Verdict::Warning => terminal::warning(code, &text),

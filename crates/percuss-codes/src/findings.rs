@@ -6,11 +6,12 @@ catalogue! {
         /// Time of the first contact against the end of the run \[s\].
         FirstContact = "W001", "first contact",
             "The run ends before or during the first contact. Give a later `time.end`, a higher speed or a smaller distance.";
-        /// Expected duration of the contact against the step \[s\].
+        /// Duration of the contact, expected or seen, against the step \[s\].
         ContactDuration = "W002", "contact duration",
-            "The step is long compared with the expected duration of the contact. Peak forces and impulses of a contact need about \
-             twenty steps; with fewer the peak force is missed. Use a `time.step` of 1/20 of the given duration; `percuss converge \
-             FILE` shows the remaining dependence on it.";
+            "The step is long compared with the duration of a contact: before a run the expected one of the first contact, after it \
+             that with the largest force of every contact, stop, rope and spring that can be open or slack. Peak forces and impulses \
+             need about twenty steps; with fewer the peak force is missed. Use a `time.step` of 1/20 of the given duration; `percuss \
+             converge FILE` shows the remaining dependence on it.";
         /// Length of the shortest relevant bending waves of the contact, against the elements \[m\].
         BendingWave = "W003", "bending wave",
             "The relevant bending waves are shorter than one or two elements, so that the mesh does not transport them; forces are too \
@@ -108,15 +109,28 @@ catalogue! {
             "A body slid under load along a face that crushes, and the indentation moved with it at its full depth: the law has no \
              tangential force, so that no new indentation forms. The force is too small there. Use the results up to that time; \
              friction, a larger `unloading_stiffness` or a law without crushing change it.";
+        /// Estimated error of steps that were chosen for an accuracy, against that accuracy \[-\].
+        Accuracy = "W024", "accuracy not reached",
+            "Steps are chosen for `time.accuracy`, but not shorter than a hundredth of the first one, and the estimated error of some is \
+             larger than requested: the motion there has no shortest time scale, as with many short contacts or with velocities that jump. \
+             Request a lower accuracy, use a softer contact, or give a `time.step` and compare results with those of half of it (`percuss \
+             converge FILE`).";
     }
 }
 
 impl Topic {
-    /// Whether it is judged from the results of a run alone, and not before.
+    /// Whether it may be found from the results of a run though nothing is found before.
     pub fn is_found_after_a_run(self) -> bool {
         matches!(
             self,
-            Self::Reactions | Self::Strain | Self::Ending | Self::Strength | Self::CarriedCrush
+            Self::ContactDuration
+                | Self::Reactions
+                | Self::Strain
+                | Self::Ending
+                | Self::Strength
+                | Self::Pressed
+                | Self::CarriedCrush
+                | Self::Accuracy
         )
     }
 }

@@ -16,14 +16,15 @@ pub(crate) struct Column {
 }
 
 impl Column {
-    /// The column with a name; `point.tip.acceleration_2` is the rate of change of `point.tip.velocity_2`.
+    /// The column with a name; `point.tip.acceleration_2` is the rate of change of `point.tip.velocity_2`, and so with `absolute_`.
     pub fn of(name: &str) -> Self {
-        match name.rsplit_once(".acceleration_") {
-            Some((owner, axis)) => {
-                Self { recorded: format!("{owner}.velocity_{axis}"), differentiated: true }
+        for what in ["", "absolute_"] {
+            if let Some((owner, axis)) = name.rsplit_once(&format!(".{what}acceleration_")) {
+                let recorded = format!("{owner}.{what}velocity_{axis}");
+                return Self { recorded, differentiated: true };
             }
-            None => Self { recorded: name.into(), differentiated: false },
         }
+        Self { recorded: name.into(), differentiated: false }
     }
 }
 

@@ -10,6 +10,9 @@ const SOON: f64 = 5.0;
 /// An estimate is given after this time.
 const PATIENCE: Duration = Duration::from_secs(5);
 
+/// Whether a requested accuracy is reached so far is looked at each time that this has passed.
+const GLANCE: Duration = Duration::from_millis(500);
+
 /// What had been done when the watch began.
 #[derive(Clone, Copy, Debug)]
 struct Beginning {
@@ -24,19 +27,23 @@ struct Beginning {
 pub struct TimeEstimate {
     begun: Instant,
     next: Duration,
+    /// When the accuracy is looked at; none if it is not of interest any more.
+    glance: Option<Duration>,
     beginning: Option<Beginning>,
 }
 
 impl Default for TimeEstimate {
     fn default() -> Self {
-        Self { begun: Instant::now(), next: PATIENCE, beginning: None }
+        Self { begun: Instant::now(), next: PATIENCE, glance: Some(GLANCE), beginning: None }
     }
 }
 
 impl TimeEstimate {
     /// Whether the status of the run is wanted: before the first step, and when an estimate is due.
     pub fn wants(&self) -> bool {
-        self.beginning.is_none() || self.begun.elapsed() >= self.next
+        let elapsed = self.begun.elapsed();
+        let glances = self.glance.is_some_and(|glance| elapsed >= glance);
+        self.beginning.is_none() || elapsed >= self.next || glances
     }
 
     /// Takes in the status of the run; the estimate in words, when it is due.
@@ -46,13 +53,36 @@ impl TimeEstimate {
         // A run may go on from a checkpoint: what was before is not counted.
         let first = Beginning { step, time, iterations, impacts };
         let Beginning { step, time, iterations, impacts } = *self.beginning.get_or_insert(first);
+        let before = RunStatus { step, time, iterations, impacts, busiest: None, ..*status };
+        if self.glance.is_some_and(|glance| elapsed >= glance) {
+            let missed = unreached(status, &before, elapsed);
+            let goes_on = status.control.is_some() && missed.is_none();
+            self.glance = goes_on.then_some(elapsed + GLANCE);
+            if missed.is_some() {
+                return missed;
+            }
+        }
         if elapsed < self.next {
             return None;
         }
         self.next = 4 * elapsed;
-        let before = RunStatus { step, time, iterations, impacts, busiest: None, ..*status };
         in_words(status, &before, elapsed)
     }
+}
+
+/// That a requested accuracy is not reached, and what the run costs all the same.
+fn unreached(status: &RunStatus<'_>, before: &RunStatus<'_>, elapsed: Duration) -> Option<String> {
+    let control = status.control.filter(|control| !control.is_reached())?;
+    let share = (status.end - before.time) / (status.time - before.time);
+    let steps = status.step.saturating_sub(before.step) as f64;
+    Some(format!(
+        "the requested accuracy of {} % will not be reached: estimated error {} % so far, since steps are not made shorter than a hundredth of the first; at \
+         this rate the run takes {:.1e} steps, {}. Request a lower accuracy, or give a time.step",
+        short(100.0 * control.accuracy),
+        short(100.0 * control.estimate),
+        steps * share,
+        time(elapsed.as_secs_f64() * share)
+    ))
 }
 
 /// How long a run will take, and why: `None` where it ends soon. `before` was its status so long ago.
@@ -74,6 +104,11 @@ fn in_words(status: &RunStatus<'_>, before: &RunStatus<'_>, elapsed: Duration) -
         time(seconds / steps as f64),
         short(corrections)
     );
+    if status.control.is_some() {
+        // Only the steps so far tell how many an accuracy takes.
+        let all = steps as f64 * (status.end - before.time) / done;
+        text += &format!("; at this rate {all:.1e} steps for the requested accuracy");
+    }
     let impacts = status.impacts.saturating_sub(before.impacts);
     if let Some((name, count)) = status.busiest.filter(|_| impacts > 0) {
         text += &format!(
@@ -113,11 +148,19 @@ fn time(seconds: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use percuss::StepControl;
 
     #[test]
     fn time_left_and_its_causes_are_reported() {
-        let before =
-            RunStatus { step: 0, time: 0.0, end: 2.0, iterations: 0, impacts: 0, busiest: None };
+        let before = RunStatus {
+            step: 0,
+            time: 0.0,
+            end: 2.0,
+            iterations: 0,
+            impacts: 0,
+            busiest: None,
+            control: None,
+        };
         let busiest = Some(("floor", 300));
         let now =
             RunStatus { step: 10, time: 0.1, iterations: 900, impacts: 400, busiest, ..before };
@@ -129,5 +172,36 @@ mod tests {
         );
         let late = RunStatus { time: 1.5, ..now };
         assert_eq!(in_words(&late, &before, Duration::from_secs(5)), None);
+    }
+
+    #[test]
+    fn an_accuracy_that_is_not_reached_is_reported_with_its_cost() {
+        let none = RunStatus {
+            step: 0,
+            time: 0.0,
+            end: 2.0,
+            iterations: 0,
+            impacts: 0,
+            busiest: None,
+            control: None,
+        };
+        let control = StepControl {
+            accuracy: 0.01,
+            estimate: 0.035,
+            smallest: 2e-8,
+            largest: 1e-4,
+            mean: 1e-6,
+            steps: 10_000,
+            refused: 0,
+        };
+        let now = RunStatus { step: 10_000, time: 0.02, control: Some(control), ..none };
+        let second = Duration::from_secs(1);
+        assert_eq!(
+            unreached(&now, &none, second).expect("it is missed"),
+            "the requested accuracy of 1.0 % will not be reached: estimated error 3.5 % so far, since steps are not made shorter than a hundredth of the \
+             first; at this rate the run takes 1.0e6 steps, 100 s. Request a lower accuracy, or give a time.step"
+        );
+        let reached = StepControl { estimate: 0.009, ..control };
+        assert_eq!(unreached(&RunStatus { control: Some(reached), ..now }, &none, second), None);
     }
 }

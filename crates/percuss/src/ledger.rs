@@ -56,8 +56,9 @@ pub struct Ledger<S = f64> {
     pub linear_scale: S,
     /// Scale of angular momentum: the largest so far \[kg m^2/s\].
     pub angular_scale: S,
-    /// Magnitudes of the works, the impulses and the angular impulses of loads and supports, summed over the steps, shape (3) \[J, N s, N m s\]:
-    /// total transfer, whatever the net value.
+    /// Magnitudes of the works of loads and supports, of the impulse and of the angular impulse of every single force of theirs and of dampers to the
+    /// ground, summed over the steps, shape (3) \[J, N s, N m s\]: total transfer, whatever the net value. A bar pressed between two walls passes
+    /// much, though its supports together pass nothing.
     pub passed: [S; 3],
     /// Rounding errors of the sums above, shape (15) \[J, N s, N m s\].
     rest: Flows<S>,
@@ -71,6 +72,9 @@ const FLOWS: usize = 15;
 /// Sums that flows are entered in, shape (15) \[J, N s, N m s\].
 pub type Flows<S> = [S; FLOWS];
 
+/// Share of its scale from which on the error of a balance is one.
+pub const JUDGED: f64 = 1e-8;
+
 /// Strains that are none.
 const NEGLIGIBLE_STRAIN: f64 = 1e-12;
 
@@ -83,8 +87,8 @@ pub struct RoundOff<S = f64> {
     pub momentum: S,
     /// Scale of positions \[m\].
     pub size: S,
-    /// Energy, momentum and angular momentum below which residuals are not judged, shape (3) \[J, kg m/s, kg m^2/s\]: the energy of a strain of
-    /// 1e-12, and the momentum of a velocity with the same energy.
+    /// Energy, momentum and angular momentum of the least scales of residuals, shape (3) \[J, kg m/s, kg m^2/s\]: the energy of a strain of 1e-12, and
+    /// the momentum of a velocity with the same energy; the scale of energy such that round-off is not judged, see [`JUDGED`].
     pub negligible: [S; 3],
 }
 
@@ -105,7 +109,7 @@ impl RoundOff {
         let momentum = |energy: f64| (2.0 * model.total_mass * energy).sqrt();
         let stored = 0.5 * stretched * NEGLIGIBLE_STRAIN.powi(2);
         let carried = momentum(stored);
-        let negligible = [stored, carried, carried * size];
+        let negligible = [stored.max(energy / JUDGED), carried, carried * size];
         Self { energy, momentum: momentum(energy), size, negligible }
     }
 }
@@ -217,17 +221,18 @@ impl<S: Number> Ledger<S> {
             rest[i] = (a - *sum) + b;
         }
         self.rest = rest;
-        let [work_l, work_s, _, _, l1, l2, s1, s2, _, _, la, sa, ..] = passed;
-        self.passed[0] += work_l + work_s;
-        self.passed[1] += l1 + l2 + s1 + s2;
-        self.passed[2] += la + sa;
+        self.passed[0] += passed[0] + passed[1];
     }
 
     /// Enters a force and a couple of a support, a guide or the ground at `x` over a step of size `h`.
     #[inline(always)]
     pub fn react(&mut self, h: S, x: [S; 2], force: [S; 2], moment: S) {
-        self.impulse_supports = add(self.impulse_supports, scale(h, force));
-        self.angular_impulse_supports += h * (cross(x, force) + moment);
+        let impulse = scale(h, force);
+        let turning = h * (cross(x, force) + moment);
+        self.impulse_supports = add(self.impulse_supports, impulse);
+        self.angular_impulse_supports += turning;
+        self.passed[1] += impulse[0].abs() + impulse[1].abs();
+        self.passed[2] += turning.abs();
     }
 
     /// Enters work and impulse of loads.
@@ -236,6 +241,14 @@ impl<S: Number> Ledger<S> {
         self.work_loads += done.work;
         self.impulse_loads = add(self.impulse_loads, done.impulse);
         self.angular_impulse_loads += done.angular_impulse;
+        self.pass(done);
+    }
+
+    /// Enters the magnitudes of forces into the total transfer.
+    #[inline(always)]
+    fn pass(&mut self, done: &StepWork<S>) {
+        self.passed[1] += done.passed[0];
+        self.passed[2] += done.passed[1];
     }
 
     /// Enters the damping forces against the ground: their work is a loss.
@@ -244,6 +257,7 @@ impl<S: Number> Ledger<S> {
         self.loss_damping = self.loss_damping - done.work;
         self.impulse_damping = add(self.impulse_damping, done.impulse);
         self.angular_impulse_damping += done.angular_impulse;
+        self.pass(done);
     }
 }
 
@@ -298,7 +312,7 @@ mod tests {
         for _ in 0..1_000_000 {
             let so_far = ledger.set_aside();
             ledger.work_loads += 0.1;
-            ledger.impulse_supports[1] -= 0.1;
+            ledger.react(1.0, [0.0; 2], [0.0, -0.1], 0.0);
             ledger.put_on(so_far);
         }
         // Added as they come they are 100000.00000133288.
@@ -307,5 +321,21 @@ mod tests {
         let nothing = Measures { linear: [0.0, -1e5], ..Measures::default() };
         assert!(ledger.linear_residual(&nothing)[1].abs() < 1e-11);
         assert!((ledger.energy_residual(&nothing) + 1e5).abs() < 1e-9);
+    }
+
+    /// Two supports that press against each other pass as much as each of them, though together they pass nothing.
+    #[test]
+    fn forces_that_balance_pass_all_the_same() {
+        let mut ledger = Ledger::default();
+        let so_far = ledger.set_aside();
+        ledger.react(0.5, [0.0; 2], [1e5, 0.0], 0.0);
+        ledger.react(0.5, [2.0, 0.0], [-1e5, 0.0], 0.0);
+        let mut loads = StepWork::none(0.0);
+        loads.add_force([3.0, 0.0], [0.0, 2.0], [0.0; 2], 1.0);
+        loads.add_force([-3.0, 0.0], [0.0, 2.0], [0.0; 2], 1.0);
+        ledger.load(&loads);
+        ledger.put_on(so_far);
+        assert_eq!(ledger.impulse_supports, [0.0; 2]);
+        assert_eq!(ledger.passed, [0.0, 1e5 + 6.0, 12.0]);
     }
 }

@@ -8,10 +8,26 @@ mod span;
 mod waves;
 
 use super::Comparison;
+use super::case::rigid_impact;
 use super::case::{self, Meeting};
 use super::duration::Modes;
 use observed::{ObservedContact, Touch};
-use percuss::{Model, RunSummary, Settings};
+use percuss::{ContactInterval, ContactSummary, Model, RunSummary, Settings};
+
+/// Duration of a closed interval by the law of its contact, with the mass that the impulse shows \[s\]: it rebounds with the velocity with which it
+/// closed.
+pub fn rigid_duration(
+    model: &Model,
+    index: usize,
+    contact: &ContactSummary,
+    interval: &ContactInterval,
+) -> Option<f64> {
+    let speed = interval.approach_velocity;
+    let mass = interval.impulse / (2.0 * speed);
+    let law = model.contact(index).filter(|view| view.name() == contact.name)?.law();
+    let known = speed > 0.0 && mass > 0.0 && mass.is_finite();
+    known.then(|| rigid_impact(law, mass, speed, 0.0))?.map(|impact| impact.duration)
+}
 
 /// What hand formulas say about the first touch of a contact.
 pub fn comparisons(

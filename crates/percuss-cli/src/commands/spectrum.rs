@@ -82,6 +82,9 @@ fn acceleration(history: &HistoryReader, column: &str) -> Result<Signal, Failure
             format!("{column}: {what}; {expected}"),
         ));
     };
+    if let Some(why) = found.misleads() {
+        return Err(Failure::input(RequestCode::Acceleration, why));
+    }
     let columns = history.columns(&["time", &found.velocity])?;
     Signal::from_velocity(&columns[0], &columns[1]).map_err(|error| refused(&error))
 }

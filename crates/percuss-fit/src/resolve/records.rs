@@ -112,6 +112,15 @@ fn channel(
         let expected = one_of(&given.column, columns.iter().map(|one| one.name.as_str()));
         return Err(("column", (found, expected)));
     };
+    let absolute = column.recorded.replace(".velocity_", ".absolute_velocity_");
+    if column.differentiated
+        && columns.iter().any(|one| one.name == absolute && absolute != column.recorded)
+    {
+        let found = format!("`{}`, which is relative to the accelerated base", given.column);
+        let instead = given.column.replace(".acceleration_", ".absolute_acceleration_");
+        let expected = format!("what an accelerometer measures, `{instead}`");
+        return Err(("column", (found, expected)));
+    }
     let unit = match (column.differentiated, recorded.unit) {
         (true, "m/s") => "m/s^2",
         (_, unit) => unit,

@@ -170,3 +170,14 @@ fn columns_of_a_program_have_a_finite_number_a_row() {
         assert!(faults.to_string().contains(&format!("test.drop.{fault}")), "{faults}");
     }
 }
+
+/// An accelerometer on shaken ground measures the absolute acceleration, not that relative to the ground.
+#[test]
+fn accelerations_relative_to_a_shaken_base_are_not_compared() {
+    let base = "\n[load.quake]\nkind = \"base\"\nacceleration = [\"1 m/s^2\", 0]\n[record]\npoints = [\"bar.mid\"]\n";
+    let scenario = format!("{SCENARIO}{base}");
+    let text = FIT.replace("contact.hammer.force", "point.bar.mid.acceleration_1");
+    let faults = reported_with(&scenario, &text);
+    assert!(faults.contains("relative to the accelerated base"), "{faults}");
+    assert!(faults.contains("`point.bar.mid.absolute_acceleration_1`"), "{faults}");
+}

@@ -69,7 +69,7 @@ fn text(entry: &Value, key: &str) -> String {
 
 fn badge(verdict: &str) -> Cell {
     let class = match verdict {
-        "fine" | "allowed" => "verdict",
+        "fine" | "allowed" | "not checked" => "verdict",
         _ => "verdict mark",
     };
     Cell::Markup(format!("<span class=\"{class}\">{}</span>", escape(verdict)))

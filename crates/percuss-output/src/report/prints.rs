@@ -11,7 +11,7 @@ use super::pictures::{has_data, layout, plots, span, with_room};
 use super::quantity::Scale;
 use crate::error::Error;
 use crate::history::HistoryReader;
-use crate::shock::{self, Cfc, ShockError, Signal};
+use crate::shock::{self, Acceleration, Cfc, Frame, ShockError, Signal};
 
 /// Units of a drawing in a millimetre: 96 an inch.
 const UNITS: f64 = 96.0 / 25.4;
@@ -55,36 +55,41 @@ pub fn accelerations(
     history: &HistoryReader,
     class: Cfc,
 ) -> Result<Result<Vec<Print>, ShockError>, Error> {
-    let mut curves: Vec<(String, String, Signal)> = Vec::new();
+    let mut curves: Vec<(Acceleration, Signal)> = Vec::new();
     for one in shock::accelerations(history.channels()) {
         let columns = history.columns(&["time", &one.velocity])?;
         let signal = Signal::from_velocity(&columns[0], &columns[1]);
         match signal.and_then(|signal| shock::filtered(&signal, class)) {
-            Ok(signal) => {
-                let (owner, axis) = one.name.rsplit_once(".acceleration_").unwrap_or_default();
-                let owner = owner.split_once('.').map_or(owner, |(_, name)| name);
-                curves.push((owner.to_owned(), axis.to_owned(), signal));
-            }
+            Ok(signal) => curves.push((one, signal)),
             Err(error) => return Ok(Err(error)),
         }
     }
-    Ok(Ok(curves.chunk_by(|a, b| a.0 == b.0).map(|of| acceleration(of, class)).collect()))
+    let of_one = |a: &(Acceleration, _), b: &(Acceleration, _)| {
+        (&a.0.owner, a.0.frame) == (&b.0.owner, b.0.frame)
+    };
+    Ok(Ok(curves.chunk_by(of_one).map(|of| acceleration(of, class)).collect()))
 }
 
 /// The components of one acceleration over time.
-fn acceleration(curves: &[(String, String, Signal)], class: Cfc) -> Print {
-    let end = curves.iter().filter_map(|c| c.2.times().last()).fold(0.0, f64::max);
+fn acceleration(curves: &[(Acceleration, Signal)], class: Cfc) -> Print {
+    let end = curves.iter().filter_map(|c| c.1.times().last()).fold(0.0, f64::max);
     let scale = Scale::new(end, "s");
-    let name = &curves[0].0;
-    let title = format!("Acceleration of {name} (CFC {})", class.number());
+    let Acceleration { owner, frame, .. } = &curves[0].0;
+    let name = owner.split_once('.').map_or(owner.as_str(), |(_, name)| name);
+    let (what, behind, mark) = match frame {
+        Frame::Rest => ("Acceleration", "", ""),
+        Frame::Base => ("Acceleration", " relative to the base", ""),
+        Frame::Absolute => ("Absolute acceleration", "", "absolute-"),
+    };
+    let title = format!("{what} of {name}{behind} (CFC {})", class.number());
     let axis = Axis { label: "time".to_owned(), unit: scale.unit.clone() };
-    let id = format!("acceleration-{name}");
+    let id = format!("{mark}acceleration-{name}");
     let mut figure = Figure::new(Section::Points, &id, &title, axis, "acceleration");
     figure.y.unit = "m/s\u{b2}".to_owned();
-    let table = |(k, (_, axis, signal)): (usize, &(String, String, Signal))| Table {
+    let table = |(k, (one, signal)): (usize, &(Acceleration, Signal))| Table {
         x: signal.times().map(|t| t * scale.factor).collect(),
         series: vec![Series {
-            label: format!("along {}", if axis == "1" { "x" } else { "y" }),
+            label: format!("along {}", if one.axis == "1" { "x" } else { "y" }),
             style: k + 1,
             weight: 1.0,
             dashed: true,

@@ -10,7 +10,7 @@ mod spectrum;
 use std::fmt;
 
 pub use filter::{Cfc, filtered};
-pub use recorded::{Acceleration, accelerations};
+pub use recorded::{Acceleration, Frame, accelerations};
 pub use signal::Signal;
 pub use spectrum::{Band, Extremes, SPECTRUM_HEADER, ShockSpectrum, shock_spectrum};
 

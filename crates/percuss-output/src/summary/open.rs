@@ -1,6 +1,6 @@
 //! Numbers that a contact which is still closed at the end of a run leaves open.
 
-use percuss::{ContactRecord, Peak, RunSummary};
+use percuss::{ContactRecord, RunSummary};
 
 use super::{SummaryPath, pick};
 
@@ -29,7 +29,7 @@ impl SummaryPath {
     }
 
     /// What the number has come to at the end of a run in which a contact that is still closed leaves it open: of a duration the time
-    /// since it closed, of a force the largest so far if that is one of the last step; NaN where the number is settled.
+    /// since it closed, of a force the largest so far, see [`percuss::ContactSummary::cut_short`]; NaN where the number is settled.
     pub fn open_value(&self, run: &RunSummary) -> f64 {
         if !self.may_stay_open() {
             return f64::NAN;
@@ -44,8 +44,7 @@ impl SummaryPath {
         if contact.closed_since().is_none() {
             return f64::NAN;
         }
-        let step = run.time / run.steps.max(1) as f64;
-        let late = |peak: &Peak| peak.time > run.time - 1.5 * step;
+        let cut = contact.cut_short().map(|last| last.start);
         let keys: Vec<&str> = self.keys.iter().map(String::as_str).collect();
         let interval = |k: &str| {
             let at = contact.record.intervals().get(k.parse::<usize>().ok()?)?;
@@ -54,12 +53,12 @@ impl SummaryPath {
         let found = match &keys[..] {
             ["duration"] => interval("0").map(|one| run.time - one.start),
             ["peak_force", "value"] => match &contact.record {
-                ContactRecord::Smooth { peak_force, .. } => late(peak_force).then(own),
+                ContactRecord::Smooth { .. } => cut.map(|_| own()),
                 ContactRecord::Nonsmooth { .. } => None,
             },
             ["intervals", k, "end"] => interval(k).map(|_| run.time),
             ["intervals", k, "peak_force", "value"] => {
-                interval(k).filter(|one| late(&one.peak_force)).map(|_| own())
+                interval(k).filter(|one| cut == Some(one.start)).map(|_| own())
             }
             ["intervals", k, ..] => interval(k).map(|_| own()),
             _ => None,

@@ -2,6 +2,7 @@
 
 mod actions;
 mod allow;
+mod at_rest;
 mod checkpoints;
 mod codes;
 mod common;

@@ -1,6 +1,6 @@
 //! What the values of a result on finer levels mean.
 
-use percuss::{Model, RigidLaw, RunSummary, TouchLaw};
+use percuss::{Model, RigidLaw, RunSummary, TouchLaw, WithoutLimit};
 
 use super::converged::{Refined, Sequence};
 use super::sequence::{Extrapolation, extrapolate};
@@ -25,9 +25,10 @@ impl Meaning<'_> {
             _ => extrapolate(&compared),
         };
         let reason = match refined {
-            Refined::Step => self.impulsive(&values),
-            Refined::Mesh => self.on_a_bare_node(),
-            Refined::Fibres | Refined::Together => None,
+            Refined::Step => self.without_limit().or_else(|| self.impulsive(&values)),
+            Refined::Mesh => self.without_limit().or_else(|| self.on_a_bare_node()),
+            Refined::Together => self.without_limit(),
+            Refined::Fibres => None,
         };
         let no_limit = reason.is_some() && !found.constant;
         let mut words = match reason {
@@ -38,6 +39,34 @@ impl Meaning<'_> {
             words += "; the sign of the largest magnitude changes between levels";
         }
         Sequence { values, compared, found, words, no_limit }
+    }
+
+    /// Reactions and shear forces that the run itself warns of (W013): as refined as they are, they grow on. On shear-flexible beams they do not.
+    fn without_limit(&self) -> Option<String> {
+        let parts: Vec<&str> = self.path.split('.').collect();
+        let last = |of: &str| parts.iter().skip(1).any(|part| part.starts_with(of));
+        let grows = match parts.first() {
+            Some(&"support") => last("force"),
+            Some(&"section_forces" | &"section") => last("shear"),
+            _ => false,
+        };
+        let mut beams = (0..self.model.beam_count()).map(|beam| self.model.beam(beam));
+        let slender =
+            beams.any(|beam| beam.spans().any(|span| span.shear_stiffness_at(0.0).is_none()));
+        if !(grows && slender) {
+            return None;
+        }
+        let cause = match self.summary.forces_without_limit(self.model).first()? {
+            WithoutLimit::Impact(contact) => {
+                format!("the rigid impact of contact '{}'", self.summary.contacts[*contact].name)
+            }
+            WithoutLimit::Jump(support) => {
+                format!("the velocity jump of support '{}'", self.summary.supports[*support].name)
+            }
+        };
+        Some(format!(
+            "no limit: {cause} sends out waves as short as an element, and this force grows with refinement (W013)"
+        ))
     }
 
     /// Forces of rigid impacts are impulses spread over a step: they grow as it shrinks.

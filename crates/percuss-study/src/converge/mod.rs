@@ -87,7 +87,8 @@ pub fn converge(
     let columns: Vec<&str> = ladder.results.iter().map(String::as_str).collect();
     let columns: Vec<&str> =
         columns.into_iter().filter(|name| channels.iter().any(|c| c.name == *name)).collect();
-    let (first, largest) = completed(base, settings, &columns, goes_on)?;
+    let every = settings.record_every.max(1);
+    let (first, largest) = completed(base, settings, &columns, every, goes_on)?;
     let rungs = rungs.after(&first).only(&ladder.refine);
     let paths = results(scenario, &ladder.results, &first, &channels)?;
     let given = pick_all(&paths, &first, &largest);
@@ -98,12 +99,10 @@ pub fn converge(
             done += 1;
             tell(done, rungs.runs());
             let model = rung.model(scenario)?;
-            // Columns are compared in rows at the same instants.
-            let rows = if columns.is_empty() { 1 } else { rung.step as usize };
-            let record_every = settings.record_every * rows;
             let step = settings.step / f64::from(rung.step);
-            let finer = Settings { step, record_every, ..*settings };
-            let (summary, largest) = completed(&model, &finer, &columns, goes_on)?;
+            let finer = Settings { step, ..*settings };
+            let interval = every * rung.step as usize;
+            let (summary, largest) = completed(&model, &finer, &columns, interval, goes_on)?;
             values.push(pick_all(&paths, &summary, &largest));
         }
         Ok(values)
@@ -159,11 +158,13 @@ fn converged(
     Converged { path, unit, value, limit, uncertainty, step, mesh, fibres, together }
 }
 
-/// The summary of a run that completes, and the values of largest magnitude of columns, shape (columns) \[unit of the column\].
+/// The summary of a run that completes, and the values of largest magnitude of columns, shape (columns) \[unit of the column\]; `interval` is the
+/// number of steps in an output interval of the given run.
 fn completed(
     model: &Model,
     settings: &Settings,
     columns: &[&str],
+    interval: usize,
     goes_on: &dyn Fn() -> bool,
 ) -> Result<(RunSummary, Vec<f64>), ConvergeError> {
     if !goes_on() {
@@ -173,10 +174,12 @@ fn completed(
         let texts: Vec<String> = faults.iter().map(ToString::to_string).collect();
         ConvergeError::Refused(texts.join("; "))
     };
-    let mut ear = Ear::new(goes_on, columns);
+    let mut ear = Ear::new(goes_on, columns, interval);
+    // Every step is a row: largest values are those of the run, not of its output.
+    let settings = &Settings { record_every: 1, ..*settings };
     let summary = Simulation::new(model, settings).map_err(refused)?.run(&mut ear);
     match &summary.termination {
-        Termination::Completed => Ok((summary, ear.largest)),
+        Termination::Completed => Ok((summary, ear.largest())),
         Termination::Interrupted { .. } => Err(ConvergeError::Interrupted),
         Termination::Failed(error) => {
             let (step, elements) = (settings.step, model.element_count());

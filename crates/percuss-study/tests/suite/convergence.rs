@@ -216,3 +216,60 @@ step = 0.00025
         "{moment:?}"
     );
 }
+
+/// A cantilever whose clamp is moved along a ramp: the velocity jumps at its ends.
+const JUMPS: &str = r#"
+[material.m]
+preset = "steel"
+[section.s]
+shape = "rectangle"
+width = "5 cm"
+depth = "5 cm"
+[beam.b]
+points = [[0, 0], [1, 0]]
+elements = 4
+material = "m"
+section = "s"
+[support.left]
+at = "b.start"
+kind = "clamp"
+motion = { displacement = [0, "1 mm"], function = { kind = "ramp", duration = "2 ms" } }
+[time]
+end = "3 ms"
+step = "20 us"
+"#;
+
+/// What the run itself says has no limit (W013) has none here; the displacement has one.
+#[test]
+fn reactions_and_shear_forces_after_velocity_jumps_have_no_limit() {
+    let paths = [
+        "support.left.force_2.max.value",
+        "section_forces.b.shear_max.value",
+        "section_forces.b.moment_max.value",
+    ];
+    let ladder = Ladder { levels: 3, ..ladder(&paths, None) };
+    let found =
+        converge(&read(JUMPS, "jumps.toml").unwrap(), &ladder, &|| true, &|_, _| {}).unwrap();
+    for one in &found.results[..2] {
+        assert!(one.limit.is_nan() && one.uncertainty.is_nan(), "{one:?}");
+        assert!(one.mesh.words.contains("velocity jump of support 'left'"), "{}", one.mesh.words);
+    }
+    assert!(!found.results[2].mesh.words.contains("W013"), "{:?}", found.results[2]);
+}
+
+/// The force of a ball on a spring, a half sine: rows every sixth of it meet its top by chance only, and the run knows it.
+#[test]
+fn largest_values_of_columns_are_those_of_the_run_not_of_its_rows() {
+    let text = format!(
+        "{}[record]\nevery = 5\n",
+        DROP.replace("step = 1e-3", "step = 2e-3").replace("end = 0.02", "end = 0.04")
+    );
+    let ladder = ladder(&["projectile.ball.velocity_2", "contact.ball.force"], None);
+    let found =
+        converge(&read(&text, "drop.toml").unwrap(), &ladder, &|| true, &|_, _| {}).unwrap();
+    let (m, v, w, g) = (2.0, 3.0, 100.0, 9.81);
+    let exact = m * v * w * f64::hypot(1.0, g / (v * w)) + m * g;
+    let force = &found.results[1];
+    assert!((force.limit / exact - 1.0).abs() < 0.01, "{exact}: {force:?}");
+    assert!((force.limit - exact).abs() <= force.uncertainty, "{exact}: {force:?}");
+}

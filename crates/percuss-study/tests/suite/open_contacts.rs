@@ -97,3 +97,60 @@ fn contacts_closed_at_the_end_are_counted_and_bounded() {
     let page = report(&longer, &settled, &[]);
     assert!(!page.contains("dur: in "));
 }
+
+/// A force that has passed a first maximum may grow beyond it while the contact is closed: with a later end it is three times as large.
+#[test]
+fn peak_forces_of_closed_contacts_are_open_past_a_first_maximum_too() {
+    let text = r#"
+scenario = """
+[material.mat]
+young = "200 GPa"
+density = 7850
+[section.sec]
+shape = "rectangle"
+width = "50 mm"
+depth = "50 mm"
+[beam.a]
+points = [[0, 0], [2, 0]]
+elements = 6
+material = "mat"
+section = "sec"
+[support.s]
+at = "a.start"
+kind = "clamp"
+[support.e]
+at = "a.end"
+kind = "clamp"
+[projectile.p]
+kind = "elastic"
+mass = 200
+stiffness = "10 MN/m"
+velocity = [0, -10]
+strikes = "a.mid"
+standoff = "1 mm"
+[time]
+end = "4 ms"
+step = "50 us"
+"""
+seed = 1
+[parameter.v]
+path = "projectile.p.velocity[1]"
+distribution = { kind = "uniform", from = -12, to = -8 }
+[design]
+kind = "monte-carlo"
+runs = 10
+[results]
+peak = "contact.p.peak_force.value"
+first = "contact.p.intervals[0].peak_force.value"
+"#;
+    let ((study, short), (_, long)) = (done(text), done(&text.replace("4 ms", "30 ms")));
+    for name in ["peak", "first"] {
+        let population = Population::of(&study, &short, name).expect("numbers");
+        assert_eq!(population.open.len(), 10, "{name}");
+        let [open, settled] = [(&short, format!("open.{name}")), (&long, name.to_owned())]
+            .map(|(table, name)| table.numbers(&name).expect("numbers"));
+        for (open, settled) in open.iter().zip(&settled) {
+            assert!(*settled > 2.0 * open, "{name}: {open} {settled}");
+        }
+    }
+}

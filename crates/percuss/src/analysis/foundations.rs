@@ -65,7 +65,7 @@ pub(super) fn at_rest(model: &Model, state: &State) -> Vec<StaticFoundation> {
             found.s.push(place.s);
             found.pressure.push(place.pressure);
             found.energy += place.stored;
-            if !place.acts {
+            if place.lifted {
                 found.lifted += place.length;
             }
             if place.plastic.abs() > found.plastic.abs() {

@@ -9,6 +9,8 @@ pub struct LoadData {
     pub name: String,
     pub kind: LoadAction,
     pub function: PreparedFunction,
+    /// Whether it is the acceleration of the base, against which the motion is described.
+    pub base: bool,
     pub from: f64,
     pub until: f64,
 }

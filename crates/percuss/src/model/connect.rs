@@ -82,16 +82,16 @@ fn push(
     support: &Support,
 ) {
     if !matches!(law, ConnectorLaw::Linear { stiffness: 0.0, .. }) || damping > 0.0 {
-        let (support, until) = (Some(index), support.until);
         let yielding = None;
         model.connectors.push(Connector {
+            name: support.name.clone(),
             coordinate,
             law,
             yielding,
             damping,
-            support,
+            support: Some(index),
             foundation: None,
-            until,
+            until: support.until,
         });
     }
 }
@@ -128,6 +128,7 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
         let strength = spring.strength.unwrap_or(f64::INFINITY);
         let yielding = yielding(model, name, spring.law.stiffness(), flow, strength);
         model.connectors.push(Connector {
+            name: spring.name.clone(),
             coordinate: Coordinate::Distance { ends },
             law,
             yielding,
@@ -147,6 +148,7 @@ pub(super) fn springs(builder: &ModelBuilder, model: &mut Model) {
             let flow = (joint.yielding.as_ref(), sign);
             let yielding = yielding(model, name, stiffness, flow, f64::INFINITY);
             model.connectors.push(Connector {
+                name: joint.name.clone(),
                 coordinate: Coordinate::Angle { a, b, cosine, sine },
                 law: ConnectorLaw::Linear { stiffness, rest: 0.0 },
                 yielding,

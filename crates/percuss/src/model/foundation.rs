@@ -103,6 +103,7 @@ fn spring(
         memory: model.memory_count(),
     });
     Connector {
+        name: String::new(),
         coordinate: Coordinate::Displacement { point, direction, drive: Drive::default() },
         law,
         yielding,

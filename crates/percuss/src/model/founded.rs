@@ -34,8 +34,8 @@ pub struct FoundationPlace {
     pub force: [f64; 2],
     /// Energy stored in the length \[J\].
     pub stored: f64,
-    /// Whether it reacts at all: a beam that has lifted off has no contact.
-    pub acts: bool,
+    /// Whether the beam has lifted off: it is farther from the foundation than where it touches without force.
+    pub lifted: bool,
     /// Plastic deflection \[m\].
     pub plastic: f64,
     /// Energy that the length has dissipated by yielding, and that hardening has stored in it, shape (2) \[J\].

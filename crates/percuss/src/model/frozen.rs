@@ -278,6 +278,11 @@ impl Model {
         each.sum()
     }
 
+    /// Whether the base is accelerated, so that the motion is relative to it.
+    pub(crate) fn has_accelerated_base(&self) -> bool {
+        self.loads.iter().any(|load| load.base)
+    }
+
     /// Whether any load gives strains to elements.
     pub(crate) fn gives_strains(&self) -> bool {
         self.loads.iter().any(|load| matches!(load.kind, LoadAction::Strain { .. }))

@@ -46,7 +46,8 @@ pub(super) fn place(builder: &ModelBuilder, model: &mut Model) {
         };
         let function = PreparedFunction::new(&load.function);
         let (name, from, until) = (load.name.clone(), load.from, load.until);
-        model.loads.push(LoadData { name, kind, function, from, until });
+        let base = matches!(load.kind, LoadKind::Base { .. });
+        model.loads.push(LoadData { name, kind, function, base, from, until });
     }
 }
 

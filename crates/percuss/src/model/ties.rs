@@ -221,6 +221,8 @@ impl<S> Constraint<S> {
 /// A spring and damper on one coordinate.
 #[derive(Clone, Debug)]
 pub struct Connector {
+    /// Name of its support, spring or joint; empty for the springs of a foundation.
+    pub name: String,
     pub coordinate: Coordinate,
     pub law: ConnectorLaw,
     /// How it yields or breaks, if it does; its linear law is then the elastic part.

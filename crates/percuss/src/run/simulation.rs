@@ -291,7 +291,8 @@ impl<'m> Simulation<'m> {
     /// Progress of the run.
     pub fn status(&self) -> RunStatus<'_> {
         let at = StateView { model: self.model, settings: &self.settings, state: &self.state };
-        RunStatus::of(at, &self.monitor.contacts, self.solver.counts.effort.iterations)
+        let control = self.step_size.as_ref().map(StepSizeControl::control);
+        RunStatus::of(at, &self.monitor.contacts, self.solver.counts.effort.iterations, control)
     }
 
     /// Takes a checkpoint of the run between two steps.

@@ -89,6 +89,7 @@ pub fn summarize(run: Ended<'_>, termination: Termination) -> RunSummary {
         yielding: connector_log::summaries(model, state, &monitor.connectors, &sets),
         foundations: monitor.foundations,
         joints: joint_log::summaries(model, &monitor.joints),
+        pulses: monitor.pulses.summaries(model),
         section_forces: in_order(monitor.section_forces),
     };
     if !model.projectiles.is_empty() {
@@ -115,7 +116,9 @@ fn contacts(
     let StateView { model, settings, state } = at;
     let effective = model.effective_masses();
     let last_instant = state.time - SAME_INSTANT * settings.step;
-    let sliding: Vec<_> = (0..model.contacts.len()).map(|i| log.sliding(i)).collect();
+    let round_off = AuditSummary::JUDGED * state.ledger.audit_scales()[0];
+    let sliding = |i| log.sliding(i).map(|sliding| sliding.without_round_off(round_off));
+    let sliding: Vec<_> = (0..model.contacts.len()).map(sliding).collect();
     (model.contacts.iter().zip(log.records).enumerate())
         .map(|(i, (contact, mut record))| {
             remove_closing_since(&mut record, last_instant);

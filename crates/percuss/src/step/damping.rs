@@ -7,7 +7,7 @@ use crate::element::rotary::Turn;
 use crate::ledger::StepWork;
 use crate::math::hermite::GAUSS;
 use crate::math::vec2::add;
-use crate::scalar::Real;
+use crate::scalar::{Number, Real};
 
 /// `int EA (Deps)^2 + EI (Dkappa)^2 ds` of an element for the changes of strain at its Gauss points, and at the sampling points of a slender one;
 /// `tau/h` times this is the dissipation by stiffness-proportional damping (theory, page 2).
@@ -37,7 +37,7 @@ pub struct MassDamping<'a, S> {
     pub h: S,
 }
 
-impl<S: Real> MassDamping<'_, S> {
+impl<S: Number> MassDamping<'_, S> {
     /// Adds the damping of translation: from the velocities of both nodes, their positions and tangents in the middle of the step, and increments.
     #[inline(always)]
     pub fn translation(

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::constraint::ConstraintStep;
 use super::contacts::{ActiveContact, ImpulseLaw};
-use super::convergence::ConvergenceMonitor;
+use super::convergence::{ConvergenceMonitor, ROUND_OFF};
 use super::forcing::Forcing;
 use super::integration::Integration;
 use super::modal_damping::{ModalDamping, StepView};
@@ -177,7 +177,9 @@ impl StepProblem<'_> {
             let step = largest(&work.increment, self.size);
             let touching =
                 !self.active.is_empty() || work.smooth.iter().any(|c| c.force.force > 0.0);
-            let places = if touching { self.positions } else { 0.0 };
+            // A structure at rest moves by round-off of positions alone: there is nothing to follow.
+            let rests = reach.max(step) <= self.positions * ROUND_OFF;
+            let places = if touching || rests { self.positions } else { 0.0 };
             convergence.corrected(correction.size, reach, step, correction.work, places);
             renew = false;
         }

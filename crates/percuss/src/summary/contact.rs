@@ -291,6 +291,15 @@ pub struct Sliding {
     pub work: f64,
 }
 
+impl Sliding {
+    /// The same, with a negative work of no more than this magnitude, the round-off of points that stick \[J\], set to zero: friction supplies no
+    /// energy.
+    pub(crate) fn without_round_off(self, magnitude: f64) -> Self {
+        let is_round_off = self.work < 0.0 && self.work >= -magnitude;
+        Self { work: if is_round_off { 0.0 } else { self.work }, ..self }
+    }
+}
+
 /// Penetration under a compliant law.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PressedIn {
@@ -357,6 +366,15 @@ impl Default for MultipleImpactSummary {
 }
 
 impl ContactSummary {
+    /// The last interval, if it is cut short by the end of the run: the contact is still closed then, and the peak force of the interval and of the
+    /// contact may follow. What lies on something from the start on, and stays there, is not cut short. This is the one rule of what may still
+    /// grow, in runs (W016) as in studies.
+    pub fn cut_short(&self) -> Option<&ContactInterval> {
+        let last = self.record.intervals().iter().rev().find(|one| one.end.is_nan())?;
+        let lies = last.start == 0.0 && last.approach_velocity == 0.0;
+        (!lies).then_some(last)
+    }
+
     /// Time of the last closing \[s\], if it is still closed at the end of the run: its duration is not known then, its impulse is incomplete, and
     /// velocities of its partners are not yet those after it.
     pub fn closed_since(&self) -> Option<f64> {

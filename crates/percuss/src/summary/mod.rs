@@ -7,6 +7,7 @@ mod foundation;
 mod joints;
 mod peak;
 mod plastic;
+mod pulse;
 mod step_control;
 
 pub use contact::*;
@@ -16,9 +17,12 @@ pub use foundation::*;
 pub use joints::*;
 pub use peak::Peak;
 pub use plastic::*;
+pub use pulse::*;
 pub use step_control::*;
 
 use crate::error::Error;
+use crate::inspect::{ContactView, MovingPartner};
+use crate::model::Model;
 
 /// Termination of a run.
 #[derive(Debug, Default)]
@@ -92,6 +96,8 @@ pub struct AuditSummary {
 impl AuditSummary {
     /// If [`Self::angular_rate_drift_max`] is more than this, the step does not resolve the motion.
     pub const UNRESOLVED: f64 = 0.01;
+    /// Share of its scale from which on the residual of a balance is an error, not round-off.
+    pub const JUDGED: f64 = crate::ledger::JUDGED;
 }
 
 /// Results of a projectile, guided or free.
@@ -168,6 +174,9 @@ pub struct RunSummary {
     pub foundations: Vec<FoundationSummary>,
     /// One entry a joint of a given strength, in the model's order, shape (such joints).
     pub joints: Vec<JointSummary>,
+    /// Steps about the largest force: one entry a contact under a smooth law, then one a stop or a spring that can be open or slack, in the
+    /// model's order, shape (such contacts, stops and springs); empty for runs in lanes.
+    pub pulses: Vec<PulseSummary>,
 }
 
 impl RunSummary {
@@ -182,7 +191,39 @@ impl RunSummary {
     }
 }
 
+/// What makes reactions and shear forces grow without limit as mesh and step are refined: it gives a point of a slender beam a velocity at once,
+/// and the waves that it sends out have no shortest length but that of the elements.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WithoutLimit {
+    /// A rigid contact of a beam with an impact, by its number.
+    Impact(usize),
+    /// A support whose prescribed velocity jumps, by its number.
+    Jump(usize),
+}
+
+impl WithoutLimit {
+    /// Jumps of a prescribed velocity above this share of the largest one count; splines leave smaller ones at their ends.
+    const JUMP: f64 = 0.05;
+}
+
 impl RunSummary {
+    /// What leaves the reactions and shear forces of the run without a limit, in the model's order.
+    pub fn forces_without_limit(&self, model: &Model) -> Vec<WithoutLimit> {
+        let struck = |(view, contact): (ContactView<'_>, &ContactSummary)| {
+            let is_beam = |partner: &MovingPartner| matches!(partner, MovingPartner::Beam(_));
+            let on_beam = view.pairs().any(|(partners, _)| partners.iter().any(is_beam));
+            let strikes =
+                matches!(contact.record, ContactRecord::Nonsmooth { impact_count: 1.., .. });
+            on_beam && strikes
+        };
+        let contacts = model.contacts().zip(&self.contacts).enumerate();
+        let contacts =
+            contacts.filter(|(_, both)| struck(*both)).map(|(k, _)| WithoutLimit::Impact(k));
+        let jumps = model.supports().enumerate();
+        let jumps = jumps.filter(|(_, view)| view.jump > WithoutLimit::JUMP);
+        contacts.chain(jumps.map(|(k, _)| WithoutLimit::Jump(k))).collect()
+    }
+
     /// Names of the contacts of a body or beam that are still closed at the end of the run: those with its name, and those in which it is a partner.
     pub fn still_touches<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a str> {
         let of = move |contact: &&ContactSummary| {

@@ -37,6 +37,11 @@ impl StepControl {
         }
     }
 
+    /// Whether the accuracy is reached, so far.
+    pub fn is_reached(&self) -> bool {
+        self.estimate <= self.accuracy * (1.0 + 1e-9)
+    }
+
     /// Counts a step \[s\].
     pub(crate) fn count(&mut self, size: f64) {
         let before = if self.steps > 0 { self.mean } else { 0.0 };

@@ -157,3 +157,103 @@ fn contacts_of_few_steps_are_reported_after_the_run() {
     );
     assert_eq!(of(1.5e-4, std::slice::from_ref(&reported)), None, "once is enough");
 }
+
+/// A ball that falls on the tip of a cantilever under its weight: no estimate applies before the run.
+fn dropped(step: f64) -> (Vec<Advice>, RunSummary, Findings) {
+    let mut b = ModelBuilder::new();
+    let strip = bar(&mut b, 0.5, 20, [0.05, 0.01]);
+    hold(&mut b, strip, &SupportKind::Clamp, &[0.0]);
+    let ends =
+        [0.031, f64::INFINITY].map(|radius| HertzBody { young: 2.1e11, poisson: 0.3, radius });
+    let law = SmoothLaw::elastic(Potential::hertz(ends));
+    let kind = ProjectileKind::Elastic { law };
+    let one = Projectile::new("ball", kind, 1.0, [0.0; 2], at("tip", strip, 1.0));
+    b.projectile(Projectile { standoff: 0.5, direction: Some([0.0, -1.0]), ..one });
+    b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+    let settings = Settings { start: Start::Static, ..Settings::new(0.322, step) };
+    let model = freeze(&b);
+    let before = advise(&model, &settings);
+    let summary = run(&model, &settings);
+    let found = conclude(&model, &settings, &summary, before.clone(), |_| None);
+    (before, summary, found)
+}
+
+/// What no estimate covers is not checked before the run, and after it is judged by its own steps.
+#[test]
+fn a_contact_without_an_estimate_is_judged_by_its_own_steps() {
+    let (before, coarse, found) = dropped(5e-5);
+    assert_eq!(verdict(&before, Topic::ContactDuration), Some(Verdict::Unchecked), "{before:#?}");
+    let own: Vec<&Advice> =
+        found.advice.iter().filter(|a| a.topic == Topic::ContactDuration).collect();
+    assert_eq!((own.len(), own[0].verdict), (1, Verdict::Warning), "{own:#?}");
+    // The step that it asks for is enough, and then there is nothing to say.
+    let text = own[0].text.split("time.step to ").nth(1).expect("a step");
+    let micro = text.split(' ').next().and_then(|x| x.parse::<f64>().ok()).expect("microseconds");
+    assert!(text.contains("\u{b5}s") && micro <= 5.0, "{text}");
+    let (_, fine, settled) = dropped(1e-6 * micro);
+    let peak = |run: &RunSummary| match &run.contacts[0].record {
+        ContactRecord::Smooth { peak_force, .. } => peak_force.value,
+        ContactRecord::Nonsmooth { .. } => f64::NAN,
+    };
+    let (_, finer, _) = dropped(0.5e-6 * micro);
+    assert!((peak(&fine) / peak(&finer) - 1.0).abs() < 0.1, "{} {}", peak(&fine), peak(&finer));
+    assert!((peak(&coarse) / peak(&finer) - 1.0).abs() > 0.2, "{} {}", peak(&coarse), peak(&finer));
+    let verdicts = settled.advice.iter().filter(|a| a.topic == Topic::ContactDuration);
+    assert!(verdicts.clone().all(|a| a.verdict != Verdict::Warning), "{:#?}", settled.advice);
+    assert!(verdicts.clone().all(|a| a.verdict != Verdict::Unchecked), "{:#?}", settled.advice);
+}
+
+/// A boom with a mass at its tip that falls into a stiff rope, or on a stop: the snap lasts 2.2 ms, and its largest force is 174 kN.
+fn snapped(stop: bool, step: f64) -> (RunSummary, Vec<Advice>) {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("m", 2.1e11, 7850.0));
+    let section = b.section(Section::tube("s", 0.04, 0.003));
+    let boom = b.beam(Beam::new("a", &[[0.0; 2], [3.0, 0.0]], 6, material, section));
+    hold(&mut b, boom, &SupportKind::Pin, &[0.0]);
+    b.point_mass(PointMass {
+        name: "t".into(),
+        at: at("tip", boom, 1.0),
+        mass: 50.0,
+        rotary_inertia: 0.0,
+    });
+    if stop {
+        let kind = SupportKind::Stop {
+            direction: [0.0, -1.0],
+            gap: 0.3,
+            stiffness: 1e8,
+            two_sided: false,
+        };
+        b.support(Support::new("s", at("tip", boom, 1.0), kind));
+    } else {
+        b.spring(Spring {
+            name: "r".into(),
+            between: [Anchor::Point(at("tip", boom, 1.0)), Anchor::Ground([3.0, 2.0])],
+            law: SpringLaw::Tension { stiffness: 1e8, slack: 0.3 },
+            damping: 0.0,
+            length: None,
+            strength: None,
+            yielding: None,
+        });
+    }
+    b.load(Load::new("g", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+    let (model, settings) = (freeze(&b), Settings::new(0.3, step));
+    let summary = run(&model, &settings);
+    let after = review(&model, &settings, &summary, &[]);
+    (summary, after)
+}
+
+#[test]
+fn ropes_and_stops_that_snap_within_a_step_are_reported() {
+    for stop in [false, true] {
+        let (summary, after) = snapped(stop, 5e-3);
+        let found = after.iter().find(|a| a.topic == Topic::ContactDuration).expect("a warning");
+        assert_eq!(found.verdict, Verdict::Warning, "{found:?}");
+        assert_eq!(found.contact, if stop { "support s" } else { "spring r" });
+        assert!(found.text.contains("time.step to 100 \u{b5}s"), "{}", found.text);
+        assert!((2e-3..2.6e-3).contains(&summary.pulses[0].lasts), "{:?}", summary.pulses);
+        let (summary, after) = snapped(stop, 1e-4);
+        let force = summary.pulses[0].force.value;
+        assert!((force / 174.1e3 - 1.0).abs() < 0.02, "{force}");
+        assert_eq!(verdict(&after, Topic::ContactDuration), None, "{after:#?}");
+    }
+}

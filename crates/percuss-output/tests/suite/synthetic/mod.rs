@@ -304,6 +304,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
         plastic: Vec::new(),
         yielding: Vec::new(),
         joints: Vec::new(),
+        pulses: Vec::new(),
         multiple_impacts: percuss::MultipleImpactSummary::default(),
         points: vec![PointSummary {
             name: "girder.mid".to_owned(),

@@ -33,7 +33,7 @@ impl FoundationSums {
                 sums.flow[i] += place.flow[i];
             }
             sums.energy += place.stored;
-            if !place.acts {
+            if place.lifted {
                 sums.lifted += place.length;
             }
             for (most, value) in

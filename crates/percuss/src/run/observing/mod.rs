@@ -11,6 +11,7 @@ pub mod foundation_log;
 pub mod given;
 pub mod joint_log;
 pub mod monitor;
+mod pulses;
 pub mod status;
 pub mod step_size;
 mod stop_log;

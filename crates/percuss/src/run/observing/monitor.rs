@@ -11,6 +11,7 @@ use super::crest::Crest;
 use super::foundation_log;
 use super::given::{Given, RowReactions};
 use super::joint_log::{self, JointRecord};
+use super::pulses::Pulses;
 use super::stop_log;
 use super::struck_mass;
 use super::yielding::{self, YieldRecord};
@@ -19,7 +20,7 @@ use crate::geometry::row::Row;
 use crate::ledger::{Audit, Ledger, Measures};
 use crate::math::interpolant::Interpolant;
 use crate::model::Model;
-use crate::model::frozen::SupportData;
+use crate::model::frozen::{LoadAction, SupportData};
 use crate::run::solving::trial::{Accepted, PartSolution, Solved};
 use crate::state::State;
 use crate::step::contacts::PressingPair;
@@ -68,6 +69,10 @@ pub struct Monitor {
     pub foundations: Vec<FoundationSummary>,
     /// Records of joints of a given strength, shape (such joints).
     pub joints: Vec<JointRecord>,
+    /// Velocity of the accelerated base, the integral of its acceleration since the start, shape (2) \[m/s\].
+    pub base_velocity: [f64; 2],
+    /// Steps about the largest forces of contacts, stops and springs.
+    pub pulses: Pulses,
     /// Largest residuals and drifts.
     pub audit: Audit,
     /// Largest sum of the energy at the start and the works so far, all by their magnitudes \[J\].
@@ -100,6 +105,8 @@ impl Monitor {
                 .iter()
                 .map(|torn| JointRecord::starting(*torn, state.time))
                 .collect(),
+            base_velocity: [0.0; 2],
+            pulses: Pulses::new(model, state),
             audit: Audit::default(),
             energy_came: 0.0,
         }
@@ -139,6 +146,7 @@ impl Monitor {
             && section_forces::fit(&self.section_forces, &other.section_forces)
             && self.lines.fits(model.element_count())
             && self.contacts.fits(&other.contacts, model)
+            && self.pulses.fits(&other.pulses)
     }
 
     /// Enters the section forces over a solved part, at whose start the state is.
@@ -172,6 +180,7 @@ impl Monitor {
         joint_log::note(model, state.time, &solved.joint_loads, &mut self.joints);
         struck_mass::weigh(&mut self.struck_masses, part);
         self.contacts.take(part);
+        self.pulses.take(part);
         self.reactions.take(part);
         for (body, given) in model.striking_bodies().zip(&mut self.given) {
             given.take(model.body_node(body), part);
@@ -180,6 +189,7 @@ impl Monitor {
             self.multiple_impacts.take(part.before().time, contacts);
         }
         self.take_points(part);
+        self.take_base(part);
         self.audit(&state.ledger, part.measures);
     }
 
@@ -193,6 +203,17 @@ impl Monitor {
             for c in 0..2 {
                 let path = Interpolant { h, start: [u0[c], v0[c]], end: [u[c], v[c]] };
                 self.points[k][c].take(&path, start.time, part.solved.impulsive);
+            }
+        }
+    }
+
+    /// Adds the acceleration of the base over a part.
+    fn take_base(&mut self, part: &Accepted<'_>) {
+        let PartSolution { forcing, .. } = &*part.solved.solution;
+        for (load, factor) in part.model.loads.iter().zip(&forcing.factors) {
+            if let (true, LoadAction::Gravity { acceleration }) = (load.base, &load.kind) {
+                let h = part.solved.trial.h;
+                (0..2).for_each(|i| self.base_velocity[i] -= h * factor * acceleration[i]);
             }
         }
     }

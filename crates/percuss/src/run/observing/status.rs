@@ -2,7 +2,7 @@
 
 use super::contact_log::ContactLog;
 use crate::run::solving::solver::StateView;
-use crate::summary::ContactRecord;
+use crate::summary::{ContactRecord, StepControl};
 
 /// Progress of a run between two steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,11 +19,18 @@ pub struct RunStatus<'a> {
     pub impacts: usize,
     /// The contact that most of them are of, and how many; none before the first one.
     pub busiest: Option<(&'a str, usize)>,
+    /// Sizes of steps so far, if they are chosen for an accuracy.
+    pub control: Option<StepControl>,
 }
 
 impl<'a> RunStatus<'a> {
     /// The status of a run in a state, with its log of contacts.
-    pub(in crate::run) fn of(at: StateView<'a>, contacts: &ContactLog, iterations: usize) -> Self {
+    pub(in crate::run) fn of(
+        at: StateView<'a>,
+        contacts: &ContactLog,
+        iterations: usize,
+        control: Option<StepControl>,
+    ) -> Self {
         let counts = contacts.records.iter().map(|record| match record {
             ContactRecord::Smooth { intervals, .. } => intervals.len(),
             ContactRecord::Nonsmooth { impact_count, .. } => *impact_count,
@@ -37,6 +44,7 @@ impl<'a> RunStatus<'a> {
             }
         }
         let StateView { state, settings, .. } = at;
-        Self { step: state.step, time: state.time, end: settings.end, iterations, impacts, busiest }
+        let (step, time, end) = (state.step, state.time, settings.end);
+        Self { step, time, end, iterations, impacts, busiest, control }
     }
 }

@@ -75,6 +75,12 @@ pub fn channels(model: &Model) -> Vec<Channel> {
         for i in 1..=2 {
             add(format!("point.{name}.velocity_{i}"), "m/s", "Velocity of the point");
         }
+        if model.has_accelerated_base() {
+            for i in 1..=2 {
+                let text = "Velocity of the point and of the accelerated base together";
+                add(format!("point.{name}.absolute_velocity_{i}"), "m/s", text);
+            }
+        }
     }
     for p in &model.points {
         let shown = if has_depth(model, p) { SECTION_COLUMNS.len() } else { FORCE_COLUMNS };
@@ -190,6 +196,8 @@ pub struct SinceLast<'a> {
     pub reaction_impulses: &'a [[f64; 3]],
     /// Section forces of the last step without impact.
     pub lines: &'a Lines,
+    /// Velocity of the accelerated base, shape (2) \[m/s\].
+    pub base_velocity: [f64; 2],
     /// Newton iterations.
     pub iterations: usize,
 }
@@ -230,7 +238,11 @@ pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row
     for (p, rotation) in model.points.iter().zip(since.rotations) {
         row.extend(p.displacement(&state.displacement));
         row.push(*rotation);
-        row.extend(p.velocity(&state.displacement, &state.velocity));
+        let relative = p.velocity(&state.displacement, &state.velocity);
+        row.extend(relative);
+        if model.has_accelerated_base() {
+            row.extend([0, 1].map(|i| relative[i] + since.base_velocity[i]));
+        }
     }
     for p in &model.points {
         let PointForces { axial, shear, moment, stress } =

@@ -83,6 +83,7 @@ impl Rows {
             reactions: monitor.reactions.mean(),
             reaction_impulses: monitor.reactions.impulses(),
             lines: monitor.lines(),
+            base_velocity: monitor.base_velocity,
             iterations,
         };
         channels::values(model, state, measures, &since, &mut self.values);

@@ -1,10 +1,11 @@
 //! Foundations along beams in a state: what their springs do.
 
 use crate::element::fibre::FibreState;
-use crate::math::vec2::scale;
+use crate::math::vec2::{norm, scale};
 use crate::model::frozen::{Connector, Coordinate, FoundationData, FoundationPlace};
 use crate::model::{FoundationLaw, Model};
 use crate::state::State;
+use crate::step::convergence::ROUND_OFF;
 
 impl FoundationData {
     /// Its places in a state, with the forces of its dampers.
@@ -34,9 +35,13 @@ impl FoundationData {
             };
             let force = c.reached_force(q, memories) + 0.0;
             let memory = c.memory(memories).map(|(_, memory)| *memory).unwrap_or_default();
-            let acts = match (&c.yielding, &self.law) {
-                (_, FoundationLaw::Compression { .. }) => force > 0.0,
-                _ => c.law.acts_at(q),
+            // Where it lies without force it touches.
+            let lifted = match &self.law {
+                FoundationLaw::Compression { .. } => {
+                    let digits = ROUND_OFF * (norm(point.position) + length);
+                    force <= 0.0 && q < c.law.free() + memory.plastic - digits
+                }
+                FoundationLaw::Linear { .. } | FoundationLaw::Table { .. } => false,
             };
             Some(FoundationPlace {
                 s: point.s,
@@ -44,7 +49,7 @@ impl FoundationData {
                 pressure: force / length,
                 force: scale(-force, *direction),
                 stored: c.potential(q, memories),
-                acts,
+                lifted,
                 plastic: memory.plastic,
                 flow: [memory.dissipated, c.hardening_energy(memories)],
             })

@@ -1,0 +1,208 @@
+//! Whether the steps of a finished run resolve its largest forces: of contacts, stops and springs, judged by their own steps.
+
+use super::after::rigid_duration;
+use super::planned::{STEPS, graded};
+use super::words::{digits, quantity, round_down};
+use super::{Advice, Topic, Verdict};
+use percuss::{ContactInterval, ContactRecord, ContactSummary, Peak, PulseOf, PulseSummary};
+use percuss::{Model, RunSummary, Settings, StepControl};
+
+/// Forces whose work is less than this share of the energy of the run are round-off, or matter to nobody.
+const SLIGHT: f64 = 1e-9;
+/// With fewer steps than this the duration of a closed interval is not known by their number.
+const SEEN: f64 = STEPS[1];
+
+/// Findings about all of them; `before` are those before the run.
+pub fn findings(
+    model: &Model,
+    settings: &Settings,
+    run: &RunSummary,
+    before: &[Advice],
+) -> Vec<Advice> {
+    if let Some(control) = &run.step_control {
+        return accuracy(control).into_iter().collect();
+    }
+    let contact = |(index, contact)| of_contact((model, settings, run), before, index, contact);
+    let contacts = run.contacts.iter().enumerate().filter_map(contact);
+    let others = run.pulses.iter().filter_map(|pulse| of_connector(settings, run, pulse));
+    contacts.chain(others).collect()
+}
+
+/// The contact duration that was not known before a run and is known after it.
+pub fn is_settled(before: &Advice, after: &[Advice]) -> bool {
+    let same = |one: &Advice| one.topic == before.topic && one.contact == before.contact;
+    before.verdict == Verdict::Unchecked
+        && before.topic == Topic::ContactDuration
+        && after.iter().any(same)
+}
+
+/// An accuracy that was requested and not reached.
+fn accuracy(control: &StepControl) -> Option<Advice> {
+    if control.is_reached() {
+        return None;
+    }
+    let percent = |share: f64| digits(100.0 * share);
+    let text = format!(
+        "the requested accuracy of {} % is not reached: estimated error {} %, since steps are not made shorter than a hundredth of the first; request an accuracy of \
+         {} %, or give a time.step and compare two of them (percuss converge)",
+        percent(control.accuracy),
+        percent(control.estimate),
+        percent(round_up(control.estimate))
+    );
+    let values = [control.estimate, control.accuracy];
+    Some(Advice::new("steps", Topic::Accuracy, values, "1", Verdict::Warning, text))
+}
+
+/// A value rounded up to one digit.
+fn round_up(value: f64) -> f64 {
+    let power = 10_f64.powf(value.log10().floor());
+    (value / power * (1.0 - 1e-9)).ceil() * power
+}
+
+/// The steps of the interval with the largest force of a contact, and those about this force.
+struct Seen<'a> {
+    hardest: &'a ContactInterval,
+    /// Steps of the interval, if it has ended.
+    whole: Option<f64>,
+    /// Steps of the half wave of the force about its largest value.
+    half_wave: f64,
+}
+
+impl<'a> Seen<'a> {
+    fn of(run: &'a RunSummary, index: usize, contact: &'a ContactSummary) -> Option<Self> {
+        let ContactRecord::Smooth { intervals, .. } = &contact.record else { return None };
+        let force = |one: &&ContactInterval| one.peak_force.value;
+        let known = intervals.iter().filter(|one| !one.peak_force.value.is_nan());
+        let hardest = known.max_by(|a, b| force(a).total_cmp(&force(b)))?;
+        let pulse = run.pulses.iter().find(|pulse| pulse.of == PulseOf::Contact(index));
+        let half_wave = pulse.map_or(f64::NAN, |pulse| pulse.steps);
+        let whole = (!hardest.end.is_nan()).then_some(hardest.steps as f64);
+        Some(Self { hardest, whole, half_wave })
+    }
+
+    /// The fewer of the two, as far as they are known.
+    fn steps(&self) -> f64 {
+        self.whole.unwrap_or(f64::NAN).min(self.half_wave)
+    }
+}
+
+/// A contact by the interval with its largest force. What an estimate before the run knows of the first interval is not said again.
+fn of_contact(
+    (model, settings, run): (&Model, &Settings, &RunSummary),
+    before: &[Advice],
+    index: usize,
+    contact: &ContactSummary,
+) -> Option<Advice> {
+    let seen = Seen::of(run, index, contact)?;
+    let mut reported = (before.iter())
+        .filter(|one| one.topic == Topic::ContactDuration && one.contact == contact.name);
+    let first = contact.record.intervals().first().map(|one| one.start);
+    let is_first = first == Some(seen.hardest.start);
+    let steps = seen.steps();
+    let advice = |verdict, text| {
+        let duration = seen.hardest.end - seen.hardest.start;
+        let values = [duration, settings.step];
+        Some(Advice::new(&contact.name, Topic::ContactDuration, values, "s", verdict, text))
+    };
+    let unchecked = reported.clone().any(|one| one.verdict == Verdict::Unchecked);
+    if steps.is_nan() {
+        let text = "the run ends at the largest force: its steps are not checked".to_owned();
+        return if unchecked { advice(Verdict::Unchecked, text) } else { None };
+    }
+    let verdict = graded(steps, STEPS);
+    // An estimate that found the steps fine knows more than their number, unless they are next to none.
+    let known = reported.any(|one| match one.verdict {
+        Verdict::Unchecked => false,
+        Verdict::Fine => one.value.is_finite() && is_first && verdict != Verdict::Warning,
+        _ => is_first,
+    });
+    if known || (verdict == Verdict::Fine && !unchecked) {
+        return None;
+    }
+    let what = match seen.whole {
+        Some(whole) if whole <= seen.half_wave || seen.half_wave.is_nan() => {
+            let duration = seen.hardest.end - seen.hardest.start;
+            format!("contact of {}", quantity(duration, "s"))
+        }
+        _ => format!("largest contact force, {}", quantity(seen.hardest.peak_force.value, "N")),
+    };
+    let time = match seen.whole {
+        Some(_) => seen.hardest.start,
+        None => seen.hardest.peak_force.time,
+    };
+    let alone = rigid_duration(model, index, contact, seen.hardest);
+    let text = in_words(&what, time, steps, (settings, alone), verdict);
+    advice(verdict, text)
+}
+
+/// A stop or a spring by the steps about its largest force.
+fn of_connector(settings: &Settings, run: &RunSummary, pulse: &PulseSummary) -> Option<Advice> {
+    let (subject, what) = match &pulse.of {
+        PulseOf::Contact(_) => return None,
+        PulseOf::Stop(name) => (format!("support {name}"), format!("stop '{name}'")),
+        PulseOf::Spring(name) => (format!("spring {name}"), format!("spring '{name}'")),
+    };
+    if pulse.steps.is_nan() || pulse.energy <= SLIGHT * run.energy.scale {
+        return None;
+    }
+    let verdict = graded(pulse.steps, STEPS);
+    if verdict == Verdict::Fine {
+        return None;
+    }
+    let Peak { value, time } = pulse.force;
+    let what = format!("largest force of {what}, {}", quantity(value, "N"));
+    let alone = Some(pulse.lasts).filter(|lasts| lasts.is_finite());
+    let text = in_words(&what, time, pulse.steps, (settings, alone), verdict);
+    let values = [pulse.steps * settings.step, settings.step];
+    Some(Advice::new(subject, Topic::ContactDuration, values, "s", verdict, text))
+}
+
+/// What so few steps mean, and the step that would be enough: `alone` is the duration by the law and the mass alone \[s\].
+fn in_words(
+    what: &str,
+    time: f64,
+    steps: f64,
+    (settings, alone): (&Settings, Option<f64>),
+    verdict: Verdict,
+) -> String {
+    let (time, count) = (quantity(time, "s"), digits(steps));
+    if verdict == Verdict::Fine {
+        return format!("{what} at t = {time}: {count} steps");
+    }
+    let shown = steps * settings.step;
+    let lasts = match alone {
+        Some(alone) if steps < SEEN => shown.min(alone),
+        _ => shown,
+    };
+    let better = quantity(round_down(lasts / STEPS[0]), "s");
+    format!(
+        "{what} at t = {time} resolved by {count} steps ({} recommended): peak force and velocities are inaccurate; set time.step to {better}",
+        STEPS[0]
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_accuracy_that_is_not_reached_is_a_warning() {
+        let control = StepControl {
+            accuracy: 0.01,
+            estimate: 0.0348769,
+            smallest: 2e-8,
+            largest: 5e-5,
+            mean: 1e-6,
+            steps: 700_000,
+            refused: 0,
+        };
+        let found = accuracy(&control).expect("a warning");
+        assert_eq!((found.verdict, found.topic), (Verdict::Warning, Topic::Accuracy));
+        assert_eq!(
+            found.text,
+            "the requested accuracy of 1 % is not reached: estimated error 3.49 %, since steps are not made shorter than a hundredth of the first; request an \
+             accuracy of 4 %, or give a time.step and compare two of them (percuss converge)"
+        );
+        assert_eq!(accuracy(&StepControl { estimate: 0.01, ..control }), None);
+    }
+}
