@@ -4,7 +4,7 @@
 //! times the length that it stands for. The forces over a step are the difference quotients of these potentials, as of any spring to the ground.
 //!
 //! A reaction r per length deflects a shear-flexible element between its nodes by shear, beyond the field inside it, by `r l^2 / (12 kappa G A)` in
-//! the mean. Its springs are in series with that: without it the error of the deflection would be of second order.
+//! the mean. Its springs are in series with that: without it the error of the deflection under a point load would be of second order.
 
 use super::builder::ModelBuilder;
 use super::definition::*;
