@@ -12,9 +12,10 @@ import numpy as np
 
 from . import _percuss
 from ._distributions import joint_distribution, salib_problem, unit_problem
-from ._errors import AnalysisError, InputError, PercussError, coded
+from ._errors import AnalysisError, InputError, PercussError, PercussWarning, coded
 from ._named import named_columns
 from ._options import own_options
+from ._outcome import NOT_FINAL, warn
 from ._structure import Floats
 from ._study import StudySource, Sweep, study_at, study_of
 from ._sweep import sweep
@@ -147,6 +148,11 @@ class Function:
         AnalysisError, InputError
             If a point has no value and ``failed`` is ``"raise"``: which, and why.
 
+        Warns
+        -----
+        PercussWarning
+            If a contact is still closed at the end of a run, and results are what they have come to by then: which.
+
         Examples
         --------
         >>> f = percuss.function("speed.toml")
@@ -160,7 +166,11 @@ class Function:
         if self._is_spread(points):
             flat, failures = self._swept(np.atleast_2d(points))
         else:
-            flat, failures = _percuss.function_values(self.study, np.atleast_2d(points).tolist())
+            flat, failures, left_open = _percuss.function_values(self.study, np.atleast_2d(points).tolist())
+            if left_open:
+                point, text = left_open[0]
+                more = f" (and {len(left_open) - 1} more)" if len(left_open) > 1 else ""
+                warn(PercussWarning, f"point {point}{more}: {text}" if points.ndim > 1 else text, NOT_FINAL)
         if failures and self.failed == "raise":
             point, why = failures[0]
             more = f" (and {len(failures) - 1} more)" if len(failures) > 1 else ""

@@ -74,9 +74,16 @@ def raise_for_status(result: Result) -> None:
     raise error
 
 
+#: Code of what says that results are not final: a contact is still closed at the end of a run, or is still to come.
+NOT_FINAL = "W016"
+
+
 def tell(result: Result, check: bool) -> None:
-    """Issues the warnings of a run, and raises or warns of one that did not complete."""
-    found = (one for one in result.summary["advice"] if one["verdict"] == "warning")
+    """Issues the warnings of a run, and raises or warns of one that did not complete.
+
+    A note that results are not final is one of them: it changes what their numbers are.
+    """
+    found = (one for one in result.summary["advice"] if one["verdict"] == "warning" or one["verdict"] == "note" and one["code"] == NOT_FINAL)
     warn_of_advice((one["contact"], one["topic"], one["text"], one["code"]) for one in found)
     warn_of_audit(result)
     if check:

@@ -265,6 +265,23 @@ class Sweep(Columns[Any]):
         ends = zip(self["run"].tolist(), self["status"].tolist(), self["reason"].tolist())
         return {run: f"{status}: {reason}" for run, status, reason in ends if status != "completed"}
 
+    @cached_property
+    def not_final(self) -> dict[str, int]:
+        """Results that are not final in some runs, since a contact is still closed at their end: they are what they have come to by then.
+
+        Returns
+        -------
+        dict of int
+            The number of such runs, by the name of the result.
+
+        Examples
+        --------
+        >>> percuss.sweep("speed.toml").not_final
+        {}
+        """
+        counts = {name.removeprefix("open."): int(np.isfinite(self[name]).sum()) for name in self.names("open")}
+        return {name: count for name, count in counts.items() if count > 0}
+
     def to_pandas(self) -> pandas.DataFrame:
         """The table as one of pandas.
 
@@ -316,7 +333,9 @@ class Sweep(Columns[Any]):
 
     def __repr__(self) -> str:
         failed = f", {len(self.failures)} of them not completed" if self.failures else ""
-        return f"<percuss.Sweep {self.study.title}: {len(self)} runs{failed}; {', '.join(self.names('result'))}>"
+        still_open = self.not_final
+        left = f", not final in some: {', '.join(still_open)}" if still_open else ""
+        return f"<percuss.Sweep {self.study.title}: {len(self)} runs{failed}; {', '.join(self.names('result'))}{left}>"
 
     def _repr_html_(self) -> str:
         rows = ""

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from . import _percuss
 from ._errors import MissingError, StudyError, coded
 from ._options import threads
+from ._outcome import NOT_FINAL, warn
 from ._progress import Progress
 from ._storage import Local, Remote, Store
 from ._points import Points
@@ -80,6 +81,11 @@ def sweep(
     MissingError
         If a cluster is asked for and Dask is not installed.
 
+    Warns
+    -----
+    PercussWarning
+        If a contact is still closed at the end of runs: which results are not final, and in how many.
+
     Examples
     --------
     >>> round(percuss.sweep("speed.toml")["peak_force"].max())  # N
@@ -107,7 +113,12 @@ def sweep(
                 _collect(read, store, _source(client, executor), bar)
         if out is not None:
             store.report()
-        return Sweep(read, store.results(), "" if out is None else store.results_path)
+        table = Sweep(read, store.results(), "" if out is None else store.results_path)
+    if table.not_final:
+        each = ", ".join(f"`{name}` in {count}" for name, count in table.not_final.items())
+        text = f"{each} of {len(table)} runs not final: a contact is still closed at their end, set a later time.end"
+        warn(PercussWarning, text, NOT_FINAL)
+    return table
 
 
 @contextmanager

@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -267,3 +268,42 @@ def test_derivatives_that_are_not_exact_are_differences_and_say_so(study):
     jacobian = f.jacobian(f.middle)
     assert f.means.startswith("differences: ") and "section.girder.mid.moment" in f.means
     assert np.isfinite(jacobian).all() and jacobian.any()
+
+
+#: A ball of 0.5 kg on a linear contact of 1 MN/m: it leaves after pi sqrt(m/k) = 2.22 ms at the speed at which it came.
+BALL = """
+[projectile.ball]
+kind = "elastic"
+contact = "surface"
+mass = 0.5
+velocity = [0, -2]
+stiffness = 1e6
+position = [0, 0]
+strikes = "floor"
+[obstacle.floor]
+kind = "half-plane"
+point = [0, 0]
+normal = [0, 1]
+[time]
+end = "3 ms"
+step = "4 us"
+"""
+
+
+def test_results_of_a_contact_that_is_still_closed_are_said_not_to_be_final():
+    """The command and `percuss sweep` say so, and neither function, sweep nor run may be silent about it."""
+    results = {"peak": "contact.ball.peak_force.value", "out": "projectile.ball.velocity_final[1]"}
+    parameters = {"end": {"path": "time.end", "values": [5e-4, 3e-3]}}
+    study = {"scenario": percuss.Scenario.from_toml(BALL), "parameters": parameters, "design": {"kind": "grid"}, "results": results}
+    f = percuss.function(study)
+    with pytest.warns(percuss.PercussWarning, match="`peak`, `out` are not final.*W016"):
+        f([5e-4])
+    with pytest.warns(percuss.PercussWarning, match="W016"):
+        table = percuss.sweep(study)
+    assert table.not_final == {"peak": 1, "out": 1} and "not final in some: peak, out" in repr(table)
+    with pytest.warns(percuss.PercussWarning, match="W016"):
+        percuss.run(percuss.Scenario.from_toml(BALL), time__end=5e-4)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        values = f([3e-3])
+    assert values == pytest.approx([2 * np.sqrt(0.5e6), 2], rel=1e-3)

@@ -11,8 +11,8 @@ use crate::watch::{Stop, Watch};
 /// What goes in, or comes out: (name, unit, path).
 type Named = (String, String, String);
 
-/// Rows of numbers and, for those that have none, why.
-type Rows<'py> = (Bound<'py, PyAny>, Vec<(usize, String)>);
+/// Rows of numbers, for those that have none why, and of those that are not final what is said of them.
+type Rows<'py> = (Bound<'py, PyAny>, Vec<(usize, String)>, Vec<(usize, String)>);
 
 /// A number's smallest and largest value, or None where it has no bounds.
 type Bounds = Option<(f64, f64)>;
@@ -206,14 +206,15 @@ pub fn function_points<'py>(
 /// Returns
 /// -------
 /// tuple
-///     n_point * n_result numbers, point after point, and (point, why) of those that have none.
+///     n_point * n_result numbers, point after point, (point, why) of those that have none, and (point, text) of those with results that are
+///     not final.
 ///
 /// Examples
 /// --------
 /// >>> study = percuss.function("speed.toml").study
-/// >>> values, failures = percuss._percuss.function_values(study, [[-5.0], [-1.0]])
-/// >>> values.round()[::3], failures
-/// (array([2561.,  512.]), [])
+/// >>> values, failures, open = percuss._percuss.function_values(study, [[-5.0], [-1.0]])
+/// >>> values.round()[::3], failures, open
+/// (array([2561.,  512.]), [], [])
 #[pyfunction]
 pub fn function_values<'py>(
     py: Python<'py>,
@@ -223,26 +224,30 @@ pub fn function_values<'py>(
     let study = study.get().shared();
     let work = move |stop: &Stop| -> Result<_, percuss_study::Error> {
         let mut function = study.function()?;
-        let (mut numbers, mut failures) = (Vec::new(), Vec::new());
+        let (mut numbers, mut failures, mut open) = (Vec::new(), Vec::new(), Vec::new());
         for (first, group) in points.chunks(GROUP).enumerate() {
             if stop.is_wanted() {
                 break;
             }
-            for (k, row) in function.values(group).into_iter().enumerate() {
+            for (k, row) in function.evaluated(group).into_iter().enumerate() {
+                let point = first * GROUP + k;
                 match row {
-                    Ok(row) => numbers.extend(row),
+                    Ok(row) => {
+                        open.extend(study.not_final(&row.open).map(|text| (point, text)));
+                        numbers.extend(row.values);
+                    }
                     Err(why) => {
-                        failures.push((first * GROUP + k, why));
+                        failures.push((point, why));
                         numbers.extend(study.results().iter().map(|_| f64::NAN));
                     }
                 }
             }
         }
-        Ok((numbers, failures))
+        Ok((numbers, failures, open))
     };
     let done = Watch::default().run(py, work)?;
-    let (numbers, failures) = done.map_err(|error| study_error(&error))?;
-    Ok((array(py, numbers).into_any(), failures))
+    let (numbers, failures, open) = done.map_err(|error| study_error(&error))?;
+    Ok((array(py, numbers).into_any(), failures, open))
 }
 
 /// The wish to end is looked for after so many points.

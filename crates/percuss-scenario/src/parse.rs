@@ -25,6 +25,8 @@ pub(crate) struct Parsed<T> {
     pub faults: Vec<Raw>,
     pub tainted: BTreeSet<String>,
     pub names_files: bool,
+    /// Paths of the keys that name files of accelerations.
+    pub accelerations: BTreeSet<String>,
 }
 
 /// Reads the tables of a file; `expected` says what an empty one should be.
@@ -47,9 +49,10 @@ pub(crate) fn parse<T: Declared>(
     let body = Body::root(root.get_ref());
     let mut reader = Reader::new(text, &body, files);
     let content = table::read::<T>(&body, &mut reader).unwrap_or_else(T::placeholder);
-    let Reader { faults, tainted, files, .. } = reader;
+    let Reader { faults, tainted, files, accelerations, .. } = reader;
+    let names_files = files > 0;
     match syntax.is_empty() {
-        true => Ok(Parsed { content, places, faults, tainted, names_files: files > 0 }),
+        true => Ok(Parsed { content, places, faults, tainted, names_files, accelerations }),
         false => Err(with_syntax_errors(source.clone(), syntax, faults)),
     }
 }

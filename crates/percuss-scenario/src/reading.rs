@@ -71,11 +71,12 @@ fn read_from(source: Source, files: Files<'_>) -> Result<Scenario, Diagnostics> 
     FileKind::Scenario.expect(&source.text, &source.name)?;
     let expected = "a scenario, with a beam and [time] at least";
     let parsed = parse::<Content>(&source, files, expected)?;
-    let Parsed { content, places, faults, tainted, names_files } = parsed;
+    let Parsed { content, places, faults, tainted, names_files, accelerations } = parsed;
     if faults.is_empty() {
         let (source, places) = (Arc::new(source), Arc::new(places));
         let given = Arc::default();
-        return Ok(Scenario { content, source, places, given, names_files });
+        let accelerations = Arc::new(accelerations);
+        return Ok(Scenario { content, source, places, given, names_files, accelerations });
     }
     let mut all: Vec<Diagnostic> = faults.into_iter().map(|raw| place(&source, raw)).collect();
     all.extend(compile::valid_part(&content, &tainted, &source, &places));

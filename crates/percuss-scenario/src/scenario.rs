@@ -1,5 +1,6 @@
 //! A scenario: its content and the file it came from.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use crate::content::{Content, ProjectileKind};
@@ -16,6 +17,8 @@ pub struct Scenario {
     pub(crate) given: Arc<Given>,
     /// Whether the file names others, such as tables of values.
     pub(crate) names_files: bool,
+    /// Paths of the keys that name files of accelerations.
+    pub(crate) accelerations: Arc<BTreeSet<String>>,
 }
 
 impl Scenario {

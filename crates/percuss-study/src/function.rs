@@ -50,6 +50,11 @@ impl<'s> Function<'s> {
         &self.study.parameters
     }
 
+    /// The study.
+    pub fn study(&self) -> &'s Study {
+        self.study
+    }
+
     /// What comes out.
     pub fn results(&self) -> &'s [ResultColumn] {
         &self.study.results
@@ -124,6 +129,14 @@ impl<'s> Function<'s> {
     /// # Errors
     /// Of each point: what is wrong with it, or why its run does not complete, in one line with its code.
     pub fn values(&mut self, points: &[Vec<f64>]) -> Vec<Result<Vec<f64>, String>> {
+        self.evaluated(points).into_iter().map(|one| one.map(|found| found.values)).collect()
+    }
+
+    /// The same, with the results that are not final.
+    ///
+    /// # Errors
+    /// As [`Self::values`].
+    pub fn evaluated(&mut self, points: &[Vec<f64>]) -> Vec<Result<Evaluated, String>> {
         let (detail, samples) = (detail_for(&self.paths), samples(&self.paths));
         let mut all = Vec::with_capacity(points.len());
         for group in points.chunks(GROUP_RUNS) {
@@ -137,7 +150,9 @@ impl<'s> Function<'s> {
                 if status != "completed" {
                     return Err(unfit(format!("the run is {status}")));
                 }
-                self.known(made.pick(&self.paths))
+                let values = self.known(made.pick(&self.paths))?;
+                let open = |k: &usize| !self.paths[*k].open_value(&made.summary).is_nan();
+                Ok(Evaluated { values, open: (0..self.paths.len()).filter(open).collect() })
             });
             all.extend(picked);
         }
@@ -171,6 +186,32 @@ impl<'s> Function<'s> {
                 Err(unfit(text))
             }
         }
+    }
+}
+
+/// Results at a point.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Evaluated {
+    /// The results, shape (n_result) \[SI unit of the result\].
+    pub values: Vec<f64>,
+    /// Those that a contact which is still closed at the end of the run leaves open: they are what they had come to by then, shape (such results)
+    /// \[index of a result\].
+    pub open: Vec<usize>,
+}
+
+impl Study {
+    /// What is said of results that are not final; `None` if all are.
+    pub fn not_final(&self, open: &[usize]) -> Option<String> {
+        if open.is_empty() {
+            return None;
+        }
+        let names: Vec<String> =
+            open.iter().map(|k| format!("`{}`", self.results[*k].name)).collect();
+        let are = if names.len() == 1 { "is not final" } else { "are not final" };
+        Some(format!(
+            "{} {are}: a contact is still closed at the end of the run, set a later time.end",
+            names.join(", ")
+        ))
     }
 }
 

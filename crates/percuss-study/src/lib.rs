@@ -97,7 +97,7 @@ pub use design::latin_hypercube;
 pub use distribution::{Distribution, Gauss, Truncation};
 pub use error::Error;
 pub use folder::{Folder, KEPT, REPORT, RESULTS};
-pub use function::Function;
+pub use function::{Evaluated, Function};
 pub use indices::{INDICES, indices, indices_parquet};
 pub use jacobian::Jacobian;
 pub use means::Means;

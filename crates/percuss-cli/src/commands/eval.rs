@@ -8,7 +8,7 @@ use std::collections::HashSet;
 use std::io::Read;
 use std::path::Path;
 
-use percuss_codes::RequestCode;
+use percuss_codes::{RequestCode, Topic};
 use percuss_study::{Function, Study};
 
 use crate::coupling_arguments::Eval;
@@ -163,9 +163,12 @@ fn evaluate(
     }
     // Values are those of a run of their own: one that carries derivatives adds in another order, and whoever asks with and without
     // gradients would get other last digits.
-    let mut values = Vec::new();
+    let (mut values, mut open) = (Vec::new(), Vec::new());
     if wanted.iter().any(|(_, f)| f.value) {
-        values = function.values(&[point.to_vec()]).pop().unwrap_or_else(|| Ok(Vec::new()))?;
+        let found = function.evaluated(&[point.to_vec()]).pop();
+        let found = found.unwrap_or_else(|| Err("no result".into()))?;
+        let asked = |k: &usize| wanted.iter().any(|(own, f)| own == k && f.value);
+        (values, open) = (found.values, found.open.into_iter().filter(asked).collect());
     }
     let one = |(k, f): &(usize, Wanted)| {
         let gradient =
@@ -175,7 +178,11 @@ fn evaluate(
             value: f.value.then(|| values[*k]),
             gradient: f.gradient.then(|| gradient(&derivatives[*k])),
             means: means.clone().filter(|_| f.gradient),
+            open: f.value && open.contains(k),
         }
     };
+    if let Some(text) = function.study().not_final(&open) {
+        terminal::warning(Topic::Ending, &text);
+    }
     Ok(wanted.iter().map(one).collect())
 }

@@ -292,3 +292,32 @@ fn manual_pages_are_written_for_every_command() {
     assert!(page.contains(".TH percuss-run 1") && page.contains("checkpoint"));
     assert!(sandbox.path("pages/percuss.1").exists());
 }
+
+/// A ball of 0.5 kg is still in a contact of 1 MN/m after 0.5 ms (it leaves after 2.22 ms): what it has come to by then is no final result, and whoever
+/// asks is told.
+#[test]
+fn results_that_a_closed_contact_leaves_open_are_named() {
+    let sandbox = Sandbox::new();
+    sandbox.put(
+        "ball.toml",
+        "[projectile.ball]\nkind = \"elastic\"\ncontact = \"surface\"\nmass = 0.5\nvelocity = [0, -2]\n\
+         stiffness = 1e6\nposition = [0, 0]\nstrikes = \"floor\"\n\
+         [obstacle.floor]\nkind = \"half-plane\"\npoint = [0, 0]\nnormal = [0, 1]\n\
+         [time]\nend = \"3 ms\"\nstep = \"4 us\"\n",
+    );
+    sandbox.put(
+        "study.toml",
+        "base = \"ball.toml\"\n[parameter.end]\npath = \"time.end\"\nvalues = [5e-4, 3e-3]\n\
+         [design]\nkind = \"grid\"\n[results]\npeak = \"contact.ball.peak_force.value\"\n\
+         vout = \"projectile.ball.velocity_final[1]\"\n",
+    );
+    for (end, open) in [("5e-4", true), ("3e-3", false)] {
+        sandbox.put("point.json", &format!("{{\"end\": {end}}}"));
+        let reported = sandbox.percuss(&["eval", "study.toml", "point.json"]);
+        assert_eq!(reported.status, Some(0), "{}", reported.stderr);
+        assert_eq!(reported.stderr.contains("W016"), open, "{}", reported.stderr);
+        let value: Value = serde_json::from_str(&reported.stdout).expect("JSON alone");
+        let not_final = if open { serde_json::json!(["peak", "vout"]) } else { Value::Null };
+        assert_eq!(value["not_final"], not_final, "{value}");
+    }
+}

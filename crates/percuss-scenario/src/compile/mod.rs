@@ -55,6 +55,7 @@ impl Scenario {
         let mut settings = settings(content);
         let mut faults = comparison_faults(content);
         faults.extend(shapes_fault(content));
+        faults.extend(scaled_accelerations(content, &self.accelerations));
         let path = path(content).map_err(|fault| faults.push(fault)).unwrap_or_default();
         match build(content, Some(&self.given)) {
             Ok(model) => {
@@ -92,6 +93,17 @@ impl Scenario {
         let all = faults.map(|f| locate(f, &self.source, &self.places));
         Diagnostics::new((*self.source).clone(), all.collect())
     }
+}
+
+/// Base accelerations that would scale a file of accelerations, where their numbers have been set after reading.
+fn scaled_accelerations(content: &Content, files: &BTreeSet<String>) -> Vec<Fault> {
+    let of = |load: &Named<content::Load>| {
+        let path = format!("load.{}", load.name);
+        let is_file = files.contains(&format!("{path}.function.file"));
+        let (found, expected) = load.table.scales_accelerations().filter(|_| is_file)?;
+        Some(Fault::new(format!("{path}.acceleration"), found, expected))
+    };
+    content.load.iter().filter_map(of).collect()
 }
 
 /// Faults of the model of a file with reading faults, as far as they do not follow from these.

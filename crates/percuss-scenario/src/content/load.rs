@@ -103,15 +103,32 @@ table! {
 
 /// A file of accelerations is multiplied by a direction.
 fn settle_load(load: &mut Load, body: &Body<'_>, reader: &mut Reader<'_>) {
-    let LoadKind::Base { acceleration: [x, y] } = load.kind else { return };
+    if !matches!(load.kind, LoadKind::Base { .. }) {
+        return;
+    }
     let function = join(&body.path, "function");
     let Some(node) = body.get("acceleration") else { return };
     let is_file = reader.accelerations.contains(&join(&function, "file"));
-    let magnitude = x.hypot(y);
-    if !is_file || reader.tainted.contains(&node.path) || (magnitude - 1.0).abs() < 1e-9 {
+    if !is_file || reader.tainted.contains(&node.path) {
         return;
     }
-    let found = format!("{magnitude} m/s^2 times a file that holds accelerations by its header");
-    let expected = "a direction of magnitude 1 m/s^2, or a header that calls the column a factor";
-    reader.misplaced(&node.path, node.span, found, expected);
+    if let Some((found, expected)) = load.scales_accelerations() {
+        reader.misplaced(&node.path, node.span, found, expected);
+    }
+}
+
+impl Load {
+    /// What was found and what would be right, of a base acceleration that is more than the direction of a file of accelerations.
+    pub(crate) fn scales_accelerations(&self) -> Option<(String, &'static str)> {
+        let LoadKind::Base { acceleration: [x, y] } = self.kind else { return None };
+        let magnitude = x.hypot(y);
+        if (magnitude - 1.0).abs() < 1e-9 {
+            return None;
+        }
+        let found =
+            format!("{magnitude} m/s^2 times a file that holds accelerations by its header");
+        let expected =
+            "a direction of magnitude 1 m/s^2, or a header that calls the column a factor";
+        Some((found, expected))
+    }
 }

@@ -171,6 +171,15 @@ fn files_of_base_loads_hold_factors_or_accelerations() {
     let expected = "load.quake.acceleration: found 9.81 m/s^2 times a file that holds accelerations by its header, expected a direction of \
                     magnitude 1 m/s^2";
     assert!(twice.contains(expected), "{twice}");
+    // Set in place, as a study does, it is the same fault.
+    let base = load_of("t,acceleration (g)", "kind = \"base\"\nacceleration = [1, 0]");
+    let mut scenario = base.unwrap_or_else(|faults| panic!("{faults}"));
+    let field = scenario.field("load.quake.acceleration[0]").unwrap();
+    scenario.set_number(&field, 9.81).unwrap();
+    let set = scenario.compile().map(|_| ()).unwrap_err().coded();
+    assert!(set.contains(expected), "{set}");
+    scenario.set_number(&field, -1.0).unwrap();
+    assert!(scenario.compile().is_ok());
     let length = reported("t,x (mm)", "kind = \"base\"\nacceleration = [1, 0]");
     let expected = "a header in \"mm\", which is a length (m), in line 1 of \"record.csv\", expected a CSV file with two columns, time (s) and \
                     value or acceleration (m/s^2)";

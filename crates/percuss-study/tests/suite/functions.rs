@@ -211,3 +211,46 @@ fn points_outside_a_study_are_refused() {
     let study = Study::from_toml(&lists, "study.toml").unwrap_or_else(|faults| panic!("{faults}"));
     assert!(study.function().is_err_and(|error| error.code().to_string() == "E318"));
 }
+
+/// A ball of 0.5 kg leaves a contact of 1 MN/m after `pi sqrt(m/k)` = 2.22 ms, at the speed at which it came; a run that ends before that has no final
+/// results, and the function says which.
+#[test]
+fn results_of_contacts_that_are_still_closed_are_not_final() {
+    let text = r#"
+scenario = """
+[projectile.ball]
+kind = "elastic"
+contact = "surface"
+mass = 0.5
+velocity = [0, -2]
+stiffness = 1e6
+position = [0, 0]
+strikes = "floor"
+[obstacle.floor]
+kind = "half-plane"
+point = [0, 0]
+normal = [0, 1]
+[time]
+end = "3 ms"
+step = "4 us"
+"""
+[parameter.end]
+path = "time.end"
+values = ["0.5 ms", "3 ms"]
+[design]
+kind = "grid"
+[results]
+impulse = "contact.ball.intervals[0].impulse"
+steps = "steps"
+out = "projectile.ball.velocity_final[1]"
+"#;
+    let study = Study::from_toml(text, "ball.toml").unwrap_or_else(|faults| panic!("{faults}"));
+    let found = study.function().unwrap().evaluated(&[vec![5e-4], vec![3e-3]]);
+    let [short, long] = &found[..] else { panic!("{found:?}") };
+    let (short, long) = (short.as_ref().unwrap(), long.as_ref().unwrap());
+    assert_eq!((short.open.as_slice(), long.open.as_slice()), (&[0, 2][..], &[][..]));
+    assert!((long.values[2] - 2.0).abs() < 1e-3, "{long:?}");
+    let said = study.not_final(&short.open).unwrap();
+    assert!(said.starts_with("`impulse`, `out` are not final"), "{said}");
+    assert_eq!(study.not_final(&long.open), None);
+}

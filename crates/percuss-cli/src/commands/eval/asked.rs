@@ -25,4 +25,6 @@ pub(super) struct Answered {
     pub(super) gradient: Option<Vec<(String, f64)>>,
     /// How the gradient was found: `exact`, or `differences: ` and why.
     pub(super) means: Option<String>,
+    /// Whether a contact that is still closed at the end of the run leaves the value open.
+    pub(super) open: bool,
 }

@@ -31,6 +31,10 @@ pub fn formatted(all: &[Answered]) -> String {
         value["derivatives"] = Value::Object(derivatives);
         value["means"] = json!(all.iter().find_map(|f| f.means.as_ref()));
     }
+    let open: Vec<&str> = all.iter().filter(|f| f.open).map(|f| f.name.as_str()).collect();
+    if !open.is_empty() {
+        value["not_final"] = json!(open);
+    }
     format!("{value:#}\n")
 }
 

@@ -4,8 +4,11 @@
 
 use std::sync::OnceLock;
 
+use percuss_codes::{Code, Topic};
 use percuss_study::{Function, Jacobian, Means};
 use serde_json::{Value, json};
+
+use crate::terminal;
 
 /// Name of the model, as most examples of UM-Bridge have it.
 pub const NAME: &str = "forward";
@@ -103,9 +106,16 @@ fn respond(model: &mut Model<'_>, posted: bool, path: &str, body: &str) -> Resul
         }
         "/Evaluate" => {
             let point = model.point(&request)?;
-            let values = model.function.values(&[point]).pop();
-            let values = values.unwrap_or_else(|| Err("no result".into()));
-            Ok(json!({ "output": [values.map_err(|why| (Kind::Model, why))?] }))
+            let found = model.function.evaluated(&[point]).pop();
+            let found = found.unwrap_or_else(|| Err("no result".into()));
+            let found = found.map_err(|why| (Kind::Model, why))?;
+            let mut output = json!({ "output": [found.values] });
+            // A key of its own: clients of the protocol leave it alone.
+            if let Some(text) = model.function.study().not_final(&found.open) {
+                output["warning"] = Code::from(Topic::Ending).behind(&text).into();
+                terminal::warning(Topic::Ending, &text);
+            }
+            Ok(output)
         }
         "/Gradient" => {
             let sens = vector(&request, "sens", model.function.results().len())?;
