@@ -23,6 +23,7 @@ mod property_magnitudes;
 mod resolution;
 mod resolved;
 mod review;
+mod rows_of_contact;
 mod shear;
 mod stability;
 mod straight;

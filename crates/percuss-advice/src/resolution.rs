@@ -14,7 +14,7 @@ const OFF: [f64; 2] = [0.01, 0.05];
 /// Steps of a contact below which its beginning and end are half of what is known of it.
 const RESOLVED: f64 = ContactInterval::RESOLVED as f64;
 /// Rows of the history that show the course of a contact, and that hardly do.
-const ROWS: [f64; 2] = [10.0, 4.0];
+pub(super) const ROWS: [f64; 2] = [10.0, 4.0];
 /// Deflections below this share of the radius of gyration (or of the length, where ends slide) leave the stiffness as it is.
 const SMALL: f64 = 0.3;
 const SMALL_SLIDING: f64 = 0.05;

@@ -1,6 +1,7 @@
 //! Findings after a run: where its results are incomplete, inaccurate or depend on the mesh.
 
 use super::case::is_on_a_spring;
+use super::rows_of_contact;
 use super::structure::BeamPlace;
 use super::words::{digits, quantity};
 use super::{Advice, Topic, Verdict, resolved};
@@ -23,6 +24,8 @@ pub fn findings(
     before: &[Advice],
 ) -> Vec<Advice> {
     let mut all = resolved::findings(model, settings, run, before);
+    let few = |contact| rows_of_contact::coarse(contact, settings, before);
+    all.extend(run.contacts.iter().filter_map(few));
     if matches!(run.termination, Termination::Completed) {
         let untouched = !run.contacts.iter().any(touched);
         let open = |(index, contact)| {

@@ -108,13 +108,17 @@ fn read(path: &Path, name: &str, (both, columns): (&str, &[Column; 2])) -> Resul
 }
 
 /// Rows of a text in SI, and whether their second column holds its other quantity; blank lines and those that begin with `#` are passed over, and
-/// a header says in which units the rows are.
+/// a header says in which units the rows are, behind a `#`, too, as programs write it (`numpy.savetxt`).
 fn parse(text: &str, columns: &[Column; 2]) -> Result<(Vec<Row>, bool), (usize, String)> {
     let mut rows = Vec::new();
     let (mut header, mut units) = (true, Units::default());
+    let mut remarks = Vec::new();
     for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         let line = line.trim();
         if line.is_empty() || line.starts_with('#') {
+            if header && !line.is_empty() {
+                remarks.push((i + 1, line.trim_start_matches('#').trim()));
+            }
             continue;
         }
         let cells: Vec<&str> = cells(line);
@@ -126,6 +130,9 @@ fn parse(text: &str, columns: &[Column; 2]) -> Result<(Vec<Row>, bool), (usize, 
             units = header::units([a, b], columns).map_err(|found| (i + 1, found))?;
             continue;
         }
+        if first {
+            units = remarked(&remarks, columns)?;
+        }
         let number = |cell: &str, k: usize| {
             let value = header::value(cell, units.of[k]);
             value.ok_or_else(|| (i + 1, format!("{}, which is no finite number,", shown(cell))))
@@ -133,6 +140,54 @@ fn parse(text: &str, columns: &[Column; 2]) -> Result<(Vec<Row>, bool), (usize, 
         rows.push((i + 1, [number(a, 0)?, number(b, 1)?]));
     }
     Ok((rows, units.other))
+}
+
+/// The header that stands behind a `#` in the last line above rows that have none of their own: as many words as they have numbers.
+pub(crate) fn headed<'t>(
+    lines: impl Iterator<Item = &'t str>,
+    cells: impl Fn(&'t str) -> Vec<&'t str>,
+) -> Option<Vec<&'t str>> {
+    let mut remark = None;
+    for line in lines.filter(|line| !line.is_empty()) {
+        match line.strip_prefix('#') {
+            Some(rest) => remark = Some(rest.trim_start_matches('#').trim()),
+            None => {
+                let is_number = |cell: &&str| cell.parse::<f64>().is_ok();
+                let (row, header) = (cells(line), cells(remark?));
+                let fits = row.len() == header.len() && !header.iter().any(|c| c.is_empty());
+                let headed = row.iter().all(is_number) && !header.iter().any(is_number);
+                return (fits && headed).then_some(header);
+            }
+        }
+    }
+    None
+}
+
+/// Most words of a column's name in a remark; what has more is prose.
+const WORDS_OF_NAME: usize = 3;
+
+/// Units by the last of the remarks above the rows that is a header; SI units if none is. One that is a header for one of the columns alone is at
+/// fault: it says of the other what is not understood.
+fn remarked<'h>(
+    remarks: &[(usize, &'h str)],
+    columns: &[Column; 2],
+) -> Result<Units<'h>, (usize, String)> {
+    for (line, remark) in remarks.iter().rev() {
+        let [a, b] = cells(remark)[..] else { continue };
+        if [a, b].iter().any(|c| c.is_empty() || c.parse::<f64>().is_ok()) {
+            continue;
+        }
+        let found = match header::units([a, b], columns) {
+            Ok(units) => return Ok(units),
+            Err(found) => found,
+        };
+        let separated = remark.contains([';', '\t', ',']);
+        let names = [a, b].iter().all(|c| c.split_whitespace().count() <= WORDS_OF_NAME);
+        if separated && names && header::is_half([a, b], columns) {
+            return Err((*line, found));
+        }
+    }
+    Ok(Units::default())
 }
 
 /// A cell in a message: itself if it looks like a number, for the file may be none that its reader should see.
@@ -205,5 +260,62 @@ impl Inline for Points {
 
     fn text(value: &Self::Value) -> Option<String> {
         Listed::text(value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::header::ACCELERATION;
+
+    const RECORD: [Column; 2] = [
+        Column::of::<measure::Time>(&["t", "time"]),
+        Column::of::<measure::Ratio>(&["value", "factor"]).or(&ACCELERATION),
+    ];
+
+    /// The rows behind a text, and whether they are accelerations.
+    fn read(above: &str) -> Result<([f64; 2], bool), (usize, String)> {
+        let text = format!("{above}20,1\n40,0.5\n");
+        parse(&text, &RECORD).map(|(rows, other)| (rows[0].1, other))
+    }
+
+    /// `numpy.savetxt` puts `# ` before its header, `pandas` nothing.
+    #[test]
+    fn a_header_counts_behind_a_hash_too() {
+        for above in ["time (s),acceleration (g)\n", "# time (s),acceleration (g)\n"] {
+            assert_eq!(read(above), Ok(([20.0, 9.80665], true)), "{above:?}");
+        }
+        for above in [
+            "#time [ms];value\n",
+            "# drop 3, tower 2\n# t_ms, factor\n",
+            "# t_ms, factor\n# drop 3, tower 2\n",
+            "# recorded on Monday\n# time [ms]\tfactor\n",
+            "#\n# time (s), acceleration (g)\ntime [ms],factor\n",
+        ] {
+            assert_eq!(read(above), Ok(([0.02, 1.0], false)), "{above:?}");
+        }
+    }
+
+    #[test]
+    fn remarks_are_remarks() {
+        for above in [
+            "# recorded on Monday\n",
+            "# tower 2, sensor 7\n",
+            "# time history\n",
+            "# time, counted from the trigger of the second recorder\n",
+            "# 0,1\n",
+            "",
+        ] {
+            assert_eq!(read(above), Ok(([20.0, 1.0], false)), "{above:?}");
+        }
+    }
+
+    /// What one column of a header holds is known, and of the other it is not: no number is taken as something else.
+    #[test]
+    fn half_a_header_behind_a_hash_is_refused() {
+        for above in ["# time (s),acceleration (gal)\n", "# time (s), force (kN)\n", "# t,a1\n"] {
+            let refused = read(above).unwrap_err();
+            assert_eq!(refused.0, 1, "{above:?}: {refused:?}");
+        }
     }
 }

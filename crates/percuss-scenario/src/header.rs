@@ -104,6 +104,15 @@ pub(crate) fn units<'h>(cells: [&'h str; 2], columns: &[Column; 2]) -> Result<Un
     Ok(Units { of: [first, second], other })
 }
 
+/// Whether one of two cells is a header of its column, or has a unit, though not both are headers.
+pub(crate) fn is_half(cells: [&str; 2], columns: &[Column; 2]) -> bool {
+    let known = |k: usize| {
+        let own = &columns[k];
+        own.unit(cells[k]).is_ok() || own.other.is_some_and(|other| other.unit(cells[k]).is_ok())
+    };
+    known(0) || known(1)
+}
+
 /// A number of a column in SI; `unit` is that of its header.
 pub(crate) fn value(cell: &str, unit: Option<&str>) -> Option<f64> {
     let plain: f64 = cell.parse().ok().filter(|v: &f64| v.is_finite())?;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::dimension::dimension;
-use crate::csv::{cells, shown};
+use crate::csv::{cells, headed, shown};
 use crate::header::{parts, value};
 use crate::measure;
 use crate::units;
@@ -102,12 +102,20 @@ impl Record {
     fn parse(text: &str) -> Result<Self, Wrong> {
         let wrong = |line: usize, found: &str| Wrong { line, found: found.into(), expected: None };
         let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+        let remark = headed(lines.clone().map(|(_, line)| line.trim()), cells);
         let mut lines = lines.filter(|(_, line)| {
             let line = line.trim();
             !line.is_empty() && !line.starts_with('#')
         });
-        let Some((first, header)) = lines.next() else { return Err(wrong(0, "no rows")) };
-        let headers = cells(header.trim());
+        let mut rows = lines.clone();
+        let Some((first, header)) = rows.next() else { return Err(wrong(0, "no rows")) };
+        let headers = match remark {
+            Some(headers) => headers,
+            None => {
+                lines = rows;
+                cells(header.trim())
+            }
+        };
         if headers.iter().any(|cell| cell.parse::<f64>().is_ok()) {
             return Err(wrong(first + 1, "a first row of numbers"));
         }
@@ -181,6 +189,16 @@ fn cell_at_fault(header: &str, cell: &str) -> (String, &'static str) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// As `numpy.savetxt` writes it.
+    #[test]
+    fn a_header_counts_behind_a_hash_too() {
+        let record = Record::parse("# a drop test\n# t [ms] F [kN]\n0 1\n0.5 2\n");
+        let record = record.unwrap_or_else(|fault| panic!("{fault:?}"));
+        let force = record.column("F").and_then(|column| column.in_unit("N"));
+        assert_eq!(force, Ok(vec![1000.0, 2000.0]));
+        assert!(Record::parse("# a drop test\n0,1\n0.5,2\n").is_err());
+    }
 
     #[test]
     fn values_are_in_the_units_of_their_headers() {

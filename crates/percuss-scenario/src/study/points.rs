@@ -5,6 +5,7 @@ use std::path::Path;
 use super::content::{Design, Parameter, StudyContent};
 use super::given::Given;
 use crate::code::FaultCode;
+use crate::csv::headed;
 use crate::files::{FileAccess, WITHIN, is_within, read_bytes};
 use crate::suggest::one_of;
 use crate::table::{Named, is_name};
@@ -59,10 +60,19 @@ struct Column {
 /// The columns of a text; else a line and what was found there.
 fn columns(text: &str) -> Result<Vec<Column>, (usize, String)> {
     let lines = text.trim_start_matches('\u{feff}').lines().map(str::trim).enumerate();
+    let separator = |line: &str| [';', '\t', ','].into_iter().find(|s| line.contains(*s));
+    let remark = headed(lines.clone().map(|(_, line)| line), |line| split(line, separator(line)));
     let mut lines = lines.filter(|(_, line)| !line.is_empty() && !line.starts_with('#'));
-    let Some((at, line)) = lines.next() else { return Err((1, "no header".into())) };
-    let separator = [';', '\t', ','].into_iter().find(|s| line.contains(*s));
-    let header = split(line, separator);
+    let mut rows = lines.clone();
+    let Some((at, line)) = rows.next() else { return Err((1, "no header".into())) };
+    let separator = separator(line);
+    let header = match remark {
+        Some(header) => header,
+        None => {
+            lines = rows;
+            split(line, separator)
+        }
+    };
     if header.iter().any(|cell| cell.is_empty() || cell.parse::<f64>().is_ok()) {
         return Err((at + 1, "no header".into()));
     }

@@ -358,3 +358,47 @@ fn points_come_from_files() {
              with two columns, x and y (m)"],
     );
 }
+
+/// A motion acts where its support does; what would have no effect is a fault.
+#[test]
+fn motions_along_free_directions_are_refused() {
+    let section = "[section.s]\nshape = \"rectangle\"\nwidth = 1\ndepth = 1\n";
+    let material = "[material.m]\nyoung = 1e9\ndensity = 1e3\n";
+    let held = "[support.l]\nat = \"b.start\"\nkind = \"clamp\"\n";
+    let of = |kind: &str, motion: &str| {
+        let ramp = "function = { kind = \"ramp\", duration = 0.5 }";
+        let support = format!(
+            "[support.r]\nat = \"b.end\"\n{kind}\nmotion = {{ displacement = {motion}, {ramp} }}\n"
+        );
+        file(&[material, section, BEAM, held, &support])
+    };
+    let across = "kind = \"elastic\"\nstiffness = [0, 1e6]";
+    let both = "kind = \"elastic\"\nstiffness = [1e6, 1e6]";
+    let stop = "kind = \"stop\"\ndirection = [0, -1]\nstiffness = 1e6";
+    let slope = "kind = \"roller\"\ndirection = [1, 1]";
+    for (kind, motion, free) in [
+        ("kind = \"roller\"", "[0, 0.005]", false),
+        ("kind = \"roller\"", "[0.005, 0]", true),
+        ("kind = \"roller\"", "[0.005, 0.005]", true),
+        (slope, "[0.005, -0.005]", false),
+        (slope, "[0.005, 0]", true),
+        (stop, "[0, 0.005]", false),
+        (stop, "[0.001, 0.005]", true),
+        (across, "[0, 0.005]", false),
+        (across, "[0.005, 0]", true),
+        (both, "[0.005, 0.003]", false),
+        ("kind = \"pin\"", "[0.005, 0.003]", false),
+        ("kind = \"fix\"\ncomponents = [2]", "[0.005, 0]", true),
+    ] {
+        let text = of(kind, motion);
+        let built = read_with(&text, "f.toml", FileAccess::Anywhere).and_then(|s| s.compile());
+        match built {
+            Ok(_) => assert!(!free, "{kind}, {motion} is accepted"),
+            Err(faults) => {
+                let all = faults.coded();
+                assert!(free && all.contains("support.r.motion"), "{kind}, {motion}: {all}");
+                assert!(all.contains("E015"), "{all}");
+            }
+        }
+    }
+}

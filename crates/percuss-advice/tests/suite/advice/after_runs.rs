@@ -26,6 +26,26 @@ fn contacts_left_open_by_a_run_are_reported_after_it() {
     assert!(rigid.iter().any(|a| a.topic == Topic::Reactions), "{rigid:#?}");
 }
 
+/// A contact that the history has few rows of, of which nothing was known before the run.
+#[test]
+fn rows_too_far_apart_for_a_contact_are_reported_after_the_run() {
+    let of = |record_every: usize, known: bool| {
+        let mut b = ModelBuilder::new();
+        let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+        hold(&mut b, beam, &SupportKind::Clamp, &[0.0, 1.0]);
+        let (kind, velocity) = (ProjectileKind::spring(5e7), [0.0, -0.5]);
+        b.projectile(Projectile::new("mass", kind, 0.5, velocity, at("mid", beam, 0.5)));
+        let settings = Settings { record_every, ..Settings::new(5e-3, 5e-6) };
+        let model = freeze(&b);
+        let before = if known { advise(&model, &settings) } else { Vec::new() };
+        verdict(&review(&model, &settings, &run(&model, &settings), &before), Topic::Recording)
+    };
+    assert_eq!(of(1, false), None);
+    assert_eq!(of(1000, false), Some(Verdict::Warning));
+    // It has been said before.
+    assert_eq!(of(1000, true), None);
+}
+
 fn ball(position: [f64; 2]) -> Disc {
     let (velocity, name) = ([0.0; 2], "ball".to_owned());
     Disc { name, mass: 40.0, inertia: None, radius: 0.05, position, velocity, spin: 0.0 }

@@ -7,7 +7,7 @@ use super::beams::{arc, check_point, length, position};
 use super::faults::{Faults, quantity};
 use super::functions::check_function;
 use super::yielding::{check_yielding_joint, check_yielding_length, check_yielding_spring};
-use crate::math::vec2::{norm, scale, sub};
+use crate::math::vec2::{dot, norm, rot90, scale, sub};
 
 pub(super) fn check_support(model: &ModelBuilder, support: &Support, out: &mut Faults) {
     let path = |field: &str| format!("support.{}.{field}", support.name);
@@ -61,6 +61,33 @@ pub(super) fn check_support(model: &ModelBuilder, support: &Support, out: &mut F
     }
 }
 
+/// A displacement has no component along a direction if that is below this share of it: round-off of directions such as those of 45 degrees.
+const ALONG: f64 = 1e-9;
+
+/// The directions in which a support of a kind acts on displacements, unit vectors, and what its motions may be, where these are not all; a direction
+/// that is none is another fault.
+fn acting_along(kind: &SupportKind) -> Option<(Vec<[f64; 2]>, &'static str)> {
+    let unit = |v: [f64; 2]| (norm(v) > 0.0).then(|| scale(1.0 / norm(v), v));
+    match kind {
+        SupportKind::Roller { direction } => {
+            let expected = "a displacement across `direction`, along which it rolls freely";
+            Some((vec![rot90(unit(*direction)?)], expected))
+        }
+        SupportKind::Stop { direction, .. } => {
+            Some((vec![unit(*direction)?], "a displacement along `direction`, in which it stops"))
+        }
+        SupportKind::Elastic { direction, stiffness, damping, .. } => {
+            let along = unit(*direction)?;
+            let acts = |k: usize| stiffness[k] > 0.0 || damping[k] > 0.0;
+            let axes = [(along, acts(0)), (rot90(along), acts(1))];
+            let axes = axes.into_iter().filter(|(_, acts)| *acts).map(|(axis, _)| axis).collect();
+            let expected = "a displacement along axes with a stiffness or a damping";
+            Some((axes, expected))
+        }
+        SupportKind::Clamp | SupportKind::Pin | SupportKind::Fix { .. } => None,
+    }
+}
+
 /// A motion can only be prescribed for fixed components.
 fn check_motion(support: &Support, motion: &Motion, out: &mut Faults) {
     let path = || format!("support.{}.motion", support.name);
@@ -83,6 +110,14 @@ fn check_motion(support: &Support, motion: &Motion, out: &mut Faults) {
     if (0..2).any(|i| !held[i] && motion.displacement[i] != 0.0) {
         let expected = "displacements of fixed components only";
         out.add(path(), "a prescribed displacement of a free component", expected);
+    }
+    if let Some((directions, expected)) = acting_along(&support.kind) {
+        let own = motion.displacement;
+        let along = |rest, n: &[f64; 2]| sub(rest, scale(dot(*n, own), *n));
+        let lost = norm(directions.iter().fold(own, along));
+        if lost > ALONG * norm(own) {
+            out.add(path(), "a prescribed displacement along a free direction", expected);
+        }
     }
     if !turned && motion.rotation != 0.0 {
         let expected = "a clamp, or \"rotation\" among the fixed components";
