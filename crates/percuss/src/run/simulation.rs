@@ -236,8 +236,12 @@ impl<'m> Simulation<'m> {
         self.tell_status(recorder);
         while !self.is_over() {
             let step = self.state.step;
-            if let Err(error) = self.offer_checkpoint(recorder, self.is_last_step()) {
+            let last = self.is_last_step();
+            if let Err(error) = self.offer_checkpoint(recorder, last) {
                 return Termination::Failed(error);
+            }
+            if let Some(step_size) = self.step_size.as_mut().filter(|_| last) {
+                step_size.ends = true;
             }
             let flow = match self.advance(recorder) {
                 Ok(flow) => flow,
@@ -355,8 +359,11 @@ impl<'m> Simulation<'m> {
         }
     }
 
-    /// Passes a checkpoint to a recorder that requests one.
+    /// Passes a checkpoint to a recorder that requests one, up to the first step whose size the end determines: an extended run takes another one.
     fn offer_checkpoint(&self, recorder: &mut dyn Recorder, last: bool) -> Result<(), Error> {
+        if self.step_size.as_ref().is_some_and(|step_size| step_size.ends) {
+            return Ok(());
+        }
         match recorder.wants_checkpoint(last) {
             true => recorder.checkpoint(&self.checkpoint()).map_err(Error::recorder),
             false => Ok(()),

@@ -126,6 +126,61 @@ fn a_run_that_goes_on_from_a_checkpoint_takes_the_same_steps() {
     }
 }
 
+/// Keeps the last checkpoint of a run, from which it can be extended, and the rows up to it.
+#[derive(Default)]
+struct Extendable {
+    rows: MemoryRecorder,
+    kept: Option<(Checkpoint, usize)>,
+}
+
+impl Recorder for Extendable {
+    fn begin(&mut self, channels: &[Channel]) -> Result<(), RecorderError> {
+        self.rows.begin(channels)
+    }
+
+    fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {
+        self.rows.row(values)
+    }
+
+    fn wants_checkpoint(&mut self, _: bool) -> bool {
+        true
+    }
+
+    fn checkpoint(&mut self, checkpoint: &Checkpoint) -> Result<(), RecorderError> {
+        self.kept = Some((checkpoint.clone(), self.rows.values.len()));
+        Ok(())
+    }
+}
+
+/// A run with a later end is that with this end from the beginning, to the last bit: of the steps that the first end has shaped, refused ones
+/// included, none is left.
+#[test]
+fn a_run_that_is_extended_takes_the_steps_of_the_longer_one() {
+    let mut refused = 0;
+    for model in [soft(), hard()] {
+        let long = accurate(&model, 0.02, 0.01);
+        let mut whole = MemoryRecorder::default();
+        let expected = simulate(&model, &long, &mut whole).unwrap();
+        for k in 1..40 {
+            let short = Settings { end: 0.02 * f64::from(k) / 41.0, ..long };
+            let mut run = Extendable::default();
+            let first = simulate(&model, &short, &mut run).unwrap();
+            let (checkpoint, kept) = run.kept.take().unwrap();
+            refused += first.step_control.unwrap().refused;
+            let mut rows = run.rows.values[..kept].to_vec();
+            let mut rest = MemoryRecorder::default();
+            let extended = Simulation::resume(&model, &long, checkpoint).unwrap().run(&mut rest);
+            rows.extend(rest.values);
+            assert_eq!(rows.len(), whole.values.len(), "end {}", short.end);
+            assert!(rows.iter().zip(&whole.values).all(|(a, b)| a.to_bits() == b.to_bits()));
+            let contacts = [&extended, &expected].map(|run| format!("{:?}", run.contacts));
+            assert_eq!(contacts[0], contacts[1], "end {}", short.end);
+            assert_eq!(extended.step_control, expected.step_control, "end {}", short.end);
+        }
+    }
+    assert!(refused > 0);
+}
+
 #[test]
 fn steps_that_were_refused_leave_nothing_in_fibres() {
     let mut b = ModelBuilder::new();

@@ -90,6 +90,8 @@ pub struct StepSizeControl {
     peak: Vec<f64>,
     /// Largest error of an accepted step so far.
     error: f64,
+    /// Whether the end has determined the size of a step, also of one that was refused: a run with a later end would have had another one.
+    pub(in crate::run) ends: bool,
     /// Data of the summary.
     control: StepControl,
 }
@@ -147,6 +149,7 @@ impl StepSizeControl {
             approach: vec![0.0; model.contacts.len()],
             peak: vec![0.0; model.contacts.len()],
             error: 0.0,
+            ends: false,
             control: StepControl::new(accuracy),
         })
     }

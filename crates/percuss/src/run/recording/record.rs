@@ -70,7 +70,8 @@ pub trait Recorder {
     }
 
     /// Whether a checkpoint is requested before the next step, with `last` for the last one; if not, [`Recorder::checkpoint`] is not called. Called
-    /// before every step, and after a whole step in which the run was stopped.
+    /// before every step, and after a whole step in which the run was stopped; of steps chosen for an accuracy, up to the first one whose size the end
+    /// of the run determines.
     fn wants_checkpoint(&mut self, last: bool) -> bool {
         let _ = last;
         false
