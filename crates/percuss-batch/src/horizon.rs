@@ -190,7 +190,7 @@ fn underived() -> Impact {
         approach_velocity: nan,
         separation_velocity: nan,
         place: ContactPlace::default(),
-        energy: EnergySplit { given: [nan; 2], lost: nan, stored: nan, scheme: nan },
+        energy: EnergySplit { given: [nan; 2], lost: nan, failure: nan, stored: nan, scheme: nan },
         fallback_law: false,
     }
 }

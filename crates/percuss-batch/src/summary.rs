@@ -240,11 +240,13 @@ impl<S: Number> SummaryInput<'_, S> {
             steps: closed.steps.lane(self.lane) as usize,
             steady: self.is_steady(closed),
             one_point: true,
+            torn: false,
             place: reading.place(k, closed.place),
             place_end: reading.place(k, closed.place_end),
             energy: EnergySplit {
                 given: closed.given.map(read),
                 lost: if self.engine.numbers.guides[k].damped { f64::NAN } else { 0.0 },
+                failure: 0.0,
                 stored: read(closed.stored),
                 scheme: 0.0,
             },

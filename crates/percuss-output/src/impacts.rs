@@ -122,7 +122,7 @@ fn row_of_stop<'a>(support: &'a SupportSummary, touch: &StopTouch) -> Row<'a> {
         start: touch.start,
         numbers: [touch.end.unwrap_or(nan), touch.impulse, nan, value, time, nan, nan, nan],
         place: none,
-        energy: EnergySplit { given: [nan; 2], lost: nan, stored: nan, scheme: nan },
+        energy: EnergySplit { given: [nan; 2], lost: nan, failure: nan, stored: nan, scheme: nan },
         fallback_law: None,
         counts: [None, None],
         why: None,
@@ -140,7 +140,7 @@ impl Row<'_> {
         }
         text.push_str(self.kind);
         let [x, y] = self.place.position;
-        let EnergySplit { given: [to_first, to_second], lost, stored, scheme } = self.energy;
+        let EnergySplit { given: [to_first, to_second], lost, stored, scheme, .. } = self.energy;
         let behind = [self.place.s, x, y, to_first, to_second, lost, stored, scheme];
         let mut buffer = zmij::Buffer::new();
         for value in [self.start].into_iter().chain(self.numbers).chain(behind) {

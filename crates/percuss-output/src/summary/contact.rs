@@ -88,6 +88,9 @@ fn interval(interval: &ContactInterval) -> Value {
         "energy": energy(&interval.energy),
     });
     add_restitution(&mut value, interval.restitution());
+    if interval.torn {
+        value["torn"] = true.into();
+    }
     // Persistent contact of rigid bodies has no force but means over steps.
     if interval.peak_force != Peak::default() && !interval.peak_force.value.is_nan() {
         value["peak_force"] = peak(&interval.peak_force);

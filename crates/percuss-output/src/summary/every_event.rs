@@ -20,6 +20,7 @@ pub(super) fn contact_with_every_event(contact: &ContactSummary) -> ContactSumma
         steps: 0,
         steady: true,
         one_point: true,
+        torn: false,
         place,
         place_end: place,
         energy,

@@ -115,6 +115,7 @@ fn columns_that_do_not_apply_are_empty() -> Result<(), Box<dyn Error>> {
         steps: 7,
         steady: true,
         one_point: true,
+        torn: false,
         place: Default::default(),
         place_end: Default::default(),
         energy: EnergySplit::default(),

@@ -364,6 +364,7 @@ impl<S: Copy> ConnectorLaw<S> {
     }
 
     /// The side on which it acts and the coordinate from which on it does, of a law that pulls alone or pushes alone.
+    #[doc(hidden)]
     #[inline(always)]
     pub fn side(&self) -> Option<(ActsFrom, S)>
     where

@@ -124,6 +124,7 @@ impl Simulation<'_> {
             measures: &self.measures,
             awake: self.solver.search.awake(),
             parted: &reached.parted,
+            separated: &reached.separated,
             yielded: reached.yielded,
         };
         self.monitor.take(&accepted);

@@ -34,6 +34,8 @@ pub struct EnergySplit {
     pub given: [f64; 2],
     /// Energy lost in the contact \[J\].
     pub lost: f64,
+    /// The part of it that was stored in the contact's own spring when the touching part of a beam fractured \[J\].
+    pub failure: f64,
     /// Increase of the energy in the contact's own spring since the start; zero once it is open again \[J\].
     pub stored: f64,
     /// Energy taken from the contact by the force of a scheme without exact energies (negative: supplied); round-off of the others \[J\].
@@ -73,6 +75,8 @@ pub struct ContactInterval {
     pub steady: bool,
     /// Whether the point that touched first is the one that left last: velocities of two points make no coefficient.
     pub one_point: bool,
+    /// Whether it ended with the fracture of the touching part of a beam: there was no separation.
+    pub torn: bool,
     /// Place of the first closing.
     pub place: ContactPlace,
     /// Place of the last opening, or last closed place.
@@ -96,6 +100,8 @@ pub enum NoRestitution {
     Unsteady,
     /// One point touched first, another one left last.
     Points,
+    /// The touching part of a beam fractured.
+    Torn,
 }
 
 impl std::fmt::Display for NoRestitution {
@@ -110,6 +116,7 @@ impl std::fmt::Display for NoRestitution {
                 "not resolved: the gap's velocity changes by more than itself in a step",
             ),
             Self::Points => f.write_str("touched first and left last at different points"),
+            Self::Torn => f.write_str("the contact ended with the fracture of the beam"),
         }
     }
 }
@@ -128,6 +135,9 @@ impl ContactInterval {
         }
         if self.end.is_nan() {
             return Err(NoRestitution::Closed);
+        }
+        if self.torn {
+            return Err(NoRestitution::Torn);
         }
         if self.steps < Self::RESOLVED {
             return Err(NoRestitution::Steps(self.steps));

@@ -187,7 +187,7 @@ impl RunSummary {
             ContactRecord::Smooth { intervals, .. } => Some(intervals),
             ContactRecord::Nonsmooth { .. } => None,
         });
-        smooth.flatten().map(|interval| interval.energy.lost).sum()
+        smooth.flatten().map(|interval| interval.energy.lost - interval.energy.failure).sum()
     }
 }
 

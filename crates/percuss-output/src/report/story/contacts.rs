@@ -230,6 +230,10 @@ fn ending(main: &Touched<'_>) -> String {
     if last.is_some_and(|i| i["end"].is_null()) {
         return "The contact is closed at the end of the run.".into();
     }
+    if let Some(torn) = last.filter(|i| i["torn"] == true) {
+        let when = instant(torn["end"].as_f64());
+        return format!("The contact ended at {when} with the fracture of the beam.");
+    }
     let separated = |one: &Value, time: &Value| {
         let left = one["separation_velocity"].as_f64()?;
         let when = instant(Some(time.as_f64().filter(|t| *t > main.start).unwrap_or(0.0)));

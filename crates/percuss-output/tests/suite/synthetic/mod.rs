@@ -387,11 +387,13 @@ pub fn smooth() -> ContactRecord {
             steps: 1400,
             steady: true,
             one_point: true,
+            torn: false,
             place: place(),
             place_end: place(),
             energy: EnergySplit {
                 given: [8000.0, -8800.0],
                 lost: 50.0,
+                failure: 0.0,
                 stored: 750.0,
                 scheme: 0.0,
             },
@@ -409,7 +411,7 @@ pub fn impacts(count: usize) -> ContactRecord {
         approach_velocity: 40.0,
         separation_velocity: 40.0,
         place: place(),
-        energy: EnergySplit { given: [79_000.0, -79_000.0], lost: 0.0, stored: 0.0, scheme: 0.0 },
+        energy: EnergySplit { given: [79_000.0, -79_000.0], ..EnergySplit::default() },
         fallback_law: false,
     };
     ContactRecord::Nonsmooth {

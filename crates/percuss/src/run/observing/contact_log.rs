@@ -16,7 +16,7 @@ use crate::geometry::row::Row;
 use crate::geometry::touch::{SearchRegion, Touch};
 use crate::model::frozen::ContactData;
 use crate::model::{Model, SmoothLaw};
-use crate::run::solving::trial::{Accepted, Solved};
+use crate::run::solving::trial::{Accepted, Separated, Solved};
 use crate::state::{PairState, State};
 use crate::step::workspace::Workspace;
 use crate::summary::{
@@ -99,6 +99,8 @@ struct Resting {
     ceased: u64,
     /// Times, and the rate of the last of them, shape (2) \[s, m/s\].
     end: [f64; 2],
+    /// Whether a fracture has separated that pair since.
+    torn: bool,
 }
 
 impl Default for Free {
@@ -115,10 +117,23 @@ struct StepViews<'a> {
     work: &'a Workspace,
     /// Smooth pairs as they were at its start, shape (such pairs).
     before: &'a [PairState],
+    /// Pairs that a fracture at its end has separated, as they were before it, in their order, shape (such pairs).
+    separated: &'a [Separated],
     span: StepTime,
 }
 
 impl StepViews<'_> {
+    /// Pair `i` at the end of the step, before a fracture there.
+    fn after(&self, i: usize) -> &PairState {
+        self.separation(i).map_or(&self.state.pairs[i], |separated| &separated.before)
+    }
+
+    /// How a fracture at the end of the step has separated pair `i`.
+    fn separation(&self, i: usize) -> Option<&Separated> {
+        let found = self.separated.binary_search_by_key(&i, |separated| separated.pair);
+        found.ok().map(|k| &self.separated[k])
+    }
+
     /// Law of the smooth contact `k` of the step.
     fn law(&self, k: usize) -> Option<&SmoothLaw> {
         self.model.contacts[self.model.pairs[self.work.smooth[k].pair].contact].law.smooth()
@@ -206,13 +221,15 @@ impl ContactLog {
         let (model, state, work, start) = (part.model, part.after, part.work(), part.before());
         let Solved { trial, impulsive, .. } = part.solved;
         let span = StepTime { start: start.time, h: trial.h, impulsive: *impulsive };
-        let seen = StepViews { model, state, work, before: &start.smooth, span };
+        let (before, separated) = (&start.smooth[..], part.separated);
+        let seen = StepViews { model, state, work, before, separated, span };
         self.part += 1;
         self.smooth_contacts(seen);
         if !trial.active.is_empty() {
             self.residual = self.residual.max(work.impact_residual);
         }
         self.rigid_contacts(seen, trial);
+        self.tear_rests(part.separated);
         for &i in part.awake {
             let depth = -state.pairs[i].gap;
             if let ContactRecord::Nonsmooth { penetration, .. } =
@@ -264,6 +281,7 @@ pub fn opened(start: f64, approach_velocity: f64, place: ContactPlace) -> Contac
         steps: 0,
         steady: true,
         one_point: true,
+        torn: false,
         place,
         place_end: place,
         energy: EnergySplit::default(),

@@ -1,7 +1,7 @@
 //! Acceptance of a part of a step: the only writer of [`State`] while a run steps.
 
 use super::solver::{Solver, StateView};
-use super::trial::{PartKind, Solved};
+use super::trial::{PartKind, Separated, Solved};
 use crate::geometry::configuration::Configuration;
 use crate::geometry::dents::Dent;
 use crate::geometry::touch::SearchRegion;
@@ -22,6 +22,8 @@ pub struct PartEnd {
     pub measures: Measures,
     /// Elements that parted there, shape (such elements).
     pub parted: Vec<PartedElement>,
+    /// Pairs that they have separated, in their order, shape (such pairs).
+    pub separated: Vec<Separated>,
     /// Whether any fibre has yielded in it.
     pub yielded: bool,
 }
@@ -50,7 +52,7 @@ impl Acceptance<'_> {
         self.state.ledger.rescale(&measures);
         self.update_contacts(solved);
         self.open_parted(&opened);
-        PartEnd { measures, parted, yielded }
+        PartEnd { measures, parted, separated: opened, yielded }
     }
 
     /// Approach velocity of contacts in an impact, or of held ones.

@@ -1,6 +1,7 @@
 //! Fracture of beams at the end of a step, which ends the contact of the fractured elements.
 
 use super::accept::Acceptance;
+use super::trial::Separated;
 use crate::contact::search::Search;
 use crate::geometry::touch::SearchRegion;
 
@@ -8,25 +9,26 @@ use crate::step::fibres::PartedElement;
 
 impl Acceptance<'_> {
     /// Removes fractured elements from contact; returns the pairs that this has separated. The energy stored in their contacts is lost.
-    pub(super) fn part(&mut self, parted: &[PartedElement]) -> Vec<usize> {
+    pub(super) fn part(&mut self, parted: &[PartedElement]) -> Vec<Separated> {
         if parted.is_empty() {
             return Vec::new();
         }
         for element in parted {
             self.state.part(self.model, element.node);
         }
-        let before: Vec<f64> = self.state.pairs.iter().map(|pair| pair.gap).collect();
+        let before = self.state.pairs.clone();
         let pressed = self.stored_in_contacts();
         self.solver.search = Search::new(self.model);
         self.solver.search.see(self.model, self.state, SearchRegion::All);
         self.state.ledger.loss_failure += pressed - self.stored_in_contacts();
-        let now = self.state.pairs.iter().map(|pair| pair.gap);
-        now.zip(before).enumerate().filter(|(_, (now, was))| now != was).map(|(i, _)| i).collect()
+        let now = self.state.pairs.iter().zip(before).enumerate();
+        let moved = now.filter(|(_, (now, before))| now.gap != before.gap);
+        moved.map(|(pair, (_, before))| Separated { pair, before }).collect()
     }
 
     /// Opens the pairs that a fracture has separated.
-    pub(super) fn open_parted(&mut self, moved: &[usize]) {
-        for &i in moved {
+    pub(super) fn open_parted(&mut self, moved: &[Separated]) {
+        for i in moved.iter().map(|separated| separated.pair) {
             self.state.pairs[i].closed = false;
             if self.state.located == Some(i) {
                 self.state.located = None;

@@ -110,6 +110,15 @@ impl Encounters {
     }
 }
 
+/// A pair that the fracture of an element has separated at the end of a part of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Separated {
+    /// The pair.
+    pub pair: usize,
+    /// As it was before the fracture.
+    pub before: PairState,
+}
+
 /// Values at the start of a part of a step that are compared with its end.
 #[derive(Clone, Debug, Default)]
 pub struct PartStart {
@@ -217,6 +226,8 @@ pub struct Accepted<'a> {
     pub awake: &'a [usize],
     /// Elements that parted there, shape (such elements).
     pub parted: &'a [PartedElement],
+    /// Pairs that they have separated, in their order, shape (such pairs).
+    pub separated: &'a [Separated],
     /// Whether any fibre has yielded in it.
     pub yielded: bool,
 }

@@ -1,7 +1,7 @@
 //! Contacts under rigid laws: simultaneous impacts are one impact, resting contact is one interval, for any number of pairs.
 
 use super::{ContactLog, StepViews, opened, rate_of_rest};
-use crate::run::solving::trial::Trial;
+use crate::run::solving::trial::{Separated, Trial};
 use crate::step::contacts::Phase;
 use crate::summary::{ContactInterval, ContactRecord, EnergySplit, Impact};
 
@@ -70,7 +70,7 @@ impl ContactLog {
         interval.energy.lost += done.energy.lost;
         if done.impulse[0] + done.phase.carried()[0] > 0.0 {
             interval.steps += usize::from(resting.pressed != now && !span.impulsive);
-            (resting.pressed, resting.pair) = (now, done.pair);
+            (resting.pressed, resting.pair, resting.torn) = (now, done.pair, false);
             interval.place_end = seen.place(done.pair, 0.0);
             return;
         }
@@ -104,10 +104,19 @@ impl ContactLog {
                 (&mut records[*contact], open)
             {
                 intervals[open].end = end;
-                intervals[open].separation_velocity = rate;
+                intervals[open].torn = resting.torn;
+                intervals[open].separation_velocity = if resting.torn { f64::NAN } else { rate };
             }
             false
         });
+    }
+
+    /// Pairs that rested and that a fracture has separated: the interval ends there, if none of its contact presses any more.
+    pub(super) fn tear_rests(&mut self, separated: &[Separated]) {
+        for contact in &self.resting {
+            let resting = &mut self.rests[*contact];
+            resting.torn |= separated.iter().any(|one| one.pair == resting.pair);
+        }
     }
 
     /// A pair that strikes; with others of its contact at the same instant it is one impact.

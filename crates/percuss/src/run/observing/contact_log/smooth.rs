@@ -40,7 +40,7 @@ impl ContactLog {
     /// Whether pair `k` of the current step was closed in it.
     fn pressed(&self, seen: StepViews<'_>, k: usize) -> bool {
         let contact = &seen.work.smooth[k];
-        let after = &seen.state.pairs[contact.pair];
+        let after = seen.after(contact.pair);
         let gap = |seen_at: &PairState| seen.law(k).map_or(0.0, |law| law.free_gap(seen_at));
         gap(&seen.before[k]) < 0.0 || gap(after) < 0.0 || contact.force.force != 0.0
     }
@@ -86,6 +86,7 @@ impl ContactLog {
         let deepest = pairs.clone().min_by(|a, b| gap(a).total_cmp(&gap(b)));
         match deepest.filter(|k| gap(k) < 0.0) {
             Some(deepest) => interval.place_end = seen.place(seen.work.smooth[deepest].pair, 0.0),
+            None if seen.tears(law, pairs.clone()) => self.tear_interval(seen, contact, open),
             None => self.close_interval(seen, contact, open, pairs),
         }
     }
@@ -95,7 +96,7 @@ impl ContactLog {
         let (model, end) = (seen.model, seen.span.start + seen.span.h);
         for k in pairs {
             let i = seen.work.smooth[k].pair;
-            let now = PressedIn::of(model, i, &seen.state.pairs[i], end);
+            let now = PressedIn::of(model, i, seen.after(i), end);
             let most = &mut self.pressed[contact];
             if now.is_some_and(|now| most.is_none_or(|most| now.share() > most.share())) {
                 *most = now;
@@ -104,7 +105,7 @@ impl ContactLog {
     }
 
     fn gap_over_step(&self, seen: StepViews<'_>, law: &SmoothLaw, k: usize) -> GapOverStep {
-        let after = &seen.state.pairs[seen.work.smooth[k].pair];
+        let after = seen.after(seen.work.smooth[k].pair);
         GapOverStep::new(seen.span.h, &seen.before[k], after, law)
     }
 
@@ -156,7 +157,7 @@ impl ContactLog {
         let mut last: Option<(f64, Released)> = None;
         for k in pairs.filter(|k| self.pressed(seen, *k)) {
             let pair = seen.work.smooth[k].pair;
-            let left = &seen.state.pairs[pair];
+            let left = seen.after(pair);
             let (gap, rate) = (seen.law(k).map_or(left.gap, |law| law.free_gap(left)), left.rate);
             let released = Released { pair, contact, interval, gap, rate, span };
             let [since, _] = released.parted(0.0);
@@ -174,6 +175,15 @@ impl ContactLog {
         }
     }
 
+    /// Ends an interval with the fracture of the touching part of a beam.
+    fn tear_interval(&mut self, seen: StepViews<'_>, contact: usize, interval: usize) {
+        self.open[contact] = None;
+        if let ContactRecord::Smooth { intervals, .. } = &mut self.records[contact] {
+            intervals[interval].end = seen.span.start + seen.span.h;
+            intervals[interval].torn = true;
+        }
+    }
+
     /// A pair with an open gap over a step: its free motion gives the separation velocity in the previous step.
     fn open_throughout(&mut self, seen: StepViews<'_>, k: usize) {
         let span = seen.span;
@@ -181,6 +191,12 @@ impl ContactLog {
             return;
         }
         let i = seen.work.smooth[k].pair;
+        // The motion of a gap to another part of the beam does not continue the one before.
+        if seen.separation(i).is_some() {
+            self.free[i] = Free::default();
+            self.take_released(|r| r.pair == i);
+            return;
+        }
         // A sleeping pair was evaluated at the start of the step, not at its end.
         let Some(touch) = super::touch(seen.model, seen.state, i, SearchRegion::Near) else {
             return;
@@ -216,6 +232,16 @@ impl ContactLog {
     }
 }
 
+impl StepViews<'_> {
+    /// Whether a fracture at the end of the step separated pairs that were closed then.
+    fn tears(&self, law: &SmoothLaw, mut pairs: Range<usize>) -> bool {
+        pairs.any(|k| {
+            let separated = self.separation(self.work.smooth[k].pair);
+            separated.is_some_and(|separated| law.free_gap(&separated.before) < 0.0)
+        })
+    }
+}
+
 impl Released {
     /// Time since it ended, and the velocity of separation then.
     fn parted(&self, acceleration: f64) -> [f64; 2] {
@@ -244,7 +270,7 @@ fn add_work(
     pairs: Range<usize>,
 ) {
     for (contact, before) in seen.work.smooth[pairs.clone()].iter().zip(&seen.before[pairs]) {
-        let (pair, after) = (&seen.model.pairs[contact.pair], &seen.state.pairs[contact.pair]);
+        let (pair, after) = (&seen.model.pairs[contact.pair], seen.after(contact.pair));
         let force = contact.force.force;
         interval.impulse += seen.span.h * force;
         seen.add_energy(&mut interval.energy, pair, &contact.row, force);
@@ -252,6 +278,10 @@ fn add_work(
         let stored = |pair: &PairState| {
             if pair.gap < 0.0 { law.stored(-pair.gap, pair.deepest) } else { 0.0 }
         };
-        interval.energy.stored += stored(after) - stored(before);
+        // What a fracture at the end of the step leaves without a partner is lost.
+        let torn = stored(after) - stored(&seen.state.pairs[contact.pair]);
+        interval.energy.stored += stored(after) - stored(before) - torn;
+        interval.energy.lost += torn;
+        interval.energy.failure += torn;
     }
 }
