@@ -63,7 +63,7 @@ impl<S: Number> Engine<S> {
         k: usize,
     ) -> ElementFibres<'a, S> {
         let states = &self.fibres.states[fibres.range(k)];
-        ElementFibres { laws: &fibres.laws, fibres: fibres.of(k), states }
+        ElementFibres { laws: &fibres.laws, fibres: fibres.of(k), states, present: None }
     }
 
     /// Energies of the fibres of an element.

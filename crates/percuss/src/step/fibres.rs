@@ -17,7 +17,7 @@ impl State {
     /// Fibres of the element of number `k` in a span.
     pub(crate) fn fibres_of<'a>(&'a self, fibres: &'a SpanFibres, k: usize) -> ElementFibres<'a> {
         let states = &self.fibres[fibres.range(k)];
-        ElementFibres { laws: &fibres.laws, fibres: fibres.of(k), states }
+        ElementFibres { laws: &fibres.laws, fibres: fibres.of(k), states, present: None }
     }
 }
 

@@ -6,6 +6,10 @@ use crate::scalar::{Mask, Number, Task};
 /// Corrections of the root for viscous flow, which converges in about five, and the relative size of the last one; the balance does not depend on it.
 const MOST_ROOTS: usize = 100;
 const ROOT: f64 = 1e-14;
+/// Corrections after which a root is found once its miss is round-off of its terms, too: one close to zero is known no better.
+const ENOUGH: usize = 8;
+/// Round-off of a sum of a few terms, relative to the largest.
+const ROUND_OFF: f64 = 4.0 * f64::EPSILON;
 
 /// See [`PlasticLaw::viscous`].
 pub(super) struct Viscous<'a, S> {
@@ -53,8 +57,12 @@ impl<S: Number> PlasticLaw<S> {
             path.go_on(yields_from_rest, &cut, none);
         }
         for (i, part) in self.plasticity.curve.iter().enumerate() {
+            let goes_on = path.at.less(one);
+            if !goes_on.any() {
+                break;
+            }
             let until = self.plasticity.end_of(i);
-            let here = path.at.less(one) & path.state.accumulated.less(until);
+            let here = goes_on & path.state.accumulated.less(until);
             if here.any() {
                 let last = i + 1 == self.plasticity.curve.len();
                 path.flow_on(here, part, (!last).then_some(until));
@@ -247,14 +255,15 @@ impl<S: Number> FlowLine<'_, S> {
         let mut search =
             RootSearch::up_to(S::choose(flows, stiff.if_less(free, stiff, free), one), flows);
         let whole = whole(self.law.exponent);
-        for _ in 0..MOST_ROOTS {
+        for k in 0..MOST_ROOTS {
             let z = search.at;
             let flow = most * power(z, self.law.exponent, whole);
             let limit = self.limit(self.accumulated + flow);
             let rate = self.law.exponent * flow / z;
             let left = relative - self.stiffness * flow - limit * (one + z);
             let slope = -((self.stiffness + self.part.modulus * (one + z)) * rate + limit);
-            if search.is_found_after(left / slope, none.less(left)) {
+            let round_off = round_off(k, relative, slope);
+            if search.is_found_after(left / slope, none.less(left), round_off) {
                 break;
             }
         }
@@ -284,13 +293,14 @@ impl<S: Number> FlowLine<'_, S> {
         let mut search = RootSearch::up_to(S::choose(crosses, rest, one), crosses);
         let mut held = none;
         let mut slope = one;
-        for _ in 0..MOST_ROOTS {
+        for k in 0..MOST_ROOTS {
             let x = search.at;
             let z = (most / x).powf(one / self.law.exponent);
             held = limit * z / (self.law.exponent * x);
             slope = rise + held;
             let miss = fallen + rise * x - limit * (one + z);
-            if search.is_found_after(miss / slope, !none.less(miss)) {
+            let round_off = round_off(k, limit * (one + z), slope);
+            if search.is_found_after(miss / slope, !none.less(miss), round_off) {
                 break;
             }
         }
@@ -314,11 +324,12 @@ impl<S: Number> RootSearch<S> {
         Self { low: high.constant(0.0), high, at: high, seeking }
     }
 
-    /// Subtracts a correction; `above` says where the root is above the current value. Whether it is found in all lanes.
+    /// Subtracts a correction; `above` says where the root is above the current value, `round_off` how well it can be known. Whether it is found in all
+    /// lanes.
     #[inline(always)]
-    fn is_found_after(&mut self, change: S, above: S::Mask) -> bool {
+    fn is_found_after(&mut self, change: S, above: S::Mask, round_off: S) -> bool {
         let at = self.at;
-        let found = change.abs().at_most(at * ROOT);
+        let found = change.abs().at_most((at * ROOT).max(round_off));
         if S::DERIVES && found.any() {
             self.at = at - change; // of which the derivatives are those of the root
         }
@@ -334,6 +345,15 @@ impl<S: Number> RootSearch<S> {
         let middle = (self.low + self.high) * 0.5;
         self.at = S::choose(self.seeking, S::choose(within, next, middle), at);
         false
+    }
+}
+
+/// Round-off of a root, from the largest term of its equation and the slope there; none in the first corrections.
+#[inline(always)]
+fn round_off<S: Number>(corrections: usize, term: S, slope: S) -> S {
+    match corrections < ENOUGH {
+        true => term.constant(0.0),
+        false => (term / slope).abs() * ROUND_OFF,
     }
 }
 

@@ -39,17 +39,22 @@ impl WithSimd for AdvanceFibres<'_> {
             return failing;
         };
         let like = Lanes::new(family, 0.0);
-        let table = &span.tables[0].map(&mut Alike(like));
+        let mut table = span.tables[0].map(&mut Alike(like));
         let h = like.constant(rule.h);
         let lag = like.constant(rule.lag(span.retardation));
         let count = span.elements.len();
         for k in (0..count).step_by(P::F64_LANES) {
+            if let Some(own) = sweep.table((number, span), k, like) {
+                table = own;
+            }
+            let table = &table;
             let a = span.nodes.start + k;
             let start = &values(&sweep.displacement, like, a);
             let increment = &values(&sweep.increment, like, a);
             let measure = span.measure;
             let [from, to] = ElementStep { table, measure, start, increment, h, lag }.strains();
             let fibres = held.of(k);
+            let [from, to] = [from, to].map(|strains| strains.map(|one| fibres.strained(one)));
             let elements = 0..P::F64_LANES.min(count - k);
             let mut flow = FibreFlow::beside([like; 2]);
             let mut i = 0;

@@ -45,12 +45,16 @@ pub struct FibresInLanes<P: Simd> {
     of: SpanFibres<Lanes<P>>,
     /// State variables of the fibres at the start of the step, without dissipation, shape (registers of elements, fibres of an element).
     states: Vec<FibreState<Lanes<P>>>,
+    /// Elements of the span.
+    elements: usize,
+    /// One in the lanes of the last register that have an element, zero in the others; none if all have one.
+    last: Option<Lanes<P>>,
 }
 
 impl SweptFibres {
     /// Whether fibres of a span can share registers: those of its elements are equal in kind.
     pub fn can_hold(span: &Span) -> bool {
-        span.fibres.as_ref().is_none_or(|of| of.at.len() == 1 && span.tables.len() == 1)
+        span.fibres.as_ref().is_none_or(|of| of.at.len() == 1)
     }
 
     /// The fibres, if there are any.
@@ -79,7 +83,12 @@ impl<P: Simd> FibresInLanes<P> {
         let fresh =
             FibreState { plastic: like, accumulated: like, dissipated: like, failed: false };
         let registers = elements.div_ceil(P::F64_LANES);
+        let rest = elements % P::F64_LANES;
+        let mut present = [0.0; MOST_LANES];
+        present[..rest].fill(1.0);
         Self {
+            elements,
+            last: (rest > 0).then(|| like.load(&present)),
             of: of.map(&mut |number| like.constant(number)),
             states: vec![fresh; registers * of.count],
         }
@@ -105,7 +114,8 @@ impl<P: Simd> FibresInLanes<P> {
     pub fn of(&self, k: usize) -> ElementFibres<'_, Lanes<P>> {
         let (laws, fibres) = (&self.of.laws, self.of.of(k));
         let states = &self.states[k / P::F64_LANES * self.of.count..][..self.of.count];
-        ElementFibres { laws, fibres, states }
+        let present = self.last.filter(|_| k + P::F64_LANES > self.elements);
+        ElementFibres { laws, fibres, states, present }
     }
 }
 

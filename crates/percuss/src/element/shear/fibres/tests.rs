@@ -54,7 +54,12 @@ impl MiddleFibres {
     }
 
     fn of(&self) -> ElementFibres<'_> {
-        ElementFibres { laws: &self.laws, fibres: &self.fibres, states: &self.states }
+        ElementFibres {
+            laws: &self.laws,
+            fibres: &self.fibres,
+            states: &self.states,
+            present: None,
+        }
     }
 
     /// Moves the fibres to the end of a step; returns what plastic flow and viscosity dissipate per length.
