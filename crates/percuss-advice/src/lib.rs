@@ -8,6 +8,7 @@ mod after;
 mod audit;
 mod before;
 mod case;
+mod ductility;
 mod duration;
 mod end_on;
 mod ends;
@@ -19,6 +20,7 @@ mod magnitudes;
 mod millimetres;
 mod neglected_shear;
 mod planned;
+mod plastic_mesh;
 mod property_magnitudes;
 mod resolution;
 mod resolved;
@@ -35,7 +37,7 @@ mod tests;
 mod words;
 
 pub use advice::{Advice, AuditWarning, Comparison, Verdict};
-use percuss::{FirstTouches, Model, RunSummary, SectionForceSummary, Settings, massless};
+use percuss::{Equilibrium, FirstTouches, Model, RunSummary, Settings, massless, yielded_at_rest};
 use percuss_codes::Code;
 pub use percuss_codes::{Caution, Topic};
 
@@ -45,6 +47,7 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
         // No run in time, so no contact either.
         let mut all = magnitudes::findings(model, settings);
         all.extend(ends::findings(model));
+        all.extend(plastic_mesh::findings(model));
         return all;
     }
     let masses = model.effective_masses();
@@ -55,6 +58,7 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     let mut all = magnitudes::findings(model, settings);
     all.extend(ends::findings(model));
     all.extend(taper::findings(model));
+    all.extend(plastic_mesh::findings(model));
     all.extend(stability::of_the_start(model, settings));
     all.extend(straight::under_loads(model, settings));
     let mut estimated = Vec::new();
@@ -128,6 +132,7 @@ pub fn conclude<'r>(
 pub fn settle(advice: &mut [Advice], settings: &Settings, summary: &RunSummary) {
     first_contact::settle(advice, settings, summary);
     review::settle(advice, summary);
+    plastic_mesh::settle(advice, summary);
 }
 
 /// What the audit of a finished run warns of: conditions of contacts, initial interpenetration, multiple impacts, impulses that are
@@ -155,9 +160,15 @@ pub fn compare(model: &Model, settings: &Settings, summary: &RunSummary) -> Vec<
     all
 }
 
-/// Beams of an equilibrium that are stressed beyond what their materials usually bear.
-pub fn beyond_strength(model: &Model, section_forces: &[SectionForceSummary]) -> Vec<Advice> {
-    section_forces.iter().filter_map(|beam| review::beyond_strength(model, beam)).collect()
+/// Beams of an equilibrium that are stressed beyond what their materials usually bear, or that their mesh or the law of their material does not
+/// describe as far as they yielded.
+pub fn at_rest(model: &Model, found: &Equilibrium) -> Vec<Advice> {
+    let forces = &found.section_forces;
+    let mut all: Vec<Advice> =
+        forces.iter().filter_map(|beam| review::beyond_strength(model, beam)).collect();
+    all.extend(plastic_mesh::exceeded(model, forces));
+    all.extend(ductility::findings(model, forces, &yielded_at_rest(model, found)));
+    all
 }
 
 /// What is worth knowing of a finished run before its results are used: contacts still closed or never reached at its end,

@@ -4,12 +4,12 @@ use super::case::is_on_a_spring;
 use super::rows_of_contact;
 use super::structure::BeamPlace;
 use super::words::{digits, quantity};
-use super::{Advice, Topic, Verdict, resolved};
+use super::{Advice, Topic, Verdict, ductility, plastic_mesh, resolved};
 use percuss::Settings;
 use percuss::inspect::SpanView;
 use percuss::{
-    ContactRecord, ContactSummary, PressedIn, RunSummary, SectionForceSummary, Termination,
-    WithoutLimit,
+    ContactRecord, ContactSummary, PressedIn, RunSummary, SectionForceSummary, SectionPeak,
+    Termination, WithoutLimit,
 };
 use percuss::{Model, StrainMeasure, Strength};
 
@@ -43,6 +43,8 @@ pub fn findings(
     all.extend(jumps(model, run));
     all.extend((0..model.beam_count()).filter_map(|beam| compressed(model, run, beam)));
     all.extend(run.section_forces.iter().filter_map(|beam| beyond_strength(model, beam)));
+    all.extend(plastic_mesh::exceeded(model, &run.section_forces));
+    all.extend(ductility::findings(model, &run.section_forces, &run.plastic));
     all
 }
 
@@ -231,36 +233,62 @@ fn strength_passed(model: &Model, name: &str, s: f64, stress: f64) -> Option<f64
     passed.map(limit).min_by(f64::total_cmp)
 }
 
-/// An elastic beam whose stress exceeds the usual strength of its material: that of the extreme fibres, or the von Mises stress inside where that is
-/// larger.
+/// What a von Mises stress inside a section is called.
+const INSIDE: &str = "von Mises stress";
+
+/// An elastic beam whose stress exceeds the usual strength of its material: that of the extreme fibres, in tension and in compression, or the von Mises
+/// stress inside where that is larger.
 pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advice> {
-    let in_fibres = beam.beyond.map(|first| (first, beam.stress.largest(), ""));
-    let inside = beam.beyond_inside;
-    let inside = inside.map(|first| (first, beam.von_mises_inside, "von Mises stress "));
-    let (first, most, what) = match beam.shear_governs() {
-        true => inside.or(in_fibres)?,
-        false => in_fibres.or(inside)?,
+    let strength_at = |peak: &SectionPeak| strength_passed(model, &beam.name, peak.s, peak.value);
+    let inside = beam.beyond_inside.map(|first| (first, beam.von_mises_inside));
+    let in_fibres = beam.beyond.map(|first| {
+        let sides = [(beam.stress.max, "tension"), (beam.stress.min, "compression")];
+        let beyond = sides.into_iter().filter(|(most, _)| strength_at(most).is_some());
+        (first, beyond.collect::<Vec<_>>())
+    });
+    let (first, reached) = match (in_fibres, inside) {
+        (Some(own), _) if !beam.shear_governs() => own,
+        (_, Some((first, most))) => (first, vec![(most, INSIDE)]),
+        (own, None) => own?,
     };
-    let strength = strength_passed(model, &beam.name, first.s, first.value).unwrap_or(f64::NAN);
-    let stress = |value| quantity(value, "Pa");
+    // Where materials change, what is largest need not be what exceeds.
+    let reached = if reached.is_empty() { vec![(first, "stress")] } else { reached };
     // An equilibrium has no time.
-    let passed = match first.time > 0.0 {
-        true => format!(
-            "{} at s = {}, t = {}; largest {}",
-            stress(first.value),
-            quantity(first.s, "m"),
-            quantity(first.time, "s"),
-            stress(most.value)
-        ),
-        false => format!("{} at s = {}", stress(first.value), quantity(first.s, "m")),
+    let at = |peak: &SectionPeak| match peak.time > 0.0 {
+        true => format!("s = {}, t = {}", quantity(peak.s, "m"), quantity(peak.time, "s")),
+        false => format!("s = {}", quantity(peak.s, "m")),
+    };
+    let strength = |most: &SectionPeak| strength_at(most).unwrap_or(f64::NAN);
+    let stress = |value: f64| quantity(value, "Pa");
+    let since = match first.time > 0.0 && reached.iter().all(|(most, _)| most.time != first.time) {
+        true => format!("; first exceeded at {}", at(&first)),
+        false => String::new(),
+    };
+    let limit = strength(&reached[0].0);
+    let told = if reached.iter().all(|(most, _)| strength(most) == limit) {
+        let larger = |a: &&(SectionPeak, &str), b: &&(SectionPeak, &str)| {
+            a.0.value.abs().total_cmp(&b.0.value.abs())
+        };
+        let (most, what) = reached.iter().max_by(larger)?;
+        let what = if *what == INSIDE { "von Mises stress " } else { "" };
+        format!(", {}: {what}{} at {}{since}", stress(limit), stress(most.value), at(most))
+    } else {
+        let side = |(most, what): &(SectionPeak, &str)| {
+            let limit = stress(strength(most));
+            format!("{what} {} at {} (strength {limit})", stress(most.value), at(most))
+        };
+        format!(": {}{since}", reached.iter().map(side).collect::<Vec<_>>().join(" and "))
     };
     let text = format!(
-        "beam '{}' exceeds the usual strength of its material, {}: {what}{passed}. The material is modelled as elastic: set `yield`, or accept \
-         this in [allow] with the strength of your material",
-        beam.name,
-        stress(strength)
+        "beam '{}' exceeds the usual strength of its material{told}. The material is modelled as elastic: set `yield`, or accept this in \
+         [allow] with the strength of your material",
+        beam.name
     );
-    let values = [most.value, strength];
+    // The side that is farthest beyond.
+    let share = |most: &SectionPeak| most.value.abs() / strength(most);
+    let worst =
+        reached.iter().map(|(most, _)| most).max_by(|a, b| share(a).total_cmp(&share(b)))?;
+    let values = [worst.value, strength(worst)];
     let subject = format!("beam {}", beam.name);
     Some(Advice::new(subject, Topic::Strength, values, "Pa", Verdict::Warning, text))
 }

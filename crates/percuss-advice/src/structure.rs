@@ -73,10 +73,16 @@ impl<'a> BeamPlace<'a> {
         [0, 1].map(|i| a[i] + share * (b[i] - a[i]))
     }
 
-    /// Length of the element at the place \[m\].
+    /// Length of the element at the place, of short ones at plastic hinges that of the longest next to them \[m\].
     pub fn element_length(&self) -> f64 {
         let (span, k) = self.element();
-        span.element_length(k)
+        let (first, last) = (k.saturating_sub(2), (k + 1).min(span.element_count() - 1));
+        let hinges = self.beam.hinge_places();
+        let is_short = |k: usize| hinges.iter().any(|s| span.stations()[k..=k + 1].contains(s));
+        match is_short(k) {
+            true => (first..=last).map(|k| span.element_length(k)).fold(0.0, f64::max),
+            false => span.element_length(k),
+        }
     }
 
     /// First node of the element at the place, and its shape functions there.
@@ -123,8 +129,18 @@ impl<'a> BeamPlace<'a> {
         self.transits().fold(f64::INFINITY, f64::min)
     }
 
+    /// Those of all elements but short ones at plastic hinges.
     fn transits(&self) -> impl Iterator<Item = f64> {
-        let each = |span: SpanView<'a>| (0..span.element_count()).map(move |k| (span, k));
+        let mean =
+            self.beam.length() / self.beam.spans().map(|s| s.element_count()).sum::<usize>() as f64;
+        let hinges = self.beam.hinge_places();
+        let is_short = move |span: &SpanView<'a>, k: usize| {
+            let at = |s: &f64| span.stations()[k..=k + 1].contains(s);
+            span.element_length(k) < 0.5 * mean && hinges.iter().any(at)
+        };
+        let each = move |span: SpanView<'a>| {
+            (0..span.element_count()).filter(move |k| !is_short(&span, *k)).map(move |k| (span, k))
+        };
         self.beam.spans().flat_map(each).map(|(span, k)| {
             let section = span.gauss_points(k)[1].section;
             span.element_length(k) / (section.axial / section.mass).sqrt()

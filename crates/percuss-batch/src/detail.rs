@@ -37,6 +37,7 @@ impl Detail {
             beam.shear_stress = SectionRange::default();
             beam.von_mises_inside = SectionPeak::default();
             beam.beyond_inside = None;
+            beam.excess = None;
             if self == Self::Resultants {
                 (beam.stress, beam.beyond) = (SectionRange::default(), None);
                 beam.envelope.stress.iter_mut().for_each(|range| range.fill(f64::NAN));

@@ -115,6 +115,17 @@ catalogue! {
              larger than requested: the motion there has no shortest time scale, as with many short contacts or with velocities that jump. \
              Request a lower accuracy, use a softer contact, or give a `time.step` and compare results with those of half of it (`percuss \
              converge FILE`).";
+        /// Section forces over what the section bears with the strain that it has, less one; before a run the estimate of it.
+        Unresolved = "W025", "yielding not resolved by the mesh",
+            "Moment or axial force exceed what the section can bear with the strain that it has: the mesh does not resolve a plastic \
+             hinge, and the structure bears too much, or does not collapse where the real one does. Use more `elements` (the message \
+             says how many); those of a beam that can yield are short at supports, joints, loads and struck points, unless `grading` \
+             is given.";
+        /// Largest strain, or stress over Young's modulus, against that up to which the law of the material holds \[-\].
+        Ductility = "W026", "strain beyond the material",
+            "A plastic strain exceeds the strain at the largest force of the material, a strain exceeds 5 %, and the material has no \
+             `failure_strain`, or a stress exceeds a tenth of Young's modulus: no usual material follows its law so far. Give a \
+             `failure_strain` (and `hardening`), or a law that was measured up to that strain; check units and mesh.";
     }
 }
 
@@ -131,6 +142,7 @@ impl Topic {
                 | Self::Pressed
                 | Self::CarriedCrush
                 | Self::Accuracy
+                | Self::Ductility
         )
     }
 }

@@ -198,6 +198,9 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
         "shear_stress": range(&beam.shear_stress),
         "von_mises_max": peak(beam.von_mises()),
     });
+    if let Some(plateau) = beam.plateau {
+        value["yield_stress"] = plateau.into();
+    }
     if let Some(beyond) = beam.beyond {
         value["beyond_strength"] = peak(beyond);
     }

@@ -120,7 +120,7 @@ pub fn statics<'py>(py: Python<'py>, source: Source, path: bool) -> PyResult<Bou
             let buckling = buckling_in_contact(model, &found, 1);
             (equilibrium_value(model, &found, &buckling), found)
         };
-        let warnings = ready.warnings(percuss_advice::beyond_strength(model, &end.section_forces));
+        let warnings = ready.warnings(percuss_advice::at_rest(model, &end));
         Ok((value.to_string(), end.state.displacement, Beams::of(model), warnings))
     })?;
     let result = PyDict::new(py);

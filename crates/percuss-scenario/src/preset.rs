@@ -22,6 +22,8 @@ pub struct Preset {
     pub yields: Option<f64>,
     /// Thermal expansion (1/K), where a standard gives it.
     pub expansion: Option<f64>,
+    /// Strain at the largest force of a tension test, where it is known.
+    pub uniform_strain: Option<f64>,
     /// Constants C (1/s) and q of Cowper and Symonds, shape (2) \[1/s, -\], where they have been measured: what `rate = "preset"` stands for.
     pub rate: Option<[f64; 2]>,
 }
@@ -47,6 +49,7 @@ macro_rules! presets {
                 strength: $bears.0,
                 yields: $bears.1,
                 rate: $bears.2,
+                uniform_strain: $bears.3,
                 expansion: expansion(&[$($micro as f64)?]),
             },
             concat!(
@@ -57,8 +60,8 @@ macro_rules! presets {
     };
 }
 
-/// What a material bears, where it yields, and how that depends on rates.
-type Limits = (Option<Strength>, Option<f64>, Option<[f64; 2]>);
+/// What a material bears, where it yields, how that depends on rates, and the strain at its largest force.
+type Limits = (Option<Strength>, Option<f64>, Option<[f64; 2]>, Option<f64>);
 
 /// What bears as much in tension as in compression (MPa), and does not yield.
 const fn both(stress: f64) -> Limits {
@@ -67,12 +70,19 @@ const fn both(stress: f64) -> Limits {
 
 /// What bears different stresses in tension and in compression (MPa).
 const fn each(tension: f64, compression: f64) -> Limits {
-    (Some(Strength { tension: 1e6 * tension, compression: 1e6 * compression }), None, None)
+    (Some(Strength { tension: 1e6 * tension, compression: 1e6 * compression }), None, None, None)
 }
 
 /// What yields at a stress (MPa), at higher ones with constants of Cowper and Symonds if there are any.
 const fn metal(stress: f64, rate: Option<[f64; 2]>) -> Limits {
-    (both(stress).0, Some(1e6 * stress), rate)
+    (both(stress).0, Some(1e6 * stress), rate, None)
+}
+
+/// Hot rolled structural steel of given yield and tensile strength (MPa): its strain at the largest force is 0.6 (1 - yield/tensile), and at least
+/// 0.06 (Yun and Gardner 2017, J. Constr. Steel Res. 133).
+const fn hot_rolled(stress: f64, tensile: f64, rate: Option<[f64; 2]>) -> Limits {
+    let strain = 0.6 * (1.0 - stress / tensile);
+    (both(stress).0, Some(1e6 * stress), rate, Some(if strain > 0.06 { strain } else { 0.06 }))
 }
 
 /// A thermal expansion (1/K) from one in millionths, if there is one.
@@ -84,7 +94,7 @@ const fn expansion(millionths: &[f64]) -> Option<f64> {
 }
 
 /// What has no usual strength.
-const UNKNOWN: Limits = (None, None, None);
+const UNKNOWN: Limits = (None, None, None, None);
 
 impl Words for Presets {
     type Value = Preset;
@@ -93,20 +103,20 @@ impl Words for Presets {
         // In brackets the thermal expansion in 1e-6/K (EN 1991-1-5, table C.1: structural steel, stainless steel, aluminium, concrete, timber along
         // the grain; glass EN 572-1).
         // Strength: yield stress of S235 (EN 1993-1-1, table 3.1). Rates: mild steel (Cowper and Symonds 1957; Jones 1989, table 8.1).
-        "steel" = 210_000 MPa, 7850 kg, [12], metal(235.0, Some([40.4, 5.0])),
+        "steel" = 210_000 MPa, 7850 kg, [12], hot_rolled(235.0, 360.0, Some([40.4, 5.0])),
             "structural steel, yield strength 235 MPa (EN 1993-1-1, 3.2.6; density EN 1993-1-2)";
-        // Yield strength of thicknesses up to 40 mm (EN 1993-1-1, table 3.1).
-        "S235" = 210_000 MPa, 7850 kg, [12], metal(235.0, Some([40.4, 5.0])),
+        // Yield and tensile strength of thicknesses up to 40 mm (EN 1993-1-1, table 3.1).
+        "S235" = 210_000 MPa, 7850 kg, [12], hot_rolled(235.0, 360.0, Some([40.4, 5.0])),
             "structural steel S235, yield strength 235 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
-        "S275" = 210_000 MPa, 7850 kg, [12], metal(275.0, None),
+        "S275" = 210_000 MPa, 7850 kg, [12], hot_rolled(275.0, 430.0, None),
             "structural steel S275, yield strength 275 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
-        "S355" = 210_000 MPa, 7850 kg, [12], metal(355.0, None),
+        "S355" = 210_000 MPa, 7850 kg, [12], hot_rolled(355.0, 490.0, None),
             "structural steel S355, yield strength 355 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
-        "S420" = 210_000 MPa, 7850 kg, [12], metal(420.0, None),
+        "S420" = 210_000 MPa, 7850 kg, [12], hot_rolled(420.0, 520.0, None),
             "structural steel S420 N or M, yield strength 420 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
-        "S450" = 210_000 MPa, 7850 kg, [12], metal(440.0, None),
+        "S450" = 210_000 MPa, 7850 kg, [12], hot_rolled(440.0, 550.0, None),
             "structural steel S450, yield strength 440 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
-        "S460" = 210_000 MPa, 7850 kg, [12], metal(460.0, None),
+        "S460" = 210_000 MPa, 7850 kg, [12], hot_rolled(460.0, 540.0, None),
             "structural steel S460 N or M, yield strength 460 MPa (EN 1993-1-1, 3.2.6 and table 3.1; density EN 1991-1-1)";
         // Proof stress of hot rolled plate (EN 10088-2). Rates: AISI 304 (Forrestal and Sagartz 1978; Jones 1989, table 8.1).
         "stainless-steel" = 200_000 MPa, 7900 kg, [16], metal(210.0, Some([100.0, 10.0])),
@@ -192,6 +202,15 @@ mod tests {
         let about = |name: &str| Presets::WORDS.iter().find(|word| word.0 == name).unwrap().2;
         assert!(about("S355").ends_with(" kg/m^3, thermal expansion 12e-6 1/K"));
         assert!(about("copper").ends_with(" kg/m^3"));
+    }
+
+    /// 0.6 (1 - 355/490) and the least value.
+    #[test]
+    fn structural_steels_have_the_strain_at_their_largest_force() {
+        let of = |name: &str| Presets::named(name).unwrap().uniform_strain;
+        assert!((of("S355").unwrap() - 0.165_306).abs() < 1e-6);
+        assert!(of("S460").unwrap() > 0.06 && of("S460").unwrap() < of("S235").unwrap());
+        assert_eq!([of("aluminium"), of("concrete"), of("copper")], [None; 3]);
     }
 
     #[test]

@@ -92,6 +92,15 @@ fn integer(number: &DeInteger<'_>) -> Option<f64> {
     }
 }
 
+/// Whether a value is the number 1.
+pub(crate) fn is_one(value: &DeValue<'_>) -> bool {
+    match value {
+        DeValue::Integer(number) => integer(number) == Some(1.0),
+        DeValue::Float(number) => number.as_str().parse() == Ok(1.0),
+        _ => false,
+    }
+}
+
 fn bare(node: &Node<'_>, value: Option<f64>, reader: &mut Reader<'_>) -> Option<f64> {
     let finite = value.filter(|v| v.is_finite());
     if finite.is_none() {

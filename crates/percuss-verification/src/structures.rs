@@ -122,8 +122,8 @@ fn everything_model() -> Model {
     // A bent column and girder with a change of section and graded elements, an arch, a curved arm, a slender tie.
     let frame = b.beam(Beam {
         mesh: Mesh {
-            size: ElementSize::Number(16),
             grading: Some(Grading { towards: Along::Fraction(0.7), ratio: 2.5 }),
+            ..Mesh::even(16)
         },
         changes: vec![Change {
             at: Along::Distance(2.5),
@@ -134,7 +134,7 @@ fn everything_model() -> Model {
     });
     let arch = b.beam(Beam {
         curve: Curve::Arc,
-        mesh: Mesh { size: ElementSize::Length(0.25), grading: None },
+        mesh: Mesh { size: ElementSize::Length(0.25), ..Mesh::even(1) },
         ..Beam::new("arch", &[[2.0, 2.0], [3.0, 2.4], [4.0, 2.0]], 1, steel, tapered)
     });
     let arm = b.beam(Beam {

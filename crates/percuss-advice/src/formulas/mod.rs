@@ -6,6 +6,7 @@
 mod bar;
 mod infinite_beam;
 mod modal;
+mod plastic;
 mod pressed;
 mod single_mass;
 mod span;
@@ -16,6 +17,7 @@ mod waves;
 pub use bar::BarOnWall;
 pub use infinite_beam::{InfiniteBeam, InfiniteBeamImpact};
 pub use modal::{ModalImpact, ModalTarget, Striker};
+pub use plastic::{collapse_excess, elements_for, hinge_pole};
 pub use pressed::pressed_impact;
 pub use single_mass::{
     SingleMassImpact, free_bar_mass, hertz_impact, linear_impact, reduced_mass, table_impact,

@@ -72,10 +72,39 @@ fn a_strength_passed_by_shear_is_reported_as_a_von_mises_stress() {
     b.load(Load::new("tip", LoadKind::Point { at, force, moment: 0.0, follower: false }));
     let model = b.build().unwrap_or_else(|faults| panic!("{faults:?}"));
     let found = equilibrium(&model).unwrap();
-    let all = beyond_strength(&model, &found.section_forces);
+    let all = at_rest(&model, &found);
     let [advice] = all.as_slice() else { panic!("{all:?}") };
     assert!(advice.text.contains(": von Mises stress 1"), "{}", advice.text);
     // 13.0 MPa, the strength 12.9 MPa; the rotation of the tip changes them by 1e-5.
     assert!((advice.value / most - 1.0).abs() < 1e-4, "{advice:?}");
     assert!((advice.reference / limit - 1.0).abs() < 1e-12, "{advice:?}");
+}
+
+/// A concrete arm bears much less in tension than in compression: each side has its own limit, and its own largest stress.
+#[test]
+fn each_side_of_a_bent_beam_is_compared_with_its_own_strength() {
+    let told = |force: f64| {
+        let mut b = ModelBuilder::new();
+        let strength = Some(Strength { tension: 2.9e6, compression: 30e6 });
+        let material = b.material(Material { strength, ..Material::new("c", 3.3e10, 2500.0) });
+        let section = b.section(Section::rectangle("bar", 0.1, 0.2));
+        let arm = b.beam(Beam::new("arm", &[[0.0; 2], [2.0, 0.0]], 4, material, section));
+        b.support(Support::new("root", at("root", arm, 0.0), SupportKind::Clamp));
+        let (at, force) = (at("tip", arm, 1.0), [0.0, -force]);
+        b.load(Load::new("tip", LoadKind::Point { at, force, moment: 0.0, follower: false }));
+        let model = b.build().unwrap();
+        let found = equilibrium(&model).unwrap();
+        at_rest(&model, &found).pop().expect("a finding")
+    };
+    // 6 F L / (b d^2): 6 MPa, and 60 MPa.
+    let small = told(2e3);
+    assert!(
+        small.text.contains("material, 2.9 MPa: 6") && !small.text.contains("compression"),
+        "{}",
+        small.text
+    );
+    let large = told(20e3);
+    assert!(large.text.contains("(strength 2.9 MPa) and compression -6"), "{}", large.text);
+    assert!(large.text.contains("(strength 30 MPa)"), "{}", large.text);
+    assert!(large.value > 0.0 && large.reference == 2.9e6, "{large:?}");
 }

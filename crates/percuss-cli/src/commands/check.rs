@@ -170,7 +170,7 @@ fn contents(ready: &Ready) -> String {
     };
     let mut parts = vec![
         count(content.beam.len(), "beam"),
-        count(model.element_count(), "element"),
+        format!("{}{}", count(model.element_count(), "element"), short_elements(model)),
         count(nodes, "node"),
     ];
     let present = |n: usize, noun: &str| (n > 0).then(|| count(n, noun));
@@ -191,6 +191,16 @@ fn contents(ready: &Ready) -> String {
     }
     parts.push(steps);
     parts.join(", ")
+}
+
+/// That elements are short where plastic hinges may form, with the number of such places.
+fn short_elements(model: &Model) -> String {
+    let beams = (0..model.beam_count()).map(|beam| model.beam(beam));
+    let short = beams.filter(|beam| beam.has_short_elements());
+    match short.map(|beam| beam.hinge_places().len()).sum() {
+        0 => String::new(),
+        places => format!(" (short at {}: `grading`)", count(places, "possible plastic hinge")),
+    }
 }
 
 /// Loads by their kind.

@@ -59,7 +59,7 @@ pub fn run(arguments: &Static) -> Result<Status, Failure> {
 
 /// Warns of stresses that the materials of the scenario do not bear.
 fn warn(ready: &Ready, found: &Equilibrium) {
-    let mut advice = percuss_advice::beyond_strength(&ready.compiled.model, &found.section_forces);
+    let mut advice = percuss_advice::at_rest(&ready.compiled.model, found);
     advisor::judge(&mut advice, ready.scenario.content());
     advisor::tell(&advice);
 }

@@ -125,6 +125,8 @@ fn provocations() -> Vec<(Topic, String, &'static str)> {
                 Topic::Pressed => ("pressed.toml".to_owned(), "record.every=1"),
                 Topic::CarriedCrush => ("carried.toml".to_owned(), "record.every=1"),
                 Topic::Accuracy => ("accuracy.toml".to_owned(), "record.every=1"),
+                Topic::Unresolved => ("unresolved.toml".to_owned(), "record.every=1"),
+                Topic::Ductility => ("ductility.toml".to_owned(), "record.every=1"),
                 Topic::LooseEnds => ("loose.toml".to_owned(), "record.every=1"),
                 Topic::Strength => (of("disc-chain"), "material.steel.preset=\"concrete\""),
             };
@@ -145,9 +147,14 @@ fn sandbox() -> Sandbox {
     // Those whose examples stand whole in the book.
     let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/codes.toml");
     let book = percuss_book::Provocations::load(&book).unwrap();
-    for (file, code) in
-        [("pressed.toml", "W022"), ("carried.toml", "W023"), ("accuracy.toml", "W024")]
-    {
+    let whole = [
+        ("pressed.toml", "W022"),
+        ("carried.toml", "W023"),
+        ("accuracy.toml", "W024"),
+        ("unresolved.toml", "W025"),
+        ("ductility.toml", "W026"),
+    ];
+    for (file, code) in whole {
         sandbox.put(file, book.scenario(code).expect("a whole scenario"));
     }
     sandbox.put("loose.toml", [ROD, LOOSE].concat());

@@ -4,6 +4,7 @@ use serde_json::{Map, Value};
 
 use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
+use super::story::is_plateau;
 use crate::round_off::{SMALL_IMPULSE, Scales, is_round_off};
 
 /// Rows shown of a table.
@@ -215,7 +216,8 @@ fn listing(
                 let value = peak["value"].as_f64().map(|v| without_round_off(v, scale));
                 row.push(quantity(value, unit));
                 // What is nothing has no place and no instant.
-                let none = value == Some(0.0) && peak["value"] != 0.0;
+                let none = value == Some(0.0) && peak["value"] != 0.0
+                    || *key == "stress" && value.is_some_and(|v| is_plateau(entry, v));
                 let text_of = |text: String| if none { "\u{2013}".to_owned() } else { text };
                 row.extend(place.then(|| text_of(metres(&peak["s"]))));
                 row.push(text_of(quantity(peak["time"].as_f64(), "s")));

@@ -364,6 +364,9 @@ fn section_forces(beam: &SectionForceSummary) -> Value {
     if let Some(length) = beam.envelope.s.last() {
         value["length"] = json!(length);
     }
+    if let Some(plateau) = beam.plateau {
+        value["yield_stress"] = json!(plateau);
+    }
     if let Some(beyond) = &beam.beyond {
         value["first_beyond_strength"] = place(beyond);
     }

@@ -9,7 +9,7 @@ use percuss::{
 use super::known;
 use super::section::sections;
 use super::yielding::inelasticity;
-use crate::content::{self, Content};
+use crate::content::{self, Content, Grading};
 use crate::point::Point;
 use crate::table::Named;
 
@@ -114,6 +114,7 @@ fn materials<'c>(
                 .unwrap_or(0.0),
             inelasticity: inelasticity(name, table, faults),
             strength: table.preset.and_then(|preset| preset.strength),
+            uniform_strain: table.preset.and_then(|preset| preset.uniform_strain),
             ..percuss::Material::new(name.as_str(), young, density)
         };
         materials.insert(name.as_str(), builder.material(material));
@@ -121,6 +122,7 @@ fn materials<'c>(
     for (name, preset) in known::materials(content) {
         let material = percuss::Material {
             strength: preset.strength,
+            uniform_strain: preset.uniform_strain,
             expansion: preset.expansion.unwrap_or(0.0),
             ..percuss::Material::new(name, preset.young, preset.density)
         };
@@ -153,7 +155,10 @@ fn beam(
                 (None, Some(length)) => ElementSize::Length(length),
                 (elements, _) => ElementSize::Number(elements.unwrap_or(1)),
             },
-            grading: grading.map(|g| percuss::Grading { towards: g.towards, ratio: g.ratio }),
+            grading: grading
+                .filter(|g| g.ratio != Grading::EVEN.ratio)
+                .map(|g| percuss::Grading { towards: g.towards, ratio: g.ratio }),
+            hinges: grading.is_none(),
         },
         material,
         section,

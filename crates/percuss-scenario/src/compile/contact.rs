@@ -62,6 +62,9 @@ fn discs<'c>(
         let point = strikes.as_ref().and_then(|strikes| strikes.point.as_ref());
         if let Some(point) = point {
             builder.record_point(beams.point(point));
+            if matches!(table.kind, ProjectileKind::Elastic { .. }) {
+                builder.aim_at(beams.point(point));
+            }
         }
         let aimed = point.and_then(|point| beams.surface(point)).and_then(|surface| {
             aim::centre(name, table, [*radius, standoff.unwrap_or(0.0)], surface, faults)

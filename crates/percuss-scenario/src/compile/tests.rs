@@ -20,9 +20,9 @@ fn definitions_are_those_of_the_file() {
         "name: \"plain\", area: 0.001, inertia: 2e-7, depth: Some(0.05), rotary_inertia: Neglected",
         "rotary_inertia: Given(1.0), stations: [Station { at: 0.0, area: 0.001",
         "curve: Polyline, mesh: Mesh { size: Number(10), \
-         grading: Some(Grading { towards: Distance(0.75), ratio: 4.0 }) }",
+         grading: Some(Grading { towards: Distance(0.75), ratio: 4.0 }), hinges: false }",
         "curve: Arc, mesh: Mesh { size: Length(0.1), \
-         grading: Some(Grading { towards: Fraction(0.5), ratio: 2.0 }) }",
+         grading: Some(Grading { towards: Fraction(0.5), ratio: 2.0 }), hinges: false }",
         "curve: Spline",
         "ends: Flat, theory: Shear",
         "poisson: Some(0.3), shear_modulus: None",

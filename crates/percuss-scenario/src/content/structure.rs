@@ -2,16 +2,20 @@
 
 use percuss::{Along, Curve, Ends, Slack, StrainMeasure, Theory};
 
+use serde_json::{Value as Json, json};
+
 use super::yielding::{Hardening, RateLaw, RateText, settle_yield};
 
 use crate::csv::Points;
-use crate::format::{Count, Format, List, Maybe};
+use crate::format::{Count, Format, Inline, List, Maybe};
+use crate::layout::Described;
 use crate::measure;
 use crate::name::{MaterialName, NameOf, SectionName};
-use crate::node::{Body, Reader};
+use crate::node::{Body, Node, Reader};
 use crate::point::Place;
 use crate::preset::{Preset, Presets};
-use crate::quantity::Quantity;
+use crate::quantity::{Quantity, is_one};
+use crate::reach::Reached;
 use crate::table::{Braces, exclude};
 use crate::words::{Bears, Bending, Closed, Curved, OfPreset, OrEndless, Strain, Word};
 use crate::write::Writer;
@@ -94,12 +98,14 @@ table! {
         points: Vec<[f64; 2]> as Points,
         /// Curve through the points.
         curve: Curve as Word<Curved> = Curve::Polyline,
-        /// Smallest number of finite elements (there are also nodes at supports, joints and loads); this or `element_length`.
+        /// Smallest number of finite elements (there are also nodes at supports, joints and loads); this or `element_length`. Of a beam that can yield,
+        /// those at supports, joints, corners, loads and struck points are short (see `grading`).
         elements: Option<usize> as Maybe<Count> = None,
         /// Largest length of a finite element (m); this or `elements`.
         element_length: Option<f64> as Maybe<Quantity<measure::Length>> = None,
-        /// Mesh grading: smaller elements towards a location.
-        grading: Option<Grading> as Maybe<Braces<Grading>> = None,
+        /// Mesh grading: smaller elements towards a location, or 1 for equal ones. By default those of a beam that can yield are a tenth of the mean at
+        /// places at which plastic hinges may form, where so many elements allow it.
+        grading: Option<Grading> as Maybe<GradingText> = None,
         /// Name of its material, or a material or grade known by name, such as "S355".
         material: String as NameOf<MaterialName>,
         /// Name of its section, or a steel profile, such as "IPE 200".
@@ -132,6 +138,58 @@ table! {
         towards: Along as Place,
         /// Ratio of the largest to the smallest element length; above one.
         ratio: f64 as Quantity<measure::Ratio>,
+    }
+}
+
+impl Grading {
+    /// Equal elements: `grading = 1`.
+    pub const EVEN: Self = Self { towards: Along::Fraction(0.0), ratio: 1.0 };
+}
+
+/// A grading in braces, or 1.
+pub(crate) struct GradingText;
+
+impl Format for GradingText {
+    type Value = Grading;
+
+    fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Grading> {
+        if is_one(&node.value) {
+            return Some(Grading::EVEN);
+        }
+        if Body::of(node).is_none() {
+            reader.wrong(node, node.found(), Self::expected());
+            return None;
+        }
+        Braces::<Grading>::read(node, reader)
+    }
+
+    fn placeholder() -> Grading {
+        Braces::<Grading>::placeholder()
+    }
+
+    fn expected() -> String {
+        format!("1 or {}", Braces::<Grading>::expected())
+    }
+
+    fn schema() -> Json {
+        json!({ "anyOf": [{ "const": 1 }, Braces::<Grading>::schema()] })
+    }
+
+    fn described() -> Described {
+        Described { expected: Self::expected(), ..Braces::<Grading>::described() }
+    }
+
+    fn reach<'c>(value: &'c mut Grading, path: &[String]) -> Reached<'c> {
+        Braces::<Grading>::reach(value, path)
+    }
+}
+
+impl Inline for GradingText {
+    fn text(value: &Grading) -> Option<String> {
+        match *value == Grading::EVEN {
+            true => Some("1".to_owned()),
+            false => Braces::<Grading>::text(value),
+        }
     }
 }
 

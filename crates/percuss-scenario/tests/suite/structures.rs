@@ -291,6 +291,7 @@ fn curves_gradings_and_changes_are_read() {
     let more = "elements = 6\ncurve = \"spline\"\ngrading = { towards = \"0.75 m\", ratio = 4 }\n\
                 changes = [{ at = \"mid\", material = \"m\" }, { at = 0.75, section = \"s\" }]";
     good(&beam("elements = 6", more));
+    good(&beam("elements = 6", "elements = 6\ngrading = 1"));
     let change = |text: &str| beam("elements = 6", &format!("elements = 6\n{text}"));
     bad(
         &change("curve = \"arch\""),
@@ -308,8 +309,8 @@ fn curves_gradings_and_changes_are_read() {
     );
     bad(
         &change("grading = 3"),
-        &["10:11: beam.b.grading: found the number 3, expected a table { towards = ..., ratio \
-             = ... }"],
+        &["10:11: beam.b.grading: found the number 3, expected 1 or a table { towards = ..., \
+             ratio = ... }"],
     );
     bad(
         &change(

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::element::beam::SectionValues;
+use crate::element::fibre::StressLaw;
 use crate::element::point::SectionLaw;
 use crate::math::hermite;
 use crate::model::frozen::{BeamData, Span};
@@ -29,6 +30,16 @@ impl<'m> BeamView<'m> {
     /// Its nodes in the row of all nodes.
     pub fn nodes(&self) -> Range<usize> {
         self.data.nodes.clone()
+    }
+
+    /// Arc lengths at which a plastic hinge may form, in their order; none of a beam that cannot yield \[m\].
+    pub fn hinge_places(&self) -> &'m [f64] {
+        &self.data.hinges
+    }
+
+    /// Whether it has short elements there.
+    pub fn has_short_elements(&self) -> bool {
+        self.data.graded
     }
 
     /// Its spans, start to end.
@@ -83,6 +94,27 @@ impl<'m> SpanView<'m> {
     /// Stresses up to which its material is known to be elastic.
     pub fn strength(&self) -> Option<Strength> {
         self.data.strength
+    }
+
+    /// Strain at the largest force of a tension test of its material, if known.
+    pub fn uniform_strain(&self) -> Option<f64> {
+        self.data.uniform_strain
+    }
+
+    /// Whether a fibre that can yield has no failure strain.
+    pub fn yields_without_failure(&self) -> bool {
+        let laws = self.data.fibres.iter().flat_map(|fibres| &fibres.laws);
+        let endless = |law: &StressLaw| match law {
+            StressLaw::Plastic(law) => law.plasticity.failure_strain.is_none(),
+            StressLaw::Elastic { .. } | StressLaw::OneSided { .. } => false,
+        };
+        laws.into_iter().any(endless)
+    }
+
+    /// Whether a fibre bears no tension or no compression.
+    pub fn is_one_sided(&self) -> bool {
+        let mut laws = self.data.fibres.iter().flat_map(|fibres| &fibres.laws);
+        laws.any(|law| law.slack().is_some())
     }
 
     /// Whether its material damps.

@@ -1,5 +1,6 @@
 //! Views of contacts and loads.
 
+use super::PointView;
 use crate::geometry::pair::Target;
 use crate::model::frozen::{ContactData, LoadAction, LoadData};
 use crate::model::{Model, TouchLaw};
@@ -115,6 +116,14 @@ impl<'m> LoadView<'m> {
     pub fn gravity(&self) -> Option<[f64; 2]> {
         match self.0.kind {
             LoadAction::Gravity { acceleration } => Some(acceleration),
+            _ => None,
+        }
+    }
+
+    /// The point that it acts at, if it is one.
+    pub fn point(&self) -> Option<PointView<'m>> {
+        match &self.0.kind {
+            LoadAction::Point { point, .. } => Some(PointView::of(point)),
             _ => None,
         }
     }

@@ -12,7 +12,8 @@ use super::mesh::SpanPlan;
 use super::places::Places;
 use super::section_line::SectionLine;
 use super::{
-    Fault, bodies, check, connect, constrain, fibres, foundation, loads, mesh, outline, pairs,
+    Fault, bodies, check, connect, constrain, fibres, foundation, hinge_mesh, loads, mesh, outline,
+    pairs,
 };
 use crate::element::beam::{ElementTable, NodeFrame};
 use crate::element::shear::ShearTable;
@@ -83,7 +84,14 @@ impl ModelBuilder {
         for (index, beam) in self.beams.iter().enumerate() {
             let Some(line) = CentreLine::new(beam) else { continue }; // checked before
             let first = (model.spans.len(), model.nodes.len(), model.element_count());
-            let plans = mesh::spans(beam, &line, &places.of_beam(index, &line));
+            let least = |plan: &SpanPlan, s: f64| self.make(plan).hinge_length(s / line.length());
+            let with_struck = places.of_beam(index, &line, true);
+            let hinges = hinge_mesh::hinges(beam, &line, &with_struck, least);
+            let wanted = beam.mesh.hinges && beam.mesh.grading.is_none() && !hinges.is_empty();
+            let (plans, graded) = match wanted {
+                true => hinge_mesh::spans(beam, &line, &with_struck, least),
+                false => (mesh::spans(beam, &line, &places.of_beam(index, &line, false)), false),
+            };
             let add = |plan| self.add_span(&line, (plan, beam.theory), &mut model);
             plans.iter().for_each(add);
             model.beams.push(BeamData {
@@ -92,6 +100,8 @@ impl ModelBuilder {
                 nodes: first.1..model.nodes.len(),
                 elements: first.2..model.element_count(),
                 length: line.length(),
+                hinges,
+                graded,
                 axis: Arc::new(axis(&model, first.0, &line, &plans)),
             });
         }
@@ -140,7 +150,8 @@ impl ModelBuilder {
             (0..n).map(|k| table(k, stations[k + 1] - stations[k])).collect()
         };
         let (first, element) = (model.nodes.len(), model.element_count());
-        let (uniform, in_middle) = (tables.len() == 1, theory == Theory::Shear);
+        // Elements of different lengths have the same fibres.
+        let (uniform, in_middle) = (section_line.is_uniform(), theory == Theory::Shear);
         let stretch = fibres::Stretch { stations, total, uniform, count: n, in_middle };
         // The count continues from the last span with fibres, past all without.
         let fibres_before = if make.has_fibres() { model.fibre_count() } else { 0 };
@@ -154,6 +165,7 @@ impl ModelBuilder {
             retardation: material.retardation,
             mass_damping: material.mass_damping,
             expansion: material.expansion,
+            uniform_strain: material.uniform_strain,
             strength: material
                 .strength
                 .filter(|_| material.inelasticity.is_none() && make.is_plain()),
@@ -168,6 +180,13 @@ impl ModelBuilder {
         }
         model.nodes.extend(frames);
         model.spans.push(span);
+    }
+
+    /// Material and section of a span.
+    fn make(&self, plan: &SpanPlan) -> fibres::Make<'_> {
+        let material = &self.materials[plan.material.0 as usize];
+        let section = &self.sections[plan.section.0 as usize];
+        fibres::Make { material, section, materials: &self.materials }
     }
 
     fn place_masses(&self, model: &mut Model) {

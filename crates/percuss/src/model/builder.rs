@@ -38,6 +38,8 @@ pub struct ModelBuilder {
     pub(super) modal_damping: Vec<f64>,
     /// Recorded points, shape (recorded points).
     pub(super) points: Vec<PointRef>,
+    /// Points that free bodies are aimed at, shape (such points).
+    pub(super) struck: Vec<PointRef>,
 }
 
 impl ModelBuilder {
@@ -135,5 +137,10 @@ impl ModelBuilder {
     /// Records the displacement of a point.
     pub fn record_point(&mut self, point: PointRef) {
         self.points.push(point);
+    }
+
+    /// Notes a point that a free body is aimed at: a beam that can yield has short elements there, and nothing else changes.
+    pub fn aim_at(&mut self, point: PointRef) {
+        self.struck.push(point);
     }
 }

@@ -50,10 +50,11 @@ impl ModelBuilder {
     fn memory_of_element(&self, beam: &Beam) -> f64 {
         let section = self.sections.get(beam.section.0 as usize);
         let varies = section.is_some_and(|section| !section.stations.is_empty());
-        let even = matches!(beam.curve, Curve::Polyline) && beam.mesh.grading.is_none() && !varies;
-        let own = if even { EVEN } else { OWN };
         let material = self.materials.get(beam.material.0 as usize);
         let inelastic: Option<&Inelasticity> = material.and_then(|m| m.inelasticity.as_ref());
+        let graded = beam.mesh.grading.is_some() || beam.mesh.hinges && inelastic.is_some();
+        let even = matches!(beam.curve, Curve::Polyline) && !graded && !varies;
+        let own = if even { EVEN } else { OWN };
         let fibres = |section: &Section| section.given_fibres().map_or(section.fibres, <[_]>::len);
         let has_fibres = inelastic.is_some() || section.is_some_and(|s| s.given_fibres().is_some());
         let fibres = section.filter(|_| has_fibres).map_or(0, fibres);

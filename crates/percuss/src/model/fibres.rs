@@ -1,7 +1,8 @@
 //! Fibres of spans with a nonlinear material, or with a section given by its fibres.
 
 use super::definition::{
-    Material, MaterialId, Profile, RotaryInertia, Section, SectionFibre, SectionSize, StrainMeasure,
+    Inelasticity, Material, MaterialId, Profile, RotaryInertia, Section, SectionFibre, SectionSize,
+    StrainMeasure,
 };
 use super::frozen::SpanFibres;
 use crate::element::fibre::{Fibre, StressLaw};
@@ -9,13 +10,16 @@ use crate::element::point::SectionLaw;
 use crate::element::shear::MIDDLE;
 use crate::math::hermite::{self, GAUSS};
 
+/// Least length of an element at a plastic hinge over the depth of the section: in Green strains, in engineering strains.
+const SHARPEST: [f64; 2] = [0.5, 0.25];
+
 /// Position of the elements of a span.
 pub(super) struct Stretch<'a> {
     /// Arc length from the start of the beam at its nodes, shape (nodes of the span) \[m\].
     pub stations: &'a [f64],
     /// Arc length of the beam \[m\].
     pub total: f64,
-    /// Whether all its elements are equal.
+    /// Whether its section is the same all along.
     pub uniform: bool,
     /// Number of its elements.
     pub count: usize,
@@ -47,6 +51,35 @@ impl Make<'_> {
     /// Whether its elements are made of fibres.
     pub fn has_fibres(&self) -> bool {
         self.material.inelasticity.is_some() || self.section.given_fibres().is_some()
+    }
+
+    /// Least length of an element at a plastic hinge at a fraction of the beam's length \[m\]; none if no part of the section can yield. In Green
+    /// strains fibres have less resistance the more they are compressed, and elements that are bent too sharply buckle by themselves.
+    pub fn hinge_length(&self, fraction: f64) -> Option<f64> {
+        if !self.can_yield() {
+            return None;
+        }
+        let known = self.section.given_fibres().map(|fibres| {
+            let heights = fibres.iter().map(|fibre| fibre.height);
+            heights.clone().fold(f64::MIN, f64::max) - heights.fold(f64::MAX, f64::min)
+        });
+        let depth = known.or(self.section.depth_at(fraction)).unwrap_or(0.0);
+        Some(match self.material.strain {
+            StrainMeasure::Green => SHARPEST[0] * depth,
+            StrainMeasure::Engineering => SHARPEST[1] * depth,
+        })
+    }
+
+    /// Whether any of it can yield.
+    fn can_yield(&self) -> bool {
+        let yields = |material: &Material| {
+            let law = material.inelasticity.as_ref();
+            law.is_some_and(|law| !matches!(law, Inelasticity::OneSided(_)))
+        };
+        match self.section.given_fibres() {
+            Some(fibres) => fibres.iter().any(|fibre| yields(self.of(fibre))),
+            None => yields(self.material),
+        }
     }
 
     /// The material of a fibre; the beam's own where it has none.

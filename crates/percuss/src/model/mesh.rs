@@ -14,6 +14,8 @@ pub struct BeamPlace {
     pub s: f64,
     /// Whether the axial force may jump there.
     pub ends_span: bool,
+    /// Whether the bending moment may be largest there, so that a plastic hinge forms.
+    pub hinge: bool,
 }
 
 /// A span to be meshed.
@@ -42,13 +44,13 @@ impl SpanPlan {
 }
 
 /// Breaks closer than this share of the length are one.
-const SAME_PLACE: f64 = 1e-9;
+pub(super) const SAME_PLACE: f64 = 1e-9;
 
 /// A place is at a node if it is closer to it than this share of the element: a point is located there as well.
 const AT_NODE: f64 = 1e-9;
 /// Places closer to each other, or to the end of a part, than this share of an element share a node: a shorter element would lose more digits than
 /// it gains.
-const SLIVER: f64 = 1e-3;
+pub(super) const SLIVER: f64 = 1e-3;
 /// An element that is longer than requested by no more than this share is not divided.
 const SLACK: f64 = 1e-6;
 
@@ -69,6 +71,11 @@ fn with_places(mut plan: SpanPlan, grade: &Grade, places: &[BeamPlace]) -> Vec<S
     if !breaks.iter().all(|place| plan.stations.contains(&place.s)) {
         plan.stations = redivided(&plan.stations, grade, &breaks);
     }
+    cut(plan, &breaks)
+}
+
+/// A part with all its nodes, cut where spans end.
+pub(super) fn cut(plan: SpanPlan, breaks: &[BeamPlace]) -> Vec<SpanPlan> {
     let mut out = Vec::new();
     let start = (plan.offset, plan.stations[0]);
     let mut rest = plan.stations.as_slice();
@@ -102,7 +109,10 @@ fn breaks(stations: &[f64], places: &[BeamPlace]) -> Vec<BeamPlace> {
             continue;
         }
         match kept.last_mut() {
-            Some(before) if place.s == before.s => before.ends_span |= place.ends_span,
+            Some(before) if place.s == before.s => {
+                before.ends_span |= place.ends_span;
+                before.hinge |= place.hinge;
+            }
             Some(before) if place.s - before.s <= near => {}
             _ => kept.push(place),
         }
@@ -135,7 +145,7 @@ pub fn parts(beam: &Beam, line: &CentreLine) -> usize {
 }
 
 /// Spans with their ends as only stations.
-fn parts_of(beam: &Beam, line: &CentreLine) -> Vec<SpanPlan> {
+pub(super) fn parts_of(beam: &Beam, line: &CentreLine) -> Vec<SpanPlan> {
     let slack = SAME_PLACE * line.length();
     let mut plans = Vec::new();
     let mut start = 0.0;
@@ -188,17 +198,25 @@ fn divide(mesh: &Mesh, line: &CentreLine, plans: &mut [SpanPlan]) {
     }
 }
 
-/// Shares `n` elements out among spans by weight, at least one each: largest remainders first.
-fn share_out(n: usize, weights: &[f64]) -> Vec<usize> {
+/// Shares of elements that differ by less are equal.
+const EQUAL: f64 = 1e-9;
+
+/// Shares `n` elements out among spans by weight, at least one each: largest remainders first, and equal ones together, so that equal spans have
+/// equal numbers; the sum may be larger by that.
+pub(super) fn share_out(n: usize, weights: &[f64]) -> Vec<usize> {
     let total: f64 = weights.iter().sum();
     let mut numbers: Vec<usize> =
-        weights.iter().map(|w| ((w / total * n as f64 + 1e-9).floor() as usize).max(1)).collect();
+        weights.iter().map(|w| ((w / total * n as f64 + EQUAL).floor() as usize).max(1)).collect();
     // Each lacks less than one, so that none is given two.
     let left = n.saturating_sub(numbers.iter().sum());
     let lack = |i: usize| weights[i] / total * n as f64 - numbers[i] as f64;
     let mut order: Vec<usize> = (0..weights.len()).rev().collect();
     order.sort_by(|a, b| lack(*b).total_cmp(&lack(*a)));
-    order.into_iter().take(left).for_each(|i| numbers[i] += 1);
+    let Some(least) = left.checked_sub(1).and_then(|last| order.get(last)).map(|i| lack(*i)) else {
+        return numbers;
+    };
+    let more: Vec<usize> = order.into_iter().filter(|i| lack(*i) >= least - EQUAL).collect();
+    more.into_iter().for_each(|i| numbers[i] += 1);
     numbers
 }
 
@@ -271,7 +289,7 @@ mod tests {
         let meshed = |places: &[(f64, bool)]| {
             let places: Vec<BeamPlace> = places
                 .iter()
-                .map(|(s, ends_span)| BeamPlace { s: *s, ends_span: *ends_span })
+                .map(|(s, ends_span)| BeamPlace { s: *s, ends_span: *ends_span, hinge: false })
                 .collect();
             spans(&beam, &line, &places)
         };
@@ -298,18 +316,32 @@ mod tests {
     #[test]
     fn elements_are_shared_out_by_length() {
         assert_eq!(stations(Mesh::even(6)), [vec![0.0, 1.0, 2.0], vec![2.0, 3.0, 4.0, 5.0, 6.0]]);
-        let by_length = Mesh { size: ElementSize::Length(1.1), grading: None };
+        let by_length = Mesh { size: ElementSize::Length(1.1), ..Mesh::even(1) };
         assert_eq!(stations(by_length).iter().map(Vec::len).collect::<Vec<_>>(), [3, 5]);
+    }
+
+    /// Of three parts of lengths 3, 4 and 3 with five elements the first and the last have as many: 1.5 each are rounded alike.
+    #[test]
+    fn equal_parts_have_equal_numbers_of_elements() {
+        assert_eq!(share_out(5, &[3.0, 4.0, 3.0]), [2, 2, 2]);
+        assert_eq!(share_out(6, &[3.0, 4.0, 3.0]), [2, 2, 2]);
+        assert_eq!(share_out(15, &[3.0, 4.0, 3.0 + 1e-12]), [5, 6, 5]);
+        for n in 1..60 {
+            let found = share_out(n, &[2.0, 0.7, 5.0, 0.7, 2.0 - 1e-13]);
+            assert_eq!((found[0], found[1]), (found[4], found[3]), "{n}");
+            let all = found.iter().sum::<usize>();
+            assert!((n..=n + 1).contains(&all) || n < 5, "{n}: {found:?}");
+        }
     }
 
     #[test]
     fn graded_elements_are_smallest_where_asked() {
         let grading = Some(Grading { towards: Along::Fraction(1.0), ratio: 4.0 });
-        let found = stations(Mesh { size: ElementSize::Number(20), grading });
+        let found = stations(Mesh { grading, ..Mesh::even(20) });
         let all: Vec<f64> = found.iter().flat_map(|s| s.windows(2).map(|w| w[1] - w[0])).collect();
         assert_eq!(all.len(), 20);
         assert!((all[0] / all[19] - 4.0).abs() < 0.6, "{all:?}");
-        let size = Mesh { size: ElementSize::Length(0.1), grading };
+        let size = Mesh { size: ElementSize::Length(0.1), grading, hinges: false };
         let last = stations(size);
         let end = last[1].windows(2).last().map(|w| w[1] - w[0]).unwrap();
         assert!(end <= 0.028 && end > 0.02, "{end}");

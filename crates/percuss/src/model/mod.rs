@@ -19,6 +19,7 @@ mod foundation;
 pub(crate) mod founded;
 #[allow(missing_docs)]
 pub(crate) mod frozen;
+mod hinge_mesh;
 mod initial;
 mod loads;
 mod material_points;

@@ -10,15 +10,23 @@ use super::definition::*;
 use super::mesh::BeamPlace;
 use crate::math::vec2::{dot, norm, rot90};
 
+/// Places closer to an end than this share of the length are at it.
+const SAME: f64 = 1e-9;
 /// Forces across a beam to this share are across it.
 const ACROSS: f64 = 1e-9;
 
-/// Actions at a place of a beam that decide whether the axial force jumps there.
+/// Actions at a place of a beam that decide whether the axial force jumps there, and whether a plastic hinge may form.
 enum Acts<'b> {
-    /// It jumps.
+    /// The axial force jumps: a joint, of which this is the kind.
+    Joint(JointKind),
+    /// The axial force jumps: a spring or a mass.
     Along,
-    /// It does not jump.
+    /// The axial force jumps, and the moment has no peak: the end of a given strain.
+    Strain,
+    /// It does not jump, and the moment has no peak: the end of a foundation or of a distributed load.
     Across,
+    /// A soft strike across or along the beam, which ends no span.
+    Struck,
     /// A support, with its fixed components.
     Support(&'b SupportKind),
     /// A force, shape (2) \[N\], in the axes of the plane or, of a follower, along and across the beam.
@@ -27,18 +35,42 @@ enum Acts<'b> {
         force: [f64; 2],
         /// Whether it follows the beam.
         follower: bool,
+        /// Its moment \[N m\].
+        moment: f64,
     },
 }
 
+/// Where along a beam an action makes the bending moment largest: a plastic hinge may form there.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Bends {
+    Nowhere,
+    /// Inside: forces.
+    Inside,
+    /// At its ends, too: moments.
+    Anywhere,
+}
+
 impl Acts<'_> {
+    /// Where it makes the bending moment largest.
+    fn bends(&self) -> Bends {
+        let with = |moment: bool| if moment { Bends::Anywhere } else { Bends::Inside };
+        match self {
+            Self::Across | Self::Strain => Bends::Nowhere,
+            Self::Along | Self::Struck => Bends::Inside,
+            Self::Joint(kind) => with(!matches!(kind, JointKind::Hinge)),
+            Self::Support(kind) => with(holds_rotation(kind)),
+            Self::Force { moment, .. } => with(*moment != 0.0),
+        }
+    }
+
     /// Whether the axial force jumps where the beam has this tangent.
     fn ends_span(&self, tangent: [f64; 2]) -> bool {
         match self {
-            Self::Along => true,
-            Self::Across => false,
+            Self::Joint(_) | Self::Along | Self::Strain => true,
+            Self::Across | Self::Struck => false,
             Self::Support(kind) => holds_along(kind, tangent),
-            Self::Force { force, follower: true } => force[0] != 0.0,
-            Self::Force { force, follower: false } => acts_along(*force, tangent),
+            Self::Force { force, follower: true, .. } => force[0] != 0.0,
+            Self::Force { force, follower: false, .. } => acts_along(*force, tangent),
         }
     }
 }
@@ -59,7 +91,7 @@ impl<'b> Places<'b> {
             places.add(&support.at, Acts::Support(&support.kind));
         }
         for joint in &builder.joints {
-            joint.between.iter().for_each(|at| places.add(at, Acts::Along));
+            joint.between.iter().for_each(|at| places.add(at, Acts::Joint(joint.kind)));
         }
         for spring in &builder.springs {
             for anchor in &spring.between {
@@ -77,6 +109,12 @@ impl<'b> Places<'b> {
             places.add(&mass.at, Acts::Along);
         }
         builder.loads.iter().for_each(|load| places.add_load(&load.kind));
+        // A rigid strike has the mass of short elements, and its impulses would depend on them.
+        let soft = |p: &&Projectile| matches!(p.kind, ProjectileKind::Elastic { .. });
+        for projectile in builder.projectiles.iter().filter(soft) {
+            places.add(&projectile.strikes, Acts::Struck);
+        }
+        builder.struck.iter().for_each(|at| places.add(at, Acts::Struck));
         places
     }
 
@@ -93,13 +131,14 @@ impl<'b> Places<'b> {
     fn add_load(&mut self, load: &LoadKind) {
         match load {
             LoadKind::Gravity { .. } | LoadKind::Base { .. } => {}
-            LoadKind::Point { at, force, follower, .. } => {
-                self.add(at, Acts::Force { force: *force, follower: *follower });
+            LoadKind::Point { at, force, follower, moment } => {
+                let (force, follower, moment) = (*force, *follower, *moment);
+                self.add(at, Acts::Force { force, follower, moment });
             }
             // The strain jumps where given ones begin and end.
             LoadKind::Strain { beam, stretch, .. }
             | LoadKind::Temperature { beam, stretch, .. } => {
-                stretch.iter().for_each(|along| self.add_at(*beam, *along, Acts::Along));
+                stretch.iter().for_each(|along| self.add_at(*beam, *along, Acts::Strain));
             }
             LoadKind::Distributed { beam, stretch, .. } => {
                 stretch.iter().for_each(|along| self.add_at(*beam, *along, Acts::Across));
@@ -107,13 +146,21 @@ impl<'b> Places<'b> {
         }
     }
 
-    /// Places of the beam of number `index`, in their order along it.
-    pub fn of_beam(&self, index: usize, line: &CentreLine) -> Vec<BeamPlace> {
+    /// Places of the beam of number `index`, in their order along it; without places that are only struck, unless they are asked for.
+    pub fn of_beam(&self, index: usize, line: &CentreLine, struck: bool) -> Vec<BeamPlace> {
+        let length = line.length();
         let place = |(along, acts): &(Along, Acts<'_>)| {
             let s = line.arc(*along);
-            BeamPlace { s, ends_span: acts.ends_span(line.tangent(s)) }
+            let inside = s > SAME * length && s < (1.0 - SAME) * length;
+            let hinge = match acts.bends() {
+                Bends::Nowhere => false,
+                Bends::Inside => inside,
+                Bends::Anywhere => true,
+            };
+            BeamPlace { s, ends_span: acts.ends_span(line.tangent(s)), hinge }
         };
-        let mut found: Vec<BeamPlace> = self.of[index].iter().map(place).collect();
+        let wanted = |(_, acts): &&(Along, Acts<'_>)| struck || !matches!(acts, Acts::Struck);
+        let mut found: Vec<BeamPlace> = self.of[index].iter().filter(wanted).map(place).collect();
         found.extend(stations(self.builder, index, line));
         found.sort_by(|a, b| a.s.total_cmp(&b.s));
         found
@@ -133,7 +180,11 @@ fn stations<'a>(
     parts.zip(ends.chain([line.length()])).flat_map(move |((from, id), to)| {
         let stations = &builder.sections[id.0 as usize].stations;
         let places = stations.iter().map(move |station| line.arc(Along::Fraction(station.at)));
-        places.filter(move |s| *s > from && *s < to).map(|s| BeamPlace { s, ends_span: false })
+        places.filter(move |s| *s > from && *s < to).map(|s| BeamPlace {
+            s,
+            ends_span: false,
+            hinge: false,
+        })
     })
 }
 
@@ -157,5 +208,17 @@ fn holds_along(kind: &SupportKind, tangent: [f64; 2]) -> bool {
             acts(0, *direction) || acts(1, rot90(*direction))
         }
         SupportKind::Stop { direction, .. } => acts_along(*direction, tangent),
+    }
+}
+
+/// Whether a support bends the end of a beam that it holds.
+fn holds_rotation(kind: &SupportKind) -> bool {
+    match kind {
+        SupportKind::Clamp => true,
+        SupportKind::Pin | SupportKind::Roller { .. } | SupportKind::Stop { .. } => false,
+        SupportKind::Fix { components } => components.contains(&Component::Rotation),
+        SupportKind::Elastic { rotational_stiffness, rotational_damping, .. } => {
+            *rotational_stiffness != 0.0 || *rotational_damping != 0.0
+        }
     }
 }

@@ -10,7 +10,7 @@ use crate::math::hermite::GAUSS;
 pub struct SpanFibres<S = f64> {
     /// Laws of its materials, shape (laws).
     pub laws: Vec<StressLaw<S>>,
-    /// Fibres at the Gauss points, one entry for each table of the span, shape (tables, Gauss points, fibres at one); those of a shape end with two
+    /// Fibres at the Gauss points, one entry for all elements or one for each, shape (1 or elements, Gauss points, fibres at one); those of a shape end with two
     /// without area, at the lower and the upper surface. Elements of shear-flexible beams have fibres at the second point, their middle, alone.
     pub at: Vec<[Vec<Fibre<S>>; GAUSS]>,
     /// Fibres of an element, all its Gauss points together.
@@ -39,6 +39,18 @@ impl<S> SpanFibres<S> {
     pub fn range(&self, k: usize) -> Range<usize> {
         let first = self.first + k * self.count;
         first..first + self.count
+    }
+}
+
+impl SpanFibres {
+    /// The yield stress, if it is one for all its materials and changes neither with strain nor with its rate \[Pa\].
+    pub fn plateau(&self) -> Option<f64> {
+        let mut all = self.laws.iter().map(|law| match law {
+            StressLaw::Plastic(law) => law.plasticity.plateau(),
+            StressLaw::Elastic { .. } | StressLaw::OneSided { .. } => None,
+        });
+        let first = all.next().flatten()?;
+        all.all(|other| other == Some(first)).then_some(first)
     }
 }
 

@@ -19,6 +19,10 @@ pub struct BeamData {
     pub elements: Range<usize>,
     /// Arc length \[m\].
     pub length: f64,
+    /// Places at which a plastic hinge may form, in their order; none of a beam that cannot yield, shape (such places) \[m\].
+    pub hinges: Vec<f64>,
+    /// Whether it has short elements there.
+    pub graded: bool,
     /// Its elements for contact; copies of a model share them.
     pub axis: Arc<AxisElements>,
 }
@@ -43,6 +47,8 @@ pub struct Span {
     pub expansion: f64,
     /// Usual yield stresses of an elastic material, if known.
     pub strength: Option<Strength>,
+    /// Strain at the largest force of a tension test of its material, if known.
+    pub uniform_strain: Option<f64>,
     /// Shear modulus of its material \[Pa\]; `None` where neither it nor Poisson's ratio is given.
     pub shear_modulus: Option<f64>,
     /// Young's and shear modulus of each material of its section of which both are known, shape (such materials, 2) \[Pa\].

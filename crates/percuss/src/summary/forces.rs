@@ -32,6 +32,23 @@ impl Default for SectionPeak {
     }
 }
 
+/// Axial force and moment beyond what a section that can yield bears with the strain that it has: an error of the mesh.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct SectionExcess {
+    /// The forces over those in the same proportion that the section bears \[-\], above one.
+    pub ratio: f64,
+    /// Axial force, positive in tension \[N\].
+    pub axial: f64,
+    /// Bending moment \[N m\].
+    pub moment: f64,
+    /// Arc length from the start of the beam \[m\].
+    pub s: f64,
+    /// Its time \[s\].
+    pub time: f64,
+    /// Length of the element \[m\].
+    pub element: f64,
+}
+
 /// Smallest and largest value over the length of a beam and over time.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct SectionRange {
@@ -114,6 +131,10 @@ pub struct SectionForceSummary {
     pub beyond: Option<SectionPeak>,
     /// The first von Mises stress inside a section beyond the strength, of an elastic material that bears as much in tension as in compression.
     pub beyond_inside: Option<SectionPeak>,
+    /// The largest section forces beyond what a section that can yield bears, if any; of runs side by side it is not known.
+    pub excess: Option<SectionExcess>,
+    /// The yield stress of a beam without hardening, if it is one everywhere \[Pa\]: a fibre stress of this magnitude has no place of its own.
+    pub plateau: Option<f64>,
     /// Extremes along the beam.
     pub envelope: Envelope,
 }

@@ -7,6 +7,7 @@ mod audit;
 mod base_acceleration;
 mod beam_ends;
 mod branches;
+mod collapse;
 mod common;
 mod contact;
 mod contact_resultant;

@@ -22,7 +22,7 @@ pub(super) fn beams(summary: &Value) -> Option<String> {
     let (strained, strongly) = most(&strain)?;
     let largest = quantity(strongly["strain_max"].as_f64(), "");
     let largest = largest.trim_end();
-    let others = all.values().filter(|beam| began(beam).is_some()).count() - 1;
+    let others = others(all, first);
     let mut out = match others {
         0 => format!(
             "First yield of beam '{first}' at {s}, {time}; largest plastic strain {largest}."
@@ -39,6 +39,18 @@ pub(super) fn beams(summary: &Value) -> Option<String> {
         out.extend(deflection(beam, of, length).map(|sentence| format!(" {sentence}")));
     }
     Some(out)
+}
+
+/// Share of the largest dissipation of a beam below which another one has dissipated nothing worth a word.
+const NOTHING: f64 = 1e-9;
+
+/// Beams besides that of a name that yielded, and dissipated more than round-off.
+fn others(all: &Map<String, Value>, first: &str) -> usize {
+    let lost = |beam: &Value| beam["dissipated"].as_f64();
+    let most = all.values().filter_map(lost).fold(0.0, f64::max);
+    let worth = |beam: &Value| lost(beam).is_none_or(|own| own > NOTHING * most);
+    let yielded = |beam: &Value| beam["first_yield"]["time"].is_number() && worth(beam);
+    all.iter().filter(|(name, beam)| *name != first && yielded(beam)).count()
 }
 
 /// The permanent deflection of a beam, or why it is not available; nothing of a beam that fractured, since that is stated elsewhere.
@@ -266,6 +278,18 @@ mod tests {
         );
         let none = json!({ "plastic": { "a": untouched, "b": untouched } });
         assert_eq!(beams(&none).as_deref(), Some("No beam yielded (2 can yield)."));
+    }
+
+    /// A beam whose fibres reached the yield stress without flowing has not yielded in any sense of the word.
+    #[test]
+    fn beams_that_dissipated_nothing_are_not_counted() {
+        let beam = |time: f64, lost: f64| json!({ "first_yield": { "time": time, "s": 0.5 }, "strain_max": 1e-3, "dissipated": lost });
+        let text = |lost: f64| {
+            let all = json!({ "plastic": { "a": beam(0.01, 64.6), "b": beam(0.02, lost) } });
+            beams(&all).unwrap()
+        };
+        assert!(text(1.0).contains("1 other beam also yielded"));
+        assert!(!text(1e-12).contains("also yielded") && !text(0.0).contains("also yielded"));
     }
 
     /// Springs of a given strength fail without yielding.

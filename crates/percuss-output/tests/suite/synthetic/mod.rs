@@ -356,6 +356,8 @@ pub fn section_forces(name: &str, size: f64) -> SectionForceSummary {
         von_mises_inside: SectionPeak::default(),
         beyond: None,
         beyond_inside: None,
+        excess: None,
+        plateau: None,
         envelope: Envelope {
             axial: band(-100.0, 1e4),
             shear: band(-2e5, 1.5e5),

@@ -6,6 +6,7 @@
 
 mod acted;
 mod between;
+mod capacity;
 mod drawn;
 mod element;
 mod fibres;
@@ -63,10 +64,19 @@ pub fn unset(model: &Model) -> Vec<SectionForceSummary> {
             von_mises_inside: SectionPeak::default(),
             beyond: None,
             beyond_inside: None,
+            excess: None,
+            plateau: plateau(&model.spans[beam.spans.clone()]),
             envelope: Envelope { s, axial: open(), shear: open(), moment: open(), stress },
         }
     };
     model.beams.iter().map(entry).collect()
+}
+
+/// The yield stress of spans without hardening, if it is one.
+fn plateau(spans: &[Span]) -> Option<f64> {
+    let mut all = spans.iter().map(|span| span.fibres.as_ref().and_then(SpanFibres::plateau));
+    let first = all.next().flatten()?;
+    all.all(|other| other == Some(first)).then_some(first)
 }
 
 /// Whether records of beams have as many places.
@@ -98,6 +108,7 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
                 }
                 continue;
             }
+            let torn = span.nodes.clone().any(|node| state.has_parted(node));
             for k in 0..span.elements.len() {
                 let element = span.elements.start + k;
                 let (line, inner) = lines.of(element);
@@ -109,6 +120,9 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
                 piece.take(out, index, state.time);
                 if acted {
                     piece.take_acted(out, regular);
+                }
+                if let Some(fibres) = span.fibres.as_ref().filter(|_| !torn) {
+                    capacity::take(&piece, fibres, state, out);
                 }
             }
         }

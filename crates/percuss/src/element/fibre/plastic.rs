@@ -9,6 +9,14 @@ impl Plasticity {
     pub fn first_yield(&self) -> f64 {
         self.curve[0].stress
     }
+
+    /// The yield stress, if it changes neither with strain nor with its rate \[Pa\].
+    pub fn plateau(&self) -> Option<f64> {
+        let flat = self.curve.iter().all(|part| part.modulus == 0.0)
+            && self.kinematic == 0.0
+            && self.overstress.is_none();
+        flat.then(|| self.first_yield())
+    }
 }
 
 impl<S: Number> Plasticity<S> {
@@ -125,8 +133,12 @@ impl<S: Number> PlasticLaw<S> {
         let (one, length) = (sign.constant(1.0), path.length.abs());
         let (mut end, mut flowed) = (*state, sign.constant(0.0));
         for (i, part) in self.plasticity.curve.iter().enumerate() {
+            let goes_on = path.at.less(one);
+            if !goes_on.any() {
+                break;
+            }
             let until = self.plasticity.end_of(i);
-            let here = path.at.less(one) & end.accumulated.less(until);
+            let here = goes_on & end.accumulated.less(until);
             if !here.any() {
                 continue;
             }

@@ -37,14 +37,16 @@ pub struct Grading {
 pub struct Mesh {
     /// Size of the elements.
     pub size: ElementSize,
-    /// Grading; even if there is none.
+    /// Grading; even if there is none, but for hinges.
     pub grading: Option<Grading>,
+    /// Whether a beam that can yield, without other grading, has a short element on either side of each place at which a plastic hinge may form.
+    pub hinges: bool,
 }
 
 impl Mesh {
     /// Number of elements of equal length.
     pub fn even(elements: usize) -> Self {
-        Self { size: ElementSize::Number(elements), grading: None }
+        Self { size: ElementSize::Number(elements), grading: None, hinges: false }
     }
 }
 

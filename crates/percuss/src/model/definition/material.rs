@@ -24,6 +24,9 @@ pub struct Material {
     pub inelasticity: Option<Inelasticity>,
     /// Usual yield stresses, if known. They have no effect on the mechanics: larger stresses of an elastic material are reported.
     pub strength: Option<Strength>,
+    /// Strain at the largest force of a tension test (uniform strain), if known \[-\]. It has no effect on the mechanics: larger plastic strains of a
+    /// material without failure strain are reported.
+    pub uniform_strain: Option<f64>,
     /// Poisson's ratio, of which only shear-flexible beams make use.
     pub poisson: Option<f64>,
     /// Shear modulus G, if it is not that of an isotropic material \[Pa\]. Beside a Poisson's ratio it must be that of an isotropic material
@@ -60,6 +63,7 @@ impl Material {
             expansion: 0.0,
             inelasticity: None,
             strength: None,
+            uniform_strain: None,
             poisson: None,
             shear_modulus: None,
         }
