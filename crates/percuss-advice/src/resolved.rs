@@ -9,6 +9,9 @@ use percuss::{Model, RunSummary, Settings, StepControl};
 
 /// Forces whose work is less than this share of the energy of the run are round-off, or matter to nobody.
 const SLIGHT: f64 = 1e-9;
+/// Steps of a half wave about its largest value that resolve it, and that hardly show it: between steps the value is larger by up to
+/// `1 - cos(pi/2N)`, one and two per cent, and the motion that leads to it is off by about as much.
+const HALF_WAVE: [f64; 2] = [12.0, STEPS[1]];
 /// With fewer steps than this the duration of a closed interval is not known by their number.
 const SEEN: f64 = STEPS[1];
 
@@ -19,12 +22,13 @@ pub fn findings(
     run: &RunSummary,
     before: &[Advice],
 ) -> Vec<Advice> {
+    let others = run.pulses.iter().filter_map(|pulse| of_connector(settings, run, pulse));
     if let Some(control) = &run.step_control {
-        return accuracy(control).into_iter().collect();
+        // Steps for an accuracy follow the forces of contacts, not those of stops and springs.
+        return accuracy(control).into_iter().chain(others).collect();
     }
     let contact = |(index, contact)| of_contact((model, settings, run), before, index, contact);
     let contacts = run.contacts.iter().enumerate().filter_map(contact);
-    let others = run.pulses.iter().filter_map(|pulse| of_connector(settings, run, pulse));
     contacts.chain(others).collect()
 }
 
@@ -80,9 +84,12 @@ impl<'a> Seen<'a> {
         Some(Self { hardest, whole, half_wave })
     }
 
-    /// The fewer of the two, as far as they are known.
-    fn steps(&self) -> f64 {
-        self.whole.unwrap_or(f64::NAN).min(self.half_wave)
+    /// The worse verdict of the two, as far as they are known, and whether it is that of the half wave.
+    fn verdict(&self) -> Option<(Verdict, bool)> {
+        let whole = self.whole.map(|steps| (graded(steps, STEPS), false));
+        let half_wave = Some(self.half_wave).filter(|steps| !steps.is_nan());
+        let half_wave = half_wave.map(|steps| (graded(steps, HALF_WAVE), true));
+        whole.into_iter().chain(half_wave).max_by_key(|(verdict, is_half)| (*verdict, !is_half))
     }
 }
 
@@ -98,18 +105,16 @@ fn of_contact(
         .filter(|one| one.topic == Topic::ContactDuration && one.contact == contact.name);
     let first = contact.record.intervals().first().map(|one| one.start);
     let is_first = first == Some(seen.hardest.start);
-    let steps = seen.steps();
     let advice = |verdict, text| {
         let duration = seen.hardest.end - seen.hardest.start;
         let values = [duration, settings.step];
         Some(Advice::new(&contact.name, Topic::ContactDuration, values, "s", verdict, text))
     };
     let unchecked = reported.clone().any(|one| one.verdict == Verdict::Unchecked);
-    if steps.is_nan() {
+    let Some((verdict, is_half)) = seen.verdict() else {
         let text = "the run ends at the largest force: its steps are not checked".to_owned();
         return if unchecked { advice(Verdict::Unchecked, text) } else { None };
-    }
-    let verdict = graded(steps, STEPS);
+    };
     // An estimate that found the steps fine knows more than their number, unless they are next to none.
     let known = reported.any(|one| match one.verdict {
         Verdict::Unchecked => false,
@@ -119,20 +124,19 @@ fn of_contact(
     if known || (verdict == Verdict::Fine && !unchecked) {
         return None;
     }
-    let what = match seen.whole {
-        Some(whole) if whole <= seen.half_wave || seen.half_wave.is_nan() => {
-            let duration = seen.hardest.end - seen.hardest.start;
-            format!("contact of {}", quantity(duration, "s"))
+    let Peak { value, time } = seen.hardest.peak_force;
+    let (what, time, steps) = match seen.whole {
+        Some(whole) if !is_half => {
+            let duration = quantity(seen.hardest.end - seen.hardest.start, "s");
+            (format!("contact of {duration}"), seen.hardest.start, whole)
         }
-        _ => format!("largest contact force, {}", quantity(seen.hardest.peak_force.value, "N")),
-    };
-    let time = match seen.whole {
-        Some(_) => seen.hardest.start,
-        None => seen.hardest.peak_force.time,
+        _ => (format!("largest contact force, {}", quantity(value, "N")), time, seen.half_wave),
     };
     let alone = rigid_duration(model, index, contact, seen.hardest);
-    let text = in_words(&what, time, steps, (settings, alone), verdict);
-    advice(verdict, text)
+    advice(
+        verdict,
+        in_words(&what, time, steps, [settings.step, alone.unwrap_or(f64::NAN)], verdict),
+    )
 }
 
 /// A stop or a spring by the steps about its largest force.
@@ -145,35 +149,34 @@ fn of_connector(settings: &Settings, run: &RunSummary, pulse: &PulseSummary) -> 
     if pulse.steps.is_nan() || pulse.energy <= SLIGHT * run.energy.scale {
         return None;
     }
-    let verdict = graded(pulse.steps, STEPS);
+    let verdict = graded(pulse.steps, HALF_WAVE);
     if verdict == Verdict::Fine {
         return None;
     }
     let Peak { value, time } = pulse.force;
     let what = format!("largest force of {what}, {}", quantity(value, "N"));
-    let alone = Some(pulse.lasts).filter(|lasts| lasts.is_finite());
-    let text = in_words(&what, time, pulse.steps, (settings, alone), verdict);
-    let values = [pulse.steps * settings.step, settings.step];
+    let mut text = in_words(&what, time, pulse.steps, [pulse.step, pulse.lasts], verdict);
+    if settings.accuracy.is_some() {
+        text += " in place of time.accuracy, or request a higher one";
+    }
+    let values = [pulse.steps * pulse.step, pulse.step];
     Some(Advice::new(subject, Topic::ContactDuration, values, "s", verdict, text))
 }
 
-/// What so few steps mean, and the step that would be enough: `alone` is the duration by the law and the mass alone \[s\].
+/// What so few steps mean, and the step that would be enough; `step` and the duration by the law and the mass alone \[s\], NaN if unknown.
 fn in_words(
     what: &str,
     time: f64,
     steps: f64,
-    (settings, alone): (&Settings, Option<f64>),
+    [step, alone]: [f64; 2],
     verdict: Verdict,
 ) -> String {
     let (time, count) = (quantity(time, "s"), digits(steps));
     if verdict == Verdict::Fine {
         return format!("{what} at t = {time}: {count} steps");
     }
-    let shown = steps * settings.step;
-    let lasts = match alone {
-        Some(alone) if steps < SEEN => shown.min(alone),
-        _ => shown,
-    };
+    let shown = steps * step;
+    let lasts = if steps < SEEN { shown.min(alone) } else { shown };
     let better = quantity(round_down(lasts / STEPS[0]), "s");
     format!(
         "{what} at t = {time} resolved by {count} steps ({} recommended): peak force and velocities are inaccurate; set time.step to {better}",

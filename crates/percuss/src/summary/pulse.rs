@@ -25,6 +25,8 @@ pub struct PulseSummary {
     /// Steps of the half wave with the bend that the force has about its largest value, at least one; infinite where it is straight there,
     /// NaN where too few steps follow or it was never closed \[-\].
     pub steps: f64,
+    /// Size of these steps \[s\]; NaN with them.
+    pub step: f64,
     /// Duration of the closed interval by its impulse, closing velocity and stiffness, `pi sqrt(J / (2 v k))`: the half period of the mass
     /// `J / (2 v)`, which rebounds with the same velocity, on the spring; NaN of contacts, and where it was closed from the start \[s\].
     pub lasts: f64,

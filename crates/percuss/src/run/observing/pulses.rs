@@ -33,8 +33,8 @@ struct Sharpness {
     /// Steps since the largest force.
     since: usize,
     peak: Peak,
-    /// Steps of the half wave there.
-    steps: f64,
+    /// Steps of the half wave there, and their size, shape (2) \[-, s\].
+    half_wave: [f64; 2],
 }
 
 /// A closed interval: impulse \[N s\] and closing velocity \[m/s\].
@@ -84,7 +84,7 @@ impl Pulses {
         let unset = Sharpness::new();
         let connector = |(i, c): (usize, &Connector)| {
             let q = state.coordinates[i];
-            let force = c.reached_force(q, &state.memories).abs();
+            let force = c.force_now(i, state).abs();
             let none = Closed { impulse: 0.0, speed: f64::NAN };
             let mut sharpness = unset;
             sharpness.take(Sample { time: state.time, force });
@@ -124,7 +124,7 @@ impl Pulses {
         for ((i, c), own) in followed(model).zip(&mut self.connectors) {
             let q = state.coordinates[i];
             let acts = state.time <= c.until;
-            let force = if acts { c.reached_force(q, &state.memories).abs() } else { 0.0 };
+            let force = if acts { c.force_now(i, state).abs() } else { 0.0 };
             own.take([q, force], h, state.time, (q - c.law.free()).abs());
         }
     }
@@ -137,7 +137,8 @@ impl Pulses {
             of: PulseOf::Contact(k),
             force: own.peak,
             energy: f64::NAN,
-            steps: own.steps,
+            steps: own.half_wave[0],
+            step: own.half_wave[1],
             lasts: f64::NAN,
         };
         let connector = |((_, c), own): ((usize, &Connector), &ConnectorPulse)| PulseSummary {
@@ -147,7 +148,8 @@ impl Pulses {
             },
             force: own.sharpness.peak,
             energy: 0.5 * own.sharpness.peak.value * own.deformed,
-            steps: own.sharpness.steps,
+            steps: own.sharpness.half_wave[0],
+            step: own.sharpness.half_wave[1],
             lasts: own.lasts(),
         };
         let connectors = followed(model).zip(&self.connectors).map(connector);
@@ -187,7 +189,7 @@ impl ConnectorPulse {
 impl Sharpness {
     fn new() -> Self {
         let none = Sample { time: f64::NAN, force: f64::NAN };
-        Self { last: [none; STEPS], since: STEPS, peak: Peak::default(), steps: f64::NAN }
+        Self { last: [none; STEPS], since: STEPS, peak: Peak::default(), half_wave: [f64::NAN; 2] }
     }
 
     /// Enters the force at the end of a step; whether it is the largest so far.
@@ -201,12 +203,13 @@ impl Sharpness {
         self.last[STEPS - 1] = now;
         let largest = now.force > 0.0 && (self.peak.value.is_nan() || now.force > self.peak.value);
         if largest {
-            (self.peak, self.since, self.steps) =
-                (Peak { value: now.force, time: now.time }, 0, f64::NAN);
+            self.peak = Peak { value: now.force, time: now.time };
+            (self.since, self.half_wave) = (0, [f64::NAN; 2]);
         } else if self.since < BESIDE {
             self.since += 1;
             if self.since == BESIDE {
-                self.steps = self.half_wave();
+                let size = 0.5 * (self.last[BESIDE + 1].time - self.last[BESIDE - 1].time);
+                self.half_wave = [self.steps(), size];
             }
         } else {
             self.since = STEPS;
@@ -215,7 +218,7 @@ impl Sharpness {
     }
 
     /// Steps of the half wave about the step in the middle.
-    fn half_wave(&self) -> f64 {
+    fn steps(&self) -> f64 {
         let top = self.last[BESIDE].force;
         let at = |k: usize| {
             let [a, b, c] = [self.last[k - 1], self.last[k], self.last[k + 1]];
@@ -242,7 +245,7 @@ mod tests {
         for (k, force) in forces.iter().enumerate() {
             own.take(Sample { time: 1e-3 * k as f64, force: *force });
         }
-        own.steps
+        own.half_wave[0]
     }
 
     /// A half wave of so many steps that begins at a share of a step.
