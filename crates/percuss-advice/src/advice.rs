@@ -57,7 +57,7 @@ pub struct Comparison {
     pub simulated: f64,
     /// `(simulated - by_hand) / by_hand`, in per cent; of a bound no error.
     pub difference_percent: f64,
-    /// Whether the formula gives an upper bound, below which the result may be far.
+    /// Whether the formula gives an upper bound where its assumptions are met, below which the result may be far.
     pub bound: bool,
     /// The formula's assumptions, and for each whether it is met here.
     pub holds_if: String,

@@ -163,7 +163,7 @@ fn formula(group: &[Value]) -> String {
 fn of_bound(entry: &Value) -> String {
     let share = entry["simulated"].as_f64().zip(entry["by_hand"].as_f64()).map(|(a, b)| a / b);
     share.map_or("\u{2013}".to_owned(), |share| {
-        format!("{}\u{a0}% of the bound", number((1000.0 * share).round() / 10.0))
+        format!("{}\u{a0}% of it", number((1000.0 * share).round() / 10.0))
     })
 }
 

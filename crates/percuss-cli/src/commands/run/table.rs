@@ -336,10 +336,10 @@ fn comparison(one: &Comparison) -> String {
     let sign = if one.difference_percent >= 0.0 { "+" } else { "" };
     let digits = if one.difference_percent.abs() < 0.01 { 0.0 } else { one.difference_percent };
     let beside = match one.bound {
-        true => format!("{:.1} % of the bound", 100.0 * one.simulated / one.by_hand),
+        true => format!("{:.1} % of it", 100.0 * one.simulated / one.by_hand),
         false => format!("{sign}{digits:.2} %"),
     };
-    let most = if one.bound { "at most " } else { "" };
+    let most = if one.bound && one.unmet().is_empty() { "at most " } else { "" };
     format!(
         "{}, {}: {most}{}, simulated {} ({beside}{met})",
         one.formula,
@@ -373,7 +373,7 @@ mod tests {
         let alone = |one: Comparison| comparisons(&[one]).remove(0);
         assert_eq!(
             alone(of("p", 14.0, true, "no losses (met)")),
-            "formula, largest contact force: at most 100 N, simulated 14 N (14.0 % of the bound)"
+            "formula, largest contact force: at most 100 N, simulated 14 N (14.0 % of it)"
         );
         assert_eq!(
             alone(of(

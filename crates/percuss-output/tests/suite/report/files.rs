@@ -50,8 +50,14 @@ fn envelopes_read_back() -> Outcome {
     assert_eq!(read.len(), 2);
     for (read, written) in read.iter().zip(&written) {
         assert_eq!(read.name, written.name);
-        assert_eq!(read.envelope.moment, written.envelope.moment);
-        assert_eq!(read.envelope.s, written.envelope.s);
+        // With the extremes of the beam, which the synthetic places do not have.
+        let (found, known) = (&read.envelope, &written.envelope);
+        assert!(found.s.is_sorted() && known.s.iter().all(|s| found.s.contains(s)));
+        for (side, peak) in [written.moment.min, written.moment.max].iter().enumerate() {
+            let own = &found.moment[side];
+            assert!(known.moment[side].iter().all(|value| own.contains(value)));
+            assert!(found.s.iter().zip(own).any(|(s, m)| *s == peak.s && *m == peak.value));
+        }
         assert!(read.envelope.stress.iter().flatten().all(|v| v.is_nan()));
     }
     fs::write(dir.path().join("envelopes.csv"), "beam,s\n")?;
