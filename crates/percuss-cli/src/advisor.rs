@@ -41,7 +41,7 @@ pub fn tell(advice: &[Advice]) {
 struct Group<'a> {
     /// The first of them, whose text is told.
     first: &'a Advice,
-    /// Their subjects.
+    /// Their subjects, shape (subjects).
     subjects: Vec<&'a str>,
     /// Whether their numbers differ.
     differ: bool,

@@ -19,8 +19,9 @@ const HALVINGS: usize = 4;
 struct Drawn<'a> {
     /// Deviations of a chord from the curve that are seen, shape (3) \[N, N, N m\].
     seen: [f64; 3],
-    /// Least and largest so far in this frame.
+    /// Least and largest so far in this frame, shape (3, 2) \[N, N, N m\].
     known: BeamExtremes<f64>,
+    /// The vertices so far, shape (vertices).
     out: &'a mut Vec<SectionPoint>,
 }
 
