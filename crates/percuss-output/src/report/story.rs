@@ -126,9 +126,9 @@ fn sections(summary: &Value) -> Option<String> {
         .max_by(|a, b| a.2.total_cmp(&b.2))
         .filter(|one| one.2 > stress.map_or(0.0, |stress| stress.2.abs()));
     let shear = largest("shear_stress").filter(|_| equivalent.is_some());
-    let all = [
+    let sentences = [
         moment,
-        stress.map(|one| match is_plateau(&beams[one.0], one.2) {
+        stress.map(|one| match is_plateau(&all[one.0], one.2) {
             true => {
                 let value = quantity(Some(one.2.abs()), "Pa");
                 format!("Peak fibre stress: {value} in '{}' (yield stress).", one.0)
@@ -138,8 +138,8 @@ fn sections(summary: &Value) -> Option<String> {
         shear.map(|one| peak("Peak shear stress", one, "Pa")),
         equivalent.map(|one| peak("Peak von Mises stress", one, "Pa")),
     ];
-    let all: Vec<String> = all.into_iter().flatten().collect();
-    (!all.is_empty()).then(|| all.join(" "))
+    let told: Vec<String> = sentences.into_iter().flatten().collect();
+    (!told.is_empty()).then(|| told.join(" "))
 }
 
 /// Whether a fibre stress is the yield stress of a beam without hardening, which it reaches at many places and times.
