@@ -205,7 +205,10 @@ pub fn settle(advice: &mut [Advice], run: &RunSummary) {
         let without = own
             .is_some_and(|c| matches!(c.record, ContactRecord::Nonsmooth { impact_count: 0, .. }));
         if without && one.verdict > Verdict::Fine {
-            (one.verdict, one.reason) = (Verdict::Fine, None);
+            // What was allowed before the run stays allowed: without that it would be told before the next one.
+            if one.verdict != Verdict::Allowed {
+                (one.verdict, one.reason) = (Verdict::Fine, None);
+            }
             one.text = format!(
                 "effective mass {} on this mesh, tends to {} with refinement; no impact in this run",
                 quantity(one.value, "kg"),

@@ -68,6 +68,10 @@ fn persistent_contacts_without_impacts_have_no_effective_mass_to_warn_of() {
         let (model, settings) = (freeze(&b), Settings { start, ..Settings::new(0.02, 2e-5) });
         let mut advice = advise(&model, &settings);
         let summary = run(&model, &settings);
+        let mut allowed = advice.clone();
+        allow(&mut allowed, |_| Some("meant"));
+        settle(&mut allowed, &settings, &summary);
+        assert_eq!(verdict(&allowed, Topic::EffectiveMass), Some(Verdict::Allowed));
         settle(&mut advice, &settings, &summary);
         let warned = verdict(&advice, Topic::EffectiveMass) == Some(Verdict::Warning);
         assert_eq!(warned, struck, "{advice:#?}");
