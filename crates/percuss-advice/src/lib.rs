@@ -6,6 +6,7 @@
 mod advice;
 mod after;
 mod audit;
+mod beds;
 mod before;
 mod case;
 mod ductility;
@@ -48,6 +49,7 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
         let mut all = magnitudes::findings(model, settings);
         all.extend(ends::findings(model));
         all.extend(plastic_mesh::findings(model));
+        all.extend(beds::findings(model));
         return all;
     }
     let masses = model.effective_masses();
@@ -57,6 +59,7 @@ pub fn advise(model: &Model, settings: &Settings) -> Vec<Advice> {
     let mut touches = FirstTouches::new(model);
     let mut all = magnitudes::findings(model, settings);
     all.extend(ends::findings(model));
+    all.extend(beds::findings(model));
     all.extend(taper::findings(model));
     all.extend(plastic_mesh::findings(model));
     all.extend(stability::of_the_start(model, settings));

@@ -126,6 +126,12 @@ catalogue! {
             "A plastic strain exceeds the strain at the largest force of the material, a strain exceeds 5 %, and the material has no \
              `failure_strain`, or a stress exceeds a tenth of Young's modulus: no usual material follows its law so far. Give a \
              `failure_strain` (and `hardening`), or a law that was measured up to that strain; check units and mesh.";
+        /// A foundation of compression alone from which the weight pulls its beam away.
+        Bed = "W027", "foundation on the wrong side",
+            "A foundation with `law = \"compression\"` pushes in the direction in which the weight acts and never pulls, so that it does \
+             not carry the beam. Without `direction` it pushes to the left of the direction in which the beam is drawn: upwards for a \
+             beam drawn from left to right. Set its `direction`, or draw the beam in the other direction; if it is meant to hold the beam \
+             down, accept the warning in `[allow]`.";
     }
 }
 

@@ -143,6 +143,8 @@ mod tests {
             von_mises_inside: SectionPeak::default(),
             beyond: None,
             beyond_inside: None,
+            excess: None,
+            plateau: None,
             envelope: Envelope { s: places, axial, shear, moment, stress: Default::default() },
         };
         let e = through_extremes(&beam);

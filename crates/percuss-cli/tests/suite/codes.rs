@@ -115,7 +115,7 @@ fn codes_of_how_a_command_went_cannot_be_allowed() {
         sandbox.put("f.toml", format!("{text}\n[allow]\n{} = \"why\"\n", caution.code()));
         let check = sandbox.percuss(&["check", "f.toml"]);
         check.ends_with(2).tells("which reports on a command and cannot be accepted in a scenario");
-        check.tells("expected a warning of the model and result checks, W001 to W026, or of the audit of a run, W101 to W105 [E008]");
+        check.tells("expected a warning of the model and result checks, W001 to W027, or of the audit of a run, W101 to W105 [E008]");
     }
     sandbox.put("f.toml", format!("{text}\n[allow]\nW15 = \"why\"\n"));
     sandbox.percuss(&["check", "f.toml"]).ends_with(2).tells("[E007]");

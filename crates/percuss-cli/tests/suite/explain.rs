@@ -127,6 +127,7 @@ fn provocations() -> Vec<(Topic, String, &'static str)> {
                 Topic::Accuracy => ("accuracy.toml".to_owned(), "record.every=1"),
                 Topic::Unresolved => ("unresolved.toml".to_owned(), "record.every=1"),
                 Topic::Ductility => ("ductility.toml".to_owned(), "record.every=1"),
+                Topic::Bed => ("bed.toml".to_owned(), "record.every=1"),
                 Topic::LooseEnds => ("loose.toml".to_owned(), "record.every=1"),
                 Topic::Strength => (of("disc-chain"), "material.steel.preset=\"concrete\""),
             };
@@ -153,6 +154,7 @@ fn sandbox() -> Sandbox {
         ("accuracy.toml", "W024"),
         ("unresolved.toml", "W025"),
         ("ductility.toml", "W026"),
+        ("bed.toml", "W027"),
     ];
     for (file, code) in whole {
         sandbox.put(file, book.scenario(code).expect("a whole scenario"));

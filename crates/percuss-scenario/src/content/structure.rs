@@ -103,8 +103,9 @@ table! {
         elements: Option<usize> as Maybe<Count> = None,
         /// Largest length of a finite element (m); this or `elements`.
         element_length: Option<f64> as Maybe<Quantity<measure::Length>> = None,
-        /// Mesh grading: smaller elements towards a location, or 1 for equal ones. By default those of a beam that can yield are a tenth of the mean at
-        /// places at which plastic hinges may form, where so many elements allow it.
+        /// Mesh grading: smaller elements towards a location, or 1 for equal ones. By default a beam that can yield has short elements at places at which
+        /// plastic hinges may form, if their number allows: a tenth of the mean, and at least half the depth of the section (a quarter with
+        /// `strain = "engineering"`).
         grading: Option<Grading> as Maybe<GradingText> = None,
         /// Name of its material, or a material or grade known by name, such as "S355".
         material: String as NameOf<MaterialName>,

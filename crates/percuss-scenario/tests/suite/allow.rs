@@ -44,7 +44,7 @@ fn codes_that_cannot_be_allowed_are_refused() {
     refused("W107 = \"x\"", &whole);
     refused("W099 = \"x\"", &["allow.W099", "found the code \"W099\"", "[E007]"]);
     refused("w007 = \"x\"", &["found the code \"w007\"", "(did you mean `W007`?)", "[E007]"]);
-    let whole = ["an error, which cannot be accepted", "W001 to W026", "[E008]"];
+    let whole = ["an error, which cannot be accepted", "W001 to W027", "[E008]"];
     refused("E006 = \"x\"", &whole);
     refused("W007 = \"\"", &["found an empty reason, expected the reason", "[E005]"]);
     refused("W007 = \"  \"", &["found an empty reason"]);

@@ -2,11 +2,11 @@
 
 use super::Body;
 use crate::math::vec2::{norm, sub};
-use crate::model::FoundationLaw;
 use crate::model::frozen::{
     Connector, ConnectorEnd, ConnectorLaw, Constraint, Coordinate, FoundationData, MaterialPoint,
     PrescribedDofs,
 };
+use crate::model::{FoundationLaw, Model};
 
 /// A material point of a beam.
 #[derive(Clone, Copy, Debug)]
@@ -167,6 +167,17 @@ impl<'m> FoundationView<'m> {
     /// Its law.
     pub fn law(&self) -> &'m FoundationLaw {
         &self.0.law
+    }
+
+    /// Directions in which its places push the beam, unit vectors, and the length that each stands for, shape (places) \[-, m\].
+    pub fn pushes(&self, model: &'m Model) -> impl Iterator<Item = ([f64; 2], f64)> + use<'m> {
+        let own = &model.connectors[self.0.connectors.clone()];
+        own.iter().zip(&self.0.lengths).filter_map(|(c, length)| match &c.coordinate {
+            Coordinate::Displacement { direction, .. } => {
+                Some((direction.map(|x| 0.0 - x), *length))
+            }
+            _ => None,
+        })
     }
 
     /// Whether its reaction is not in proportion to the deflection: it is one-sided, tabulated or yields.

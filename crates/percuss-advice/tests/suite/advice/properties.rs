@@ -142,3 +142,34 @@ fn shear_moduli_of_layers_are_compared_with_their_own_young_moduli() {
     assert_eq!(of(2.5e7), None);
     assert_eq!(of(2.5e10), Some(Verdict::Warning));
 }
+
+/// A bed that only pushes lies below the beam, or the weight pulls the beam off it.
+#[test]
+fn a_bed_above_the_weight_is_reported() {
+    let of = |reversed: bool, direction: Option<[f64; 2]>, law: FoundationLaw, weight: f64| {
+        let mut b = ModelBuilder::new();
+        let material = b.material(Material::new("m", 30e9, 2500.0));
+        let section = b.section(Section::rectangle("s", 1.0, 0.5));
+        let points = if reversed { [[2.0, 0.0], [0.0, 0.0]] } else { [[0.0, 0.0], [2.0, 0.0]] };
+        let beam = b.beam(Beam::new("footing", &points, 4, material, section));
+        b.foundation(Foundation {
+            name: "bed".into(),
+            beam,
+            stretch: [Along::Fraction(0.0), Along::Fraction(1.0)],
+            direction,
+            law,
+            damping: 6e4,
+            yielding: None,
+        });
+        b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, weight] }));
+        verdict(&advise(&freeze(&b), &Settings::new(0.3, 1e-3)), Topic::Bed)
+    };
+    let bed = || FoundationLaw::Compression { stiffness: 5e6, gap: 0.0 };
+    let warned = Some(Verdict::Warning);
+    assert_eq!(of(true, None, bed(), -9.81), warned);
+    assert_eq!(of(false, Some([0.0, -1.0]), bed(), -9.81), warned);
+    assert_eq!(of(false, None, bed(), -9.81), None);
+    assert_eq!(of(true, Some([0.0, 1.0]), bed(), -9.81), None);
+    assert_eq!(of(true, None, FoundationLaw::Linear { stiffness: 5e6 }, -9.81), None);
+    assert_eq!(of(true, None, bed(), 0.0), None);
+}
