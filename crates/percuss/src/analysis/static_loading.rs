@@ -42,6 +42,8 @@ pub(super) struct Loading<'a, 'm> {
     longest: f64,
     /// Whether all equilibria during loading were stable.
     pub stable: bool,
+    /// Whether none lies behind the one before, however fine the step: the direction of the path is known.
+    onward: bool,
     /// Steps taken.
     pub steps: usize,
     /// Failures, in their order, shape (failures).
@@ -54,7 +56,7 @@ impl<'a, 'm> Loading<'a, 'm> {
     pub fn new(search: &'a mut StaticSearch<'m>, longest: f64) -> Self {
         let accepted = search.reached();
         let (failures, course) = (Vec::new(), Course::new(search));
-        Self { search, accepted, longest, stable: true, steps: 0, failures, course }
+        Self { search, accepted, longest, stable: true, onward: true, steps: 0, failures, course }
     }
 
     /// Brings the loads up; `structure` is the beams alone, for their stability.
@@ -75,6 +77,7 @@ impl<'a, 'm> Loading<'a, 'm> {
                     continue;
                 }
                 self.stable &= !unstable;
+                self.onward &= !behind;
             }
             match found {
                 StepOutcome::There => {
@@ -110,7 +113,7 @@ impl<'a, 'm> Loading<'a, 'm> {
     /// The direction in which the path leaves the last accepted equilibrium, at a share of the loads; not for a structure with contacts, where
     /// those that close may turn it.
     fn onset(&mut self, share: f64) -> Option<Vec<[f64; 4]>> {
-        let known = self.stable && self.search.contacts.is_empty();
+        let known = self.stable && self.onward && self.search.contacts.is_empty();
         known.then(|| self.search.onset(&self.accepted, share)).flatten()
     }
 
