@@ -16,7 +16,7 @@ use crate::element::beam::ElementValues;
 use crate::element::fibre::{FibreState, StressLaw};
 use crate::element::shear::MIDDLE;
 use crate::math::hermite::{GAUSS, gauss_points};
-use crate::model::frozen::SpanFibres;
+use crate::model::frozen::{Span, SpanFibres};
 use crate::state::State;
 use crate::step::fibres::fibre_strains;
 use crate::summary::{SectionExcess, SectionForceSummary};
@@ -52,10 +52,21 @@ pub(super) fn take(
         if elastic_strain(piece, xi, &forces, fibres) <= least {
             continue;
         }
-        let Some(limits) = limits(piece, fibres, state, xi) else { continue };
         let known = out.excess.map_or(1.0 + NO_EXCESS, |known| known.ratio);
         let own = [forces.axial, forces.moment];
-        if let Some(ratio) = ratio_above(&limits, own, known) {
+        let of = |(k, xi): (usize, f64)| {
+            let limits = limits((piece.span, k), fibres, state, xi)?;
+            ratio_above(&limits, own, known)
+        };
+        // Curvature jumps at a node: the section bears what either side says.
+        let beside = match xi {
+            0.0 => piece.k.checked_sub(1).map(|k| (k, 1.0)),
+            1.0 => Some((piece.k + 1, 0.0)).filter(|(k, _)| *k < piece.span.elements.len()),
+            _ => None,
+        };
+        let ratio = of((piece.k, xi));
+        if let Some(ratio) = ratio.and_then(|own| beside.map_or(Some(own), of).map(|b| b.min(own)))
+        {
             let (s, time) = (piece.s(xi), state.time);
             let element = piece.span.stations[piece.k + 1] - piece.span.stations[piece.k];
             let SectionForces { axial, moment, .. } = forces;
@@ -87,49 +98,49 @@ fn elastic_strain(
     fibres: &SpanFibres,
 ) -> f64 {
     let law = piece.span.section_at(piece.k, xi).law;
-    let heights = fibres.of(piece.k)[near(piece, xi)].iter().map(|fibre| fibre.height.abs());
+    let heights = fibres.of(piece.k)[near(piece.span, xi)].iter().map(|fibre| fibre.height.abs());
     let height = heights.fold(0.0, f64::max);
     forces.axial.abs() / law.axial + forces.moment.abs() * height / law.bending
 }
 
 /// The Gauss point whose fibres stand for a place.
-fn near(piece: &ElementForces<'_>, xi: f64) -> usize {
-    match piece.span.shear {
+fn near(span: &Span, xi: f64) -> usize {
+    match span.shear {
         Some(_) => MIDDLE,
         None => ((xi * GAUSS as f64) as usize).min(GAUSS - 1),
     }
 }
 
-/// Limits of all fibres at a share of the way; none if one has no limit.
+/// Limits of all fibres at a share of the way along an element; none if one has no limit.
 fn limits(
-    piece: &ElementForces<'_>,
+    (span, k): (&Span, usize),
     fibres: &SpanFibres,
     state: &State,
     xi: f64,
 ) -> Option<Vec<Limits>> {
-    let j = near(piece, xi);
-    let strains = gauss_strains(piece, state);
+    let j = near(span, xi);
+    let strains = gauss_strains(span, k, state);
     let (here, there) = (strains[j], at(&strains, xi));
-    let of = state.fibres_of(fibres, piece.k);
+    let of = state.fibres_of(fibres, k);
     let bearing = of.at(j).filter(|(fibre, _)| fibre.carries_force);
     let limits = bearing.map(|(fibre, memory)| {
         let strain = |[of, rate]: &Strains| {
             [of, rate].map(|[membrane, bending]| membrane + fibre.height * bending)
         };
         let law = &fibres.laws[fibre.law];
-        let own = limits_of(law, memory, [strain(&here), strain(&there)], piece.span.retardation)?;
+        let own = limits_of(law, memory, [strain(&here), strain(&there)], span.retardation)?;
         Some(Limits { height: fibre.height, force: own.map(|stress| fibre.area * stress) })
     });
     limits.collect()
 }
 
 /// Strains and their rates at the Gauss points.
-fn gauss_strains(piece: &ElementForces<'_>, state: &State) -> [Strains; GAUSS] {
-    let a = piece.span.nodes.start + piece.k;
+fn gauss_strains(span: &Span, k: usize, state: &State) -> [Strains; GAUSS] {
+    let a = span.nodes.start + k;
     let (u, v) = (&state.displacement, &state.velocity);
     let at = |time: f64| {
         let node = |n: usize| std::array::from_fn(|i| u[n][i] + time * v[n][i]);
-        fibre_strains(piece.span, piece.k, &ElementValues::new(&node(a), &node(a + 1)))
+        fibre_strains(span, k, &ElementValues::new(&node(a), &node(a + 1)))
     };
     let (before, now) = (at(-MOMENT), at(0.0));
     std::array::from_fn(|j| {
