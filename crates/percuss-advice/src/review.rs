@@ -274,18 +274,21 @@ pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advi
         };
         let (most, what) = reached.iter().max_by(larger)?;
         let what = if *what == INSIDE { "von Mises stress " } else { "" };
-        format!(", {}: {what}{} at {}{since}", stress(limit), stress(most.value), at(most))
+        let limit = stress(limit);
+        format!(
+            "{what}{} at {} (strength of the material {limit}){since}",
+            stress(most.value),
+            at(most)
+        )
     } else {
         let side = |(most, what): &(SectionPeak, &str)| {
             let limit = stress(strength(most));
             format!("{what} {} at {} (strength {limit})", stress(most.value), at(most))
         };
-        format!(": {}{since}", reached.iter().map(side).collect::<Vec<_>>().join(" and "))
+        format!("{}{since}", reached.iter().map(side).collect::<Vec<_>>().join(" and "))
     };
     let text = format!(
-        "beam '{}' exceeds the usual strength of its material{told}. The material is modelled as elastic: set `yield`, or accept this in \
-         [allow] with the strength of your material",
-        beam.name
+        "{told}. The material is modelled as elastic: set `yield`, or accept this in [allow] with the strength of your material",
     );
     // The side that is farthest beyond.
     let share = |most: &SectionPeak| most.value.abs() / strength(most);
