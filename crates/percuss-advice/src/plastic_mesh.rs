@@ -23,7 +23,7 @@ pub fn findings(model: &Model) -> Vec<Advice> {
 struct Stretch {
     from: f64,
     to: f64,
-    /// Lengths of its elements at its ends, zero where no hinge can form \[m\].
+    /// Lengths of its elements at its ends, zero where no hinge can form, shape (2) \[m\].
     at: [f64; 2],
 }
 

@@ -205,7 +205,7 @@ pub fn settle(advice: &mut [Advice], run: &RunSummary) {
         let without = own
             .is_some_and(|c| matches!(c.record, ContactRecord::Nonsmooth { impact_count: 0, .. }));
         if without && one.verdict > Verdict::Fine {
-            // What was allowed before the run stays allowed: without that it would be told before the next one.
+            // What was allowed before the run stays allowed: without that it would be reported before the next one.
             if one.verdict != Verdict::Allowed {
                 (one.verdict, one.reason) = (Verdict::Fine, None);
             }
@@ -268,7 +268,7 @@ pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advi
         false => String::new(),
     };
     let limit = strength(&reached[0].0);
-    let told = if reached.iter().all(|(most, _)| strength(most) == limit) {
+    let reported = if reached.iter().all(|(most, _)| strength(most) == limit) {
         let larger = |a: &&(SectionPeak, &str), b: &&(SectionPeak, &str)| {
             a.0.value.abs().total_cmp(&b.0.value.abs())
         };
@@ -288,7 +288,7 @@ pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advi
         format!("{}{since}", reached.iter().map(side).collect::<Vec<_>>().join(" and "))
     };
     let text = format!(
-        "{told}. The material is modelled as elastic: set `yield`, or accept this in [allow] with the strength of your material",
+        "{reported}. The material is modelled as elastic: set `yield`, or accept this in [allow] with the strength of your material",
     );
     // The side that is farthest beyond.
     let share = |most: &SectionPeak| most.value.abs() / strength(most);

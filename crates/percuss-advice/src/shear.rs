@@ -42,7 +42,7 @@ pub fn finding(
     let of_contact = lasting.filter(|lasting| {
         lasting.from == From::WithoutEnd || lasting.shear(&section, shear).is_some()
     });
-    let (share, told, what) = match of_contact {
+    let (share, reported, what) = match of_contact {
         Some(lasting) if lasting.from == From::WithoutEnd => {
             let [_, change] = struck.corrections(planned.case.law, struck.speed)?;
             let rebound = change.rebound.map_or(String::new(), |share| {
@@ -54,7 +54,7 @@ pub fn finding(
         }
         Some(lasting) => {
             // First order in modes misses even the sign of what reflected waves do to the force: it tells that shear matters, not how much.
-            let share = lasting.shear(&section, shear)?.abs().max(yields.unwrap_or(0.0));
+            let share = lasting.shear(&section, shear)?.abs();
             let what = "change the force by a share that is not estimated (waves return during the contact; compare with theory = \"shear\")";
             (share, yields.unwrap_or(f64::NAN), what.to_owned())
         }
@@ -64,7 +64,7 @@ pub fn finding(
             (share, share, what)
         }
     };
-    let (share, told) = (share.abs(), told.abs());
+    let (share, reported) = (share.abs(), reported.abs());
     if !share.is_finite() {
         return None;
     }
@@ -84,7 +84,7 @@ pub fn finding(
         _ => Verdict::Warning,
     };
     let verdict = of_force.max(of_way);
-    Some(planned.finding(Topic::Shear, [told, SHARES[0]], "1", verdict, text))
+    Some(planned.finding(Topic::Shear, [reported, SHARES[0]], "1", verdict, text))
 }
 
 /// Slender beams without a finding of a contact whose lowest vibration would have larger deflections by shear; `estimated` are those with one, shape

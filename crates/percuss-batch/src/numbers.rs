@@ -199,6 +199,9 @@ impl<S: Copy> GuideNumbers<S> {
     }
 }
 
+/// What is done with each number of a part.
+type Visit<'a> = dyn FnMut(f64) -> f64 + 'a;
+
 impl Numbers<f64> {
     /// For every number, in the order of [`Self::flat`], the largest magnitude in its part: a span, the nodes, the springs, and so on.
     pub fn largest_of_their_kind(&self) -> Vec<f64> {
@@ -208,7 +211,7 @@ impl Numbers<f64> {
             let most = finite.fold(0.0, |most: f64, x| most.max(x.abs()));
             out.extend(numbers.iter().map(|_| most));
         };
-        let list = |all: &dyn Fn(&mut dyn FnMut(f64) -> f64)| {
+        let list = |all: &dyn Fn(&mut Visit<'_>)| {
             let mut numbers = Vec::new();
             all(&mut |x| {
                 numbers.push(x);

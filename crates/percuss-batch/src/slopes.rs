@@ -150,7 +150,7 @@ impl Difference {
             (8.0 * (above - below) - (far_above - far_below)) / (12.0 * self.change)
         };
         let numbers = (0..flat[0].len()).map(|k| difference(flat.each_ref().map(|x| x[k])));
-        let fixed = self.models.each_ref().map(|model| fixed(model));
+        let fixed = self.models.each_ref().map(fixed);
         let fixed = (0..fixed[0].len()).map(|k| difference(fixed.each_ref().map(|x| x[k])));
         numbers.chain(fixed).chain([difference(self.ends)]).collect()
     }

@@ -39,7 +39,7 @@ pub fn tell(advice: &[Advice]) {
 
 /// Findings that say the same of several subjects.
 struct Group<'a> {
-    /// The first of them, whose text is told.
+    /// The first of them, whose text is reported.
     first: &'a Advice,
     /// Their subjects, shape (subjects).
     subjects: Vec<&'a str>,
@@ -49,7 +49,7 @@ struct Group<'a> {
 
 /// Subjects of a finding that are named.
 const NAMED: usize = 6;
-/// Findings of one kind with numbers of their own that are told one by one.
+/// Findings of one kind with numbers of their own that are reported one by one.
 const APART: usize = 4;
 
 impl Group<'_> {
@@ -63,29 +63,29 @@ impl Group<'_> {
     }
 }
 
-/// What is worth telling, equal findings once: those whose texts differ in nothing but names of subjects, and those that differ in numbers, too,
+/// What is worth reporting, equal findings once: those whose texts differ in nothing but names of subjects, and those that differ in numbers, too,
 /// where there are many.
 fn grouped(advice: &[Advice]) -> Vec<Group<'_>> {
-    let told = || advice.iter().filter(|one| one.verdict > Verdict::Fine);
+    let worth = || advice.iter().filter(|one| one.verdict > Verdict::Fine);
     let mut kinds: HashMap<Kind<'_>, usize> = HashMap::new();
-    told().for_each(|one| *kinds.entry(kind(one, true)).or_default() += 1);
-    let mut reported: Vec<Group<'_>> = Vec::new();
+    worth().for_each(|one| *kinds.entry(kind(one, true)).or_default() += 1);
+    let mut groups: Vec<Group<'_>> = Vec::new();
     let mut places: HashMap<Kind<'_>, usize> = HashMap::new();
-    for one in told() {
+    for one in worth() {
         let many = kinds[&kind(one, true)] > APART;
         match places.entry(kind(one, many)) {
             Entry::Occupied(place) => {
-                let group = &mut reported[*place.get()];
+                let group = &mut groups[*place.get()];
                 group.differ |= shape(&one.text, false) != shape(&group.first.text, false);
                 group.subjects.push(&one.contact);
             }
             Entry::Vacant(place) => {
-                place.insert(reported.len());
-                reported.push(Group { first: one, subjects: vec![&one.contact], differ: false });
+                place.insert(groups.len());
+                groups.push(Group { first: one, subjects: vec![&one.contact], differ: false });
             }
         }
     }
-    reported
+    groups
 }
 
 /// Topic, verdict, reason, and the text without what differs between subjects.
@@ -194,7 +194,7 @@ mod tests {
         assert_eq!(groups.len(), 1);
         assert_eq!(groups[0].names(), "p0, p1, p2, p3, p4, p5 and 44 more");
         assert!(!groups[0].differ);
-        // Those with numbers of their own: few are told one by one, many once with the numbers of the first.
+        // Those with numbers of their own: few are reported one by one, many once with the numbers of the first.
         let own = |k: usize| note(&format!("p{k}"), &format!("waves return after {k}.5 ms, early"));
         let few: Vec<Advice> = (0..3).map(own).collect();
         assert_eq!(grouped(&few).len(), 3);

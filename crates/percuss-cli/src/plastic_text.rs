@@ -8,8 +8,8 @@ use crate::number::quantity;
 
 /// The plastic hinge of the largest rotation, if it is one for a reader.
 pub fn largest_hinge(hinges: &[PlasticHinge]) -> Option<&PlasticHinge> {
-    let told = hinges.iter().filter(|hinge| hinge.rotation.abs() >= HINGE);
-    told.max_by(|a, b| a.rotation.abs().total_cmp(&b.rotation.abs()))
+    let reported = hinges.iter().filter(|hinge| hinge.rotation.abs() >= HINGE);
+    reported.max_by(|a, b| a.rotation.abs().total_cmp(&b.rotation.abs()))
 }
 
 /// Rotation, centre and length of a plastic hinge.

@@ -6,7 +6,7 @@
 use percuss::SectionForceSummary;
 use serde_json::Value;
 
-/// What is below this share of the largest of its kind is round-off. Balances close to some 1e-14 of the largest energy; velocities and
+/// What is below this share of the largest of its kind is round-off. Residuals of balances are some 1e-14 of the largest energy; velocities and
 /// forces that follow from it are exact to some 1e-10.
 pub const ROUND_OFF: f64 = 1e-9;
 
@@ -17,7 +17,7 @@ pub const LEAST: f64 = 1e-4;
 /// Impulses of supports below this share of the momentum of the run are those of the instants in which a motion begins.
 pub const SMALL_IMPULSE: f64 = 1e-6;
 
-/// A plastic stretch that turns by less is no plastic hinge for a reader: the beam has yielded, and that is told \[rad\].
+/// A plastic stretch that turns by less is no plastic hinge for a reader: the beam has yielded, and that is reported \[rad\].
 pub const HINGE: f64 = 1e-4;
 
 /// Share of the other place below which that of an extreme value is the start of the beam: a place at which a smooth function is largest is

@@ -205,8 +205,26 @@ pub(crate) fn cells(line: &str) -> Vec<&str> {
     let separator = [';', '\t', ','].into_iter().find(|s| line.contains(*s));
     match separator {
         Some(separator) => line.split(separator).map(|c| c.trim().trim_matches('"')).collect(),
-        None => line.split_whitespace().collect(),
+        None => words(line),
     }
+}
+
+/// Words of a line between spaces; a unit in brackets belongs to the word before it, as in `t [ms] F [kN]`.
+fn words(line: &str) -> Vec<&str> {
+    let mut out: Vec<&str> = Vec::new();
+    let mut from = 0;
+    for word in line.split_whitespace() {
+        let at = from + line[from..].find(word).unwrap_or(0);
+        from = at + word.len();
+        match out.last_mut() {
+            Some(last) if word.starts_with(['[', '(']) => {
+                let start = line[..at].rfind(*last).unwrap_or(at);
+                *last = &line[start..from];
+            }
+            _ => out.push(word),
+        }
+    }
+    out
 }
 
 /// Columns of points.

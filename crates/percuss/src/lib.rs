@@ -34,12 +34,12 @@ mod summary;
 pub const BUILD: &str = env!("PERCUSS_BUILD");
 
 pub use analysis::{
-    BucklingMode, BucklingOutcome, Equilibrium, FailureKind, FollowerStability,
+    BucklingMode, BucklingOutcome, Equilibrium, FailureKind, FollowerStability, JustTouching,
     LargestDisplacement, LinearBuckling, Mode, ModeKind, Path, PathPoint, PathRecorder, PathYield,
     SlackMember, StaticBalance, StaticContact, StaticFailure, StaticFirstYield, StaticFoundation,
-    StaticYielding, StopState, Touching, buckling, buckling_in_contact, equilibrium,
-    equilibrium_in, equilibrium_path, equilibrium_path_recorded, mechanisms, modes_about,
-    modes_about_equilibrium, natural_frequencies, slack_members, stops,
+    StaticYielding, StopState, buckling, buckling_in_contact, equilibrium, equilibrium_in,
+    equilibrium_path, equilibrium_path_recorded, mechanisms, modes_about, modes_about_equilibrium,
+    natural_frequencies, slack_members, stops,
 };
 pub use error::{Error, RecorderError};
 pub use frame::{Frame, FrameForce, SectionPoint};

@@ -98,8 +98,6 @@ fn numbers(s: &RunSummary) -> Vec<(&'static str, f64)> {
         ("work of loads", s.energy.work_loads),
         ("damping", s.energy.loss_damping),
         ("scale", s.energy.scale),
-        ("linear", s.momentum.linear_scale),
-        ("angular", s.momentum.angular_scale),
         ("velocity", s.projectiles[0].velocity_final[1]),
         ("momentum", s.projectiles[0].momentum_transferred),
         ("given", s.projectiles[0].energy_given),

@@ -285,6 +285,8 @@ fn drawn_by_node(sandbox: &Sandbox, run: &str, look: &Value, time: f64) -> Optio
         "displacement": all(|f| &f.displacement),
         "velocity": all(|f| &f.velocity),
         "sections": all(|f| &f.section_forces),
+        "points": all(|f| &f.section_points),
+        "point_count": fields.frames.iter().map(|f| f.section_points.len() / 5).collect::<Vec<usize>>(),
         "contacts": all(|f| &f.contact_forces),
         "loads": all(|f| &f.load_factors),
         "contact_count": fields.frames.iter().map(|f| f.contact_forces.len() / 6).collect::<Vec<usize>>(),

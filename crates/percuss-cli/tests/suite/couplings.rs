@@ -312,7 +312,7 @@ fn results_that_a_closed_contact_leaves_open_are_named() {
          vout = \"projectile.ball.velocity_final[1]\"\n",
     );
     for (end, open) in [("5e-4", true), ("3e-3", false)] {
-        sandbox.put("point.json", &format!("{{\"end\": {end}}}"));
+        sandbox.put("point.json", format!("{{\"end\": {end}}}"));
         let reported = sandbox.percuss(&["eval", "study.toml", "point.json"]);
         assert_eq!(reported.status, Some(0), "{}", reported.stderr);
         assert_eq!(reported.stderr.contains("W016"), open, "{}", reported.stderr);

@@ -40,9 +40,14 @@ impl Extent {
         [axial.max(shear), axial.max(shear), moment].map(|size| MISSED * size)
     }
 
-    /// Whether a value is an extreme of the frame.
-    fn is_extreme(&self, forces: &[f32; 3]) -> bool {
-        self.range.iter().zip(forces).any(|(range, value)| *value != 0.0 && range.contains(value))
+    /// Whether a vertex has an extreme of the frame; inside a stretch on which the force is constant none has.
+    fn is_extreme(&self, all: &[Vertex], k: usize) -> bool {
+        let beside = |k: usize, i: usize| all.get(k).map(|vertex| vertex.forces[i]);
+        (0..3).any(|i| {
+            let value = all[k].forces[i];
+            let inside = k > 0 && [k - 1, k + 1].iter().all(|k| beside(*k, i) == Some(value));
+            value != 0.0 && self.range[i].contains(&value) && !inside
+        })
     }
 }
 
@@ -50,7 +55,7 @@ impl Extent {
 pub(super) fn simplified(all: &[Vertex], extent: &Extent) -> Vec<Vertex> {
     let seen = extent.seen();
     let Some(last) = all.len().checked_sub(1) else { return Vec::new() };
-    let mut kept: Vec<bool> = all.iter().map(|v| extent.is_extreme(&v.forces)).collect();
+    let mut kept: Vec<bool> = (0..all.len()).map(|k| extent.is_extreme(all, k)).collect();
     (kept[0], kept[last]) = (true, true);
     let ends: Vec<usize> = (0..all.len()).filter(|&k| kept[k]).collect();
     let mut pieces: Vec<(usize, usize)> = ends.windows(2).map(|w| (w[0], w[1])).collect();

@@ -138,8 +138,8 @@ fn sections(summary: &Value) -> Option<String> {
         shear.map(|one| peak("Peak shear stress", one, "Pa")),
         equivalent.map(|one| peak("Peak von Mises stress", one, "Pa")),
     ];
-    let told: Vec<String> = sentences.into_iter().flatten().collect();
-    (!told.is_empty()).then(|| told.join(" "))
+    let reported: Vec<String> = sentences.into_iter().flatten().collect();
+    (!reported.is_empty()).then(|| reported.join(" "))
 }
 
 /// Whether a fibre stress is the yield stress of a beam without hardening, which it reaches at many places and times.
@@ -189,10 +189,10 @@ mod tests {
             "stress": { "min": at(-1e8), "max": at(most) }, "yield_stress": 3.55e8,
         } } })
         };
-        let told = |most: f64| sections(&beam(most)).unwrap().replace('\u{a0}', " ");
-        assert_eq!(told(3.55e8 - 0.1), "Peak fibre stress: 355 MPa in 'b' (yield stress).");
+        let reported = |most: f64| sections(&beam(most)).unwrap().replace('\u{a0}', " ");
+        assert_eq!(reported(3.55e8 - 0.1), "Peak fibre stress: 355 MPa in 'b' (yield stress).");
         let elastic = "Peak fibre stress: 200 MPa in 'b' at s = 1.155 m, t = 196.2 ms.";
-        assert_eq!(told(2e8), elastic);
+        assert_eq!(reported(2e8), elastic);
     }
 
     #[test]

@@ -91,8 +91,8 @@ fn hinge_table(beams: &[Named<'_>]) -> String {
                 quantity(hinge["dissipated"].as_f64(), "J"),
             ]
         };
-        let told = |hinge: &&Value| hinge["rotation"].as_f64().is_none_or(|r| r.abs() >= HINGE);
-        beam["hinges"].as_array().into_iter().flatten().filter(told).map(row).collect()
+        let reported = |hinge: &&Value| hinge["rotation"].as_f64().is_none_or(|r| r.abs() >= HINGE);
+        beam["hinges"].as_array().into_iter().flatten().filter(reported).map(row).collect()
     };
     let header =
         ["beam", "rotation", "centre s", "length", "element length", "plastic dissipation"];

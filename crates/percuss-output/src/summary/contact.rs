@@ -68,7 +68,7 @@ fn equivalent(force: &EquivalentForce) -> Value {
     for (key, one) in [("moment", force.moment), ("deflection", force.deflection)] {
         match one {
             Ok(force) => value[key] = Value::from(force),
-            Err(why) if why.is_told() => value[format!("{key}_note")] = why.to_string().into(),
+            Err(why) if why.is_reported() => value[format!("{key}_note")] = why.to_string().into(),
             Err(_) => {}
         }
     }

@@ -154,7 +154,7 @@ impl Format for GradingText {
     type Value = Grading;
 
     fn read(node: &Node<'_>, reader: &mut Reader<'_>) -> Option<Grading> {
-        if is_one(&node.value) {
+        if is_one(node.value) {
             return Some(Grading::EVEN);
         }
         if Body::of(node).is_none() {

@@ -102,7 +102,7 @@ impl Recorder for Ear<'_> {
 
     fn row(&mut self, values: &[f64]) -> Result<(), RecorderError> {
         // The first row is the state at the start.
-        let ends = self.rows % self.interval == 0;
+        let ends = self.rows.is_multiple_of(self.interval);
         self.rows += 1;
         for column in &mut self.columns {
             column.take(values[column.number], ends);

@@ -207,8 +207,9 @@ step = 0.00025
     let ladder = ladder(&["section_forces.b.moment_max.value"], None);
     let found = converge(&scenario, &ladder, &|| true, &|_, _| {}).unwrap();
     let moment = &found.results[0];
-    assert!((-840.0..-839.0).contains(&moment.value), "{moment:?}");
-    assert_eq!(moment.together.values[0], moment.value);
+    // Magnitudes are compared, with the sign of the finest run, as the limit has it.
+    assert!((839.0..840.0).contains(&moment.value), "{moment:?}");
+    assert_eq!(moment.together.values[0], -moment.value);
     assert!((moment.limit - 926.5210526).abs() <= moment.uncertainty, "{moment:?}");
     assert!(
         moment.uncertainty < 3.0

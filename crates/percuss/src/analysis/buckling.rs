@@ -13,7 +13,7 @@ use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::given_strains;
 pub use outcome::BucklingOutcome;
-pub use touching::Touching;
+pub use touching::JustTouching;
 use touching::{TOUCHING, touching_laws};
 
 /// Additional vectors of the subspace, beside six for each requested factor.
@@ -53,7 +53,7 @@ pub struct LinearBuckling {
     /// Number of foundations with such springs.
     pub foundations_as_unloaded: usize,
     /// Springs and stops that round-off alone decides to be taut or slack, if there are any.
-    pub touching: Option<Touching>,
+    pub touching: Option<JustTouching>,
 }
 
 impl LinearBuckling {
@@ -161,7 +161,7 @@ fn with_touching(
     let [a, b] = [lowest(&soft), lowest(&stiff)];
     // What the springs alone hold up is a mechanism without them.
     let slack = a <= b || (b.is_nan() && (!a.is_nan() || soft.outcome == stiff.outcome));
-    let touching = Some(Touching { count: number, slack, other: if slack { b } else { a } });
+    let touching = Some(JustTouching { count: number, slack, other: if slack { b } else { a } });
     LinearBuckling { touching, ..if slack { soft } else { stiff } }
 }
 

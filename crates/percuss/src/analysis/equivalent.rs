@@ -4,7 +4,7 @@
 //! largest bending moment in the struck beam, or the deflection of the struck point, is that of the run. For a structure that yielded it is the
 //! force on the same structure, assumed elastic.
 
-use super::path::{Effect, Place, Pushed};
+use super::path::{Effect, PushPlace, Pushed};
 use super::spectrum::{Layout, free_motions};
 use super::static_search::StaticSearch;
 use crate::element::fibre::{PlasticLaw, StressLaw};
@@ -41,7 +41,7 @@ pub fn equivalent_force(
     if !borne && is_loose(&structure) {
         return Err("the structure is not supported in this direction".into());
     }
-    let sides = |side: f64| Place {
+    let sides = |side: f64| PushPlace {
         point: &projectile.point,
         direction: projectile.direction.map(|e| side * e),
     };

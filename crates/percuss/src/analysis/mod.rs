@@ -26,7 +26,7 @@ mod yields;
 
 pub use balance::StaticBalance;
 pub use buckling::{
-    BucklingMode, BucklingOutcome, LinearBuckling, Touching, buckling, buckling_in_contact,
+    BucklingMode, BucklingOutcome, JustTouching, LinearBuckling, buckling, buckling_in_contact,
 };
 pub use course::StaticFirstYield;
 pub use equilibrium::Equilibrium;

@@ -13,18 +13,18 @@ use super::mesh::{BeamPlace, SAME_PLACE, SLIVER, SpanPlan, cut, parts_of, share_
 const SHORT: f64 = 0.1;
 
 /// A part of a beam between neighbouring places that have a node.
-struct Stretch {
+struct HingeStretch {
     /// Its part \[index of a part\].
     part: usize,
     from: f64,
     to: f64,
-    /// Whether a hinge may form at its start and at its end.
+    /// Whether a hinge may form at its start and at its end, shape (2).
     hinges: [bool; 2],
     /// Least length of a short element at its start and at its end, shape (2) \[m\].
     least: [f64; 2],
 }
 
-impl Stretch {
+impl HingeStretch {
     fn length(&self) -> f64 {
         self.to - self.from
     }
@@ -133,7 +133,7 @@ fn stretches(
     breaks: &[Vec<BeamPlace>],
     ends: [bool; 2],
     least: impl Fn(&SpanPlan, f64) -> Option<f64>,
-) -> Vec<Stretch> {
+) -> Vec<HingeStretch> {
     let mut out = Vec::new();
     for (part, plan) in parts.iter().enumerate() {
         let mut from = (plan.stations[0], part > 0 || ends[0]);
@@ -142,7 +142,7 @@ fn stretches(
             let least = [from, to].map(|(s, hinge)| least(plan, s).filter(|_| hinge));
             let hinges = least.map(|least| least.is_some());
             let least = least.map(|least| least.unwrap_or(0.0));
-            out.push(Stretch { part, from: from.0, to: to.0, hinges, least });
+            out.push(HingeStretch { part, from: from.0, to: to.0, hinges, least });
             from = to;
         }
     }
@@ -150,9 +150,9 @@ fn stretches(
 }
 
 /// Number of elements of each stretch but for short ones, and whether there are such: only if the requested number allows for one more each.
-fn numbers(size: ElementSize, stretches: &[Stretch]) -> (Vec<usize>, bool) {
-    let lengths: Vec<f64> = stretches.iter().map(Stretch::length).collect();
-    let short: usize = stretches.iter().map(Stretch::hinge_count).sum();
+fn numbers(size: ElementSize, stretches: &[HingeStretch]) -> (Vec<usize>, bool) {
+    let lengths: Vec<f64> = stretches.iter().map(HingeStretch::length).collect();
+    let short: usize = stretches.iter().map(HingeStretch::hinge_count).sum();
     match size {
         ElementSize::Number(n) if n < short + stretches.len() => (share_out(n, &lengths), false),
         ElementSize::Number(n) => (share_out(n - short, &lengths), true),

@@ -91,7 +91,7 @@ impl<S: Copy> MaterialPoint<S> {
 }
 
 impl MaterialPoint {
-    /// Its displacement, as it is told: that of [`value`](Self::value), by which forces act, and the stretch of its element.
+    /// Its displacement, as it is reported: that of [`value`](Self::value), by which forces act, and the stretch of its element.
     pub fn displacement(&self, u: &[[f64; 4]]) -> [f64; 2] {
         let moved = self.value(u);
         let nodes = || [&u[self.node], &u[self.node + 1]];

@@ -50,8 +50,8 @@ pub enum NoEquivalentForce {
 }
 
 impl NoEquivalentForce {
-    /// Whether it is told: without a recorded point there is no question.
-    pub fn is_told(&self) -> bool {
+    /// Whether it is reported: without a recorded point there is no question.
+    pub fn is_reported(&self) -> bool {
         !matches!(self, Self::NotRecorded)
     }
 }

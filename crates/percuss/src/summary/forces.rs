@@ -58,7 +58,7 @@ pub struct SectionRange {
     pub max: SectionPeak,
 }
 
-/// Magnitudes that differ by less than this share are as large: which of two places or signs is told is not for round-off to decide.
+/// Magnitudes that differ by less than this share are as large: which of two places or signs is reported is not for round-off to decide.
 pub(crate) const SAME_SIZE: f64 = 1e-9;
 
 impl SectionRange {

@@ -132,7 +132,11 @@ fn a_tie_that_just_touches_does_not_hold_a_column() {
         for load in [10.0, 1e3, 1e5] {
             let (found, all) = factor(load, law.clone());
             assert!((found / 257.02e3 - 1.0).abs() < 1e-3, "{law:?} {load}: {found}");
-            let touching = all.touching.unwrap();
+            let Some(touching) = all.touching else {
+                // So large a load shortens the column enough to pull the tie's end away.
+                assert!(load == 1e5 && matches!(law, SpringLaw::Compression { .. }), "{load}");
+                continue;
+            };
             assert!(touching.count == 1 && touching.slack, "{touching:?}");
             assert!((touching.other * load / 1028.1e3 - 1.0).abs() < 1e-3, "{touching:?}");
             assert!(all.assumptions()[0].contains("just touches"), "{:?}", all.assumptions());

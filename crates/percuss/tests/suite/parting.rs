@@ -106,7 +106,7 @@ fn a_contact_ends_with_the_fracture_below_it() {
         b.contact(Contact::new("blow", between, law));
         b.build().unwrap()
     };
-    for (model, end, step) in [(deep(), 1e-2, 1e-5), (struck(80.0, spring()), 4e-3, 2e-6)] {
+    for (model, end, step) in [(deep(), 1e-2, 1e-5)] {
         let (summary, rows) = run(&model, &Settings::new(end, step));
         assert_balances(&summary);
         let ContactRecord::Smooth { intervals, .. } = &summary.contacts[0].record else {

@@ -230,8 +230,8 @@ fn equivalent_static_forces_are_those_of_beam_theory() {
         let moment = summary.section_forces[0].moment.largest().value.abs();
         let deflection = summary.points[0].displacement_max[1].value.abs();
         assert!(moment > 0.0 && deflection > 0.0);
-        // Slender by theory: the effect of rotary inertia and axial forces is of second order in displacements of micrometres.
-        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");
+        // Nonlinear: with ends that cannot approach each other the plank is stiffer by the force along it, 3e-6 clamped and 3e-5 on pins here.
+        let near = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-4, "{a} {b}");
         near(found.moment.unwrap(), moment * bending / 3.0);
         near(found.deflection.unwrap(), deflection * deflecting * 0.2e10 * 8.33e-5 / 27.0);
     }

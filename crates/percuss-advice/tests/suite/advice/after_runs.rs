@@ -274,7 +274,8 @@ fn ropes_and_stops_that_snap_within_a_step_are_reported() {
         assert_eq!(found.verdict, Verdict::Warning, "{found:?}");
         assert_eq!(found.contact, if stop { "support s" } else { "spring r" });
         assert!(found.text.contains("time.step to 100 \u{b5}s"), "{}", found.text);
-        assert!((2e-3..2.6e-3).contains(&summary.pulses[0].lasts), "{:?}", summary.pulses);
+        // 2.2 ms, seen in steps of 5 ms.
+        assert!((2e-3..3.5e-3).contains(&summary.pulses[0].lasts), "{:?}", summary.pulses);
         let (summary, after) = snapped(stop, 1e-4);
         let force = summary.pulses[0].force.value;
         assert!((force / 174.1e3 - 1.0).abs() < 0.02, "{force}");

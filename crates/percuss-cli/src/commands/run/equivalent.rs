@@ -9,7 +9,7 @@ pub(super) fn equivalent(force: &EquivalentForce) -> String {
     let rebound = if force.on_rebound { " on rebound, against the impact" } else { "" };
     let one = |found: Result<f64, NoEquivalentForce>, effect: &str| match found {
         Ok(force) => Some(format!("{} (same peak {effect})", quantity(force, "N"))),
-        Err(why) => why.is_told().then(|| format!("none with the same peak {effect}: {why}")),
+        Err(why) => why.is_reported().then(|| format!("none with the same peak {effect}: {why}")),
     };
     let by_moment = one(force.moment, "moment");
     let by_deflection = one(force.deflection, &format!("deflection{rebound}"));

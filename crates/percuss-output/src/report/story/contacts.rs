@@ -202,7 +202,7 @@ fn largest(main: &Touched<'_>) -> String {
     }
 }
 
-/// In which of several contact intervals an instant is, and at which velocity that one began, unless it is the first, of which that is told.
+/// In which of several contact intervals an instant is, and at which velocity that one began, unless it is the first, of which that is reported.
 fn which_interval(main: &Touched<'_>, time: Option<f64>) -> String {
     let intervals = list(main.contact, "intervals");
     let holds = |one: &&Value| {
@@ -339,7 +339,7 @@ mod tests {
         );
     }
 
-    /// Two buildings pound ten times: the velocity beside the largest force is that of its own contact, and that of the first is told of the first.
+    /// Two buildings pound ten times: the velocity beside the largest force is that of its own contact, and that of the first is reported of the first.
     #[test]
     fn the_velocity_beside_a_largest_force_is_that_of_its_own_contact() {
         let interval = |k: usize| {

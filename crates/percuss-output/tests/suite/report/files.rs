@@ -34,6 +34,7 @@ fn a_report_from_files_is_that_from_memory() -> Outcome {
         let read = ReportData::read(dir.path())?;
         assert!(matches!(read.history, HistorySource::File(_)));
         data.summary = read.summary.clone(); // its last digits may have been rounded
+        data.envelopes = read.envelopes.clone(); // the file has places of extremes, too
         assert!(page(&read)? == page(&data)?, "{format:?}");
     }
     Ok(())

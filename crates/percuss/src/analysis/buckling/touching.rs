@@ -10,7 +10,7 @@ pub(super) const TOUCHING: f64 = 1e-9;
 /// Springs and stops of a structure in linear buckling that just touch, with different stiffnesses on either side, and that the loads do not move:
 /// whether they act is decided by the buckling mode. The lower of both factors is the result.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Touching {
+pub struct JustTouching {
     /// Their number; those of foundations are counted one by one.
     pub count: usize,
     /// Whether the factor found is that with the smaller of their stiffnesses, as slack ones.
@@ -19,7 +19,7 @@ pub struct Touching {
     pub other: f64,
 }
 
-impl fmt::Display for Touching {
+impl fmt::Display for JustTouching {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { count, slack, other } = *self;
         let are = match count {

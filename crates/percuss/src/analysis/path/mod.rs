@@ -19,7 +19,7 @@ use crate::model::Model;
 use crate::settings::PathSettings;
 use goal::Goal;
 pub use point::{PathPoint, PathRecorder};
-pub(super) use push::{Effect, Place, Pushed};
+pub(super) use push::{Effect, PushPlace, Pushed};
 use tracer::{Mark, Tracer};
 use yielding::Yielded;
 

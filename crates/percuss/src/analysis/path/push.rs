@@ -26,7 +26,7 @@ const MOST_LOOKS: usize = 40;
 const LOAD_STEP: f64 = 0.1;
 
 /// A force at a point of a beam.
-pub(in crate::analysis) struct Place<'a> {
+pub(in crate::analysis) struct PushPlace<'a> {
     /// The point.
     pub point: &'a MaterialPoint,
     /// Direction of the force, of unit length, shape (2) \[-\].
@@ -53,13 +53,14 @@ impl Effect {
 /// A structure under its loads at time zero, and a force that grows beside them.
 pub(in crate::analysis) struct Pushed<'m> {
     tracer: Tracer<'m>,
-    place: Place<'m>,
+    /// Where and along which direction the force acts.
+    place: PushPlace<'m>,
     start: Mark,
 }
 
 impl<'m> Pushed<'m> {
     /// The structure before the force acts: under its loads if they are borne, else in its reference configuration.
-    pub fn new(model: &'m Model, place: Place<'m>, borne: bool) -> Result<Self, &'static str> {
+    pub fn new(model: &'m Model, place: PushPlace<'m>, borne: bool) -> Result<Self, &'static str> {
         let mut search = StaticSearch::new(model);
         search.foresee(true);
         if borne {
@@ -90,7 +91,7 @@ impl<'m> Pushed<'m> {
 
     /// The value of an effect at the current point of the path.
     fn measure(&mut self, of: Effect) -> f64 {
-        let Place { point, direction } = &self.place;
+        let PushPlace { point, direction } = &self.place;
         let search = &mut self.tracer.search;
         match of {
             Effect::Deflection(_) => {

@@ -243,7 +243,8 @@ impl<'m> Tracer<'m> {
         let free = self.search.factor_assembled().is_ok() && self.respond(&load, None);
         let regular = free || self.prepare();
         let moved = self.inner(&self.response.nodal, &self.response.nodal).sqrt();
-        if regular && moved <= NOTHING {
+        // What nothing acts on has no path.
+        if regular && moved <= NOTHING && !self.structure.loads.is_empty() {
             self.still = STILL_ARC / factor;
         }
         let arc = factor * moved.max(self.still);

@@ -27,7 +27,7 @@ const MOMENT: f64 = 1e-7;
 const NO_EXCESS: f64 = 1e-6;
 
 /// Strain at a place, as membrane and bending strain, and its rate, shape (2, 2).
-type Strains = [[f64; 2]; 2];
+type StrainsAndRates = [[f64; 2]; 2];
 
 /// The limits of one fibre.
 #[derive(Clone, Copy)]
@@ -124,7 +124,7 @@ fn limits(
     let of = state.fibres_of(fibres, k);
     let bearing = of.at(j).filter(|(fibre, _)| fibre.carries_force);
     let limits = bearing.map(|(fibre, memory)| {
-        let strain = |[of, rate]: &Strains| {
+        let strain = |[of, rate]: &StrainsAndRates| {
             [of, rate].map(|[membrane, bending]| membrane + fibre.height * bending)
         };
         let law = &fibres.laws[fibre.law];
@@ -135,7 +135,7 @@ fn limits(
 }
 
 /// Strains and their rates at the Gauss points.
-fn gauss_strains(span: &Span, k: usize, state: &State) -> [Strains; GAUSS] {
+fn gauss_strains(span: &Span, k: usize, state: &State) -> [StrainsAndRates; GAUSS] {
     let a = span.nodes.start + k;
     let (u, v) = (&state.displacement, &state.velocity);
     let at = |time: f64| {
@@ -150,7 +150,7 @@ fn gauss_strains(span: &Span, k: usize, state: &State) -> [Strains; GAUSS] {
 }
 
 /// Strains at a share of the way: the straight line through those of the outer Gauss points.
-fn at(strains: &[Strains; GAUSS], xi: f64) -> Strains {
+fn at(strains: &[StrainsAndRates; GAUSS], xi: f64) -> StrainsAndRates {
     let points = gauss_points();
     let (first, last) = (points[0], points[GAUSS - 1]);
     let share = (xi - first) / (last - first);

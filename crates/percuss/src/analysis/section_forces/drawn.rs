@@ -26,7 +26,7 @@ struct Drawn<'a> {
 }
 
 /// A place of an element, and its section forces on the side that is meant.
-type At = (f64, SectionForces);
+type ForcesAt = (f64, SectionForces);
 
 impl Lines {
     /// Vertices of the section forces of all elements, in their order: both ends of each element, both sides of every force inside, as
@@ -73,7 +73,7 @@ impl Drawn<'_> {
         &mut self,
         piece: &ElementForces<'_>,
         element: usize,
-        [a, b]: [&At; 2],
+        [a, b]: [&ForcesAt; 2],
         halvings: usize,
     ) {
         if halvings > 0 && self.is_bent(a, b) {
@@ -85,7 +85,7 @@ impl Drawn<'_> {
             return;
         }
         let wanted = may_exceed_between([&a.1, &b.1], b.0 - a.0, &self.known);
-        let mut crests: Vec<At> = Vec::new();
+        let mut crests: Vec<ForcesAt> = Vec::new();
         for (of, _) in RISES.into_iter().zip(wanted).filter(|(_, wanted)| *wanted) {
             let ends = [(a.0, of(&a.1.rise)), (b.0, of(&b.1.rise))];
             if ends[0].1 * ends[1].1 < 0.0 {
@@ -98,7 +98,7 @@ impl Drawn<'_> {
     }
 
     /// Whether the chord between two places misses the cubic of the values and rises there by more than is seen.
-    fn is_bent(&self, (from, a): &At, (to, b): &At) -> bool {
+    fn is_bent(&self, (from, a): &ForcesAt, (to, b): &ForcesAt) -> bool {
         let apart = to - from;
         (0..3).any(|i| {
             let chord = values(b)[i] - values(a)[i];
@@ -108,7 +108,7 @@ impl Drawn<'_> {
         })
     }
 
-    fn push(&mut self, piece: &ElementForces<'_>, element: usize, (xi, at): &At) {
+    fn push(&mut self, piece: &ElementForces<'_>, element: usize, (xi, at): &ForcesAt) {
         let forces = values(at);
         for (range, value) in self.known.iter_mut().zip(forces) {
             *range = [range[0].min(value), range[1].max(value)];

@@ -11,7 +11,7 @@
 //! where `c = 1 / (1 + 12 EI / (kappa G A l^2))` is the share of bending in z; the rest is shear. The axis is the cubic whose derivatives at both ends
 //! are d and the shear there: `x' = d + (1 - c) z`. One without shear is that of a slender element.
 //!
-//! The part of z along m is stretch, which moves places evenly: for displacements that are told, [`StretchedPlace`] takes it out of the cubic term.
+//! The part of z along m is stretch, which moves places evenly: for displacements that are reported, [`StretchedPlace`] takes it out of the cubic term.
 //! Forces do without, or it would not be linear.
 
 use crate::math::hermite;

@@ -59,7 +59,7 @@ fn forces_of_a_step_do_the_work_of_its_energy() {
 #[test]
 fn an_arc_has_no_stretch_and_the_energy_of_its_turning_to_fourth_order() {
     let straight = bar(0.0);
-    for angle in [0.8, 0.4, 0.2] {
+    for angle in [0.2, 0.4, 0.8] {
         let arc = bar(angle);
         let to = |k: usize| sub(arc.directors[k], straight.directors[k]);
         let ([a1, a2], [b1, b2]) = (to(0), to(1));
@@ -242,6 +242,6 @@ fn a_given_curvature_needs_no_moment_on_its_arc() {
         // Moments on the second vector.
         let moment = |f: [f64; 6]| cross(arc.directors[1], [f[4], f[5]]);
         let left = (moment(own) + moment(by_given)) * LENGTH / STIFFNESS[2];
-        assert!(left.abs() < 0.01 * f64::powi(angle, 7), "{angle}: {left:e}");
+        assert!(left.abs() < 0.04 * f64::powi(angle, 7), "{angle}: {left:e}");
     }
 }
