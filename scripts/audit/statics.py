@@ -71,7 +71,7 @@ def sums(run: Run, told: dict) -> list[str]:
 def moments(run: Run, told: dict) -> list[str]:
     """Moments about the origin cancel, of a straight beam under a load at a point, in the deformed configuration."""
     scene = run.scene
-    if list(scene["load"]) != ["push"] or scene["beam"]["b"]["curve"] != "polyline" or "obstacle" in scene:
+    if list(scene["load"]) != ["push"] or scene["beam"]["b"]["curve"] != "polyline" or "obstacle" in scene or forces.held_by_springs(scene):
         return []
     load = scene["load"]["push"]
     factor = forces.course_value(load.get("function"), 0.0)
