@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from . import _percuss
-from ._errors import MissingError, StudyError, coded
+from ._errors import MissingError, PercussWarning, StudyError, coded
 from ._options import threads
 from ._outcome import NOT_FINAL, warn
 from ._progress import Progress

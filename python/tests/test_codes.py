@@ -97,6 +97,7 @@ def test_warnings_of_the_audit_are_raised_with_their_codes(elastic):
     assert [one.message.code for one in caught if one.category is percuss.PercussWarning] == ["W105"]
     assert result.summary["warnings"][0]["code"] == "W105"
     elastic["allow.W105"] = "the midpoint rule is what I look at"
+    elastic["allow.W016"] = "the first milliseconds are what I look at"
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         allowed = percuss.run(elastic)
