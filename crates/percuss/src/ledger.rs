@@ -87,8 +87,8 @@ pub struct RoundOff<S = f64> {
     pub momentum: S,
     /// Scale of positions \[m\].
     pub size: S,
-    /// Energy, momentum and angular momentum of the least scales of residuals, shape (3) \[J, kg m/s, kg m^2/s\]: the energy of a strain of 1e-12, and
-    /// the momentum of a velocity with the same energy; the scale of energy such that round-off is not judged, see [`JUDGED`].
+    /// Energy, momentum and angular momentum of the least scales of residuals, shape (3) \[J, kg m/s, kg m^2/s\], such that round-off is not judged (see
+    /// [`JUDGED`]): that of the energy above, or of a strain of 1e-12, and that of the momentum of a velocity with the energy of strains by the last bit.
     pub negligible: [S; 3],
 }
 
@@ -108,7 +108,7 @@ impl RoundOff {
         let energy = (stretched * digit * digit + moved).max(f64::MIN_POSITIVE);
         let momentum = |energy: f64| (2.0 * model.total_mass * energy).sqrt();
         let stored = 0.5 * stretched * NEGLIGIBLE_STRAIN.powi(2);
-        let carried = momentum(stored);
+        let carried = momentum(0.5 * stretched * f64::EPSILON.powi(2)) / JUDGED;
         let negligible = [stored.max(energy / JUDGED), carried, carried * size];
         Self { energy, momentum: momentum(energy), size, negligible }
     }

@@ -83,7 +83,7 @@ fn a_strength_passed_by_shear_is_reported_as_a_von_mises_stress() {
 /// A concrete arm bears much less in tension than in compression: each side has its own limit, and its own largest stress.
 #[test]
 fn each_side_of_a_bent_beam_is_compared_with_its_own_strength() {
-    let told = |force: f64| {
+    let reported = |force: f64| {
         let mut b = ModelBuilder::new();
         let strength = Some(Strength { tension: 2.9e6, compression: 30e6 });
         let material = b.material(Material { strength, ..Material::new("c", 3.3e10, 2500.0) });
@@ -97,13 +97,14 @@ fn each_side_of_a_bent_beam_is_compared_with_its_own_strength() {
         at_rest(&model, &found).pop().expect("a finding")
     };
     // 6 F L / (b d^2): 6 MPa, and 60 MPa.
-    let small = told(2e3);
+    let small = reported(2e3);
     assert!(
-        small.text.contains("material, 2.9 MPa: 6") && !small.text.contains("compression"),
+        small.text.contains("6 MPa at s = 0 m (strength of the material 2.9 MPa)")
+            && !small.text.contains("compression"),
         "{}",
         small.text
     );
-    let large = told(20e3);
+    let large = reported(20e3);
     assert!(large.text.contains("(strength 2.9 MPa) and compression -6"), "{}", large.text);
     assert!(large.text.contains("(strength 30 MPa)"), "{}", large.text);
     assert!(large.value > 0.0 && large.reference == 2.9e6, "{large:?}");

@@ -10,6 +10,7 @@ mod contacts;
 mod everything;
 mod faults;
 mod files_at_fault;
+mod heeded;
 mod hints;
 mod laws;
 mod overrides;
