@@ -43,6 +43,7 @@ const OTHERS: [&[(&str, &str)]; 6] = [
 const WITHOUT: [(&str, &str); 4] = [
     ("section.*.heights", "heights count from the centroid, which one of them would move"),
     ("section.*.areas", "likewise"),
+    ("spring.*.yield_force", "beside a table of hardening it is that of the first row"),
     (
         "projectile.*.direction",
         "one that is not along the velocity is refused, and its length means nothing",
