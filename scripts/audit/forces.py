@@ -141,6 +141,12 @@ def shaken(run: Run, projectile: dict) -> list[float]:
     return [force * long for force in inertia_on(projectile, quake["acceleration"])]
 
 
+def pulled(scene: dict) -> set[str]:
+    """Points at which springs act inside a beam."""
+    ends = [end for spring in scene.get("spring", {}).values() for end in spring["between"]]
+    return {end for end in ends if isinstance(end, str)}
+
+
 def held_by_springs(scene: dict) -> bool:
     """Whether a rope or a bed holds beams against the ground beside the supports."""
     return "foundation" in scene or "rope" in scene.get("spring", {})

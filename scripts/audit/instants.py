@@ -107,7 +107,7 @@ def jumps(run: Run, point: str) -> bool:
     """Whether something acts at a point, so that section forces jump; the floor and damping of modes act at any node."""
     struck = {one["strikes"] for one in run.scene["projectile"].values()}
     lumps = {lump["at"] for lump in run.scene.get("mass", {}).values()}
-    return point in struck | lumps | {"b@0.4", "b@0.35"} or "obstacle" in run.scene or "damping" in run.scene
+    return point in struck | lumps | forces.pulled(run.scene) | {"b@0.4"} or "obstacle" in run.scene or "damping" in run.scene
 
 
 def strains(run: Run) -> list[str]:

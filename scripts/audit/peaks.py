@@ -3,7 +3,7 @@
 import csv
 import math
 
-from . import laws
+from . import forces, laws
 from .results import CLOSED, SAME, Run, differs, outside
 from .scenes import area, inertia
 
@@ -134,7 +134,7 @@ def stresses(run: Run) -> list[str]:
         return out
     a, w = area(made), inertia(made) / (made["section"]["s"]["depth"] / 2)
     for beam, told in run.summary["section_forces"].items():
-        lumps = {"b@0.4", "b@0.35"} | {lump["at"] for lump in made.get("mass", {}).values()}
+        lumps = {"b@0.4"} | forces.pulled(made) | {lump["at"] for lump in made.get("mass", {}).values()}
         for point in [p for p in made["record"]["points"] if p in points_of(run, beam) and p not in lumps]:
             parts = [run.column(f"section.{point}.{part}") for part in ("axial", "moment", "stress")]
             # Axial forces have the round-off of EA.

@@ -152,6 +152,7 @@ fn agree(model: &Model, settings: &Settings, found: &RunSummary, tolerance: f64)
     assert!(found.energy.residual_max < 1e-11 && found.momentum.linear_residual_max < 1e-11);
     assert!(found.momentum.angular_residual_max < 1e-11);
     assert_eq!(counts(&single), counts(found));
+    crate::scales::agree(&single, found);
     let (a, b) = (numbers(&single), numbers(found));
     assert_eq!(a.len(), b.len());
     for ((name, a), (_, b)) in a.iter().zip(&b) {

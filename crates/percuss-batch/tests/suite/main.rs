@@ -7,6 +7,7 @@ mod crushing;
 mod ensembles;
 mod joined_ensembles;
 mod rigid_ensembles;
+mod scales;
 mod section_forces;
 mod sensitivities;
 mod yielding_ensembles;

@@ -55,7 +55,7 @@ kinds! {
 table! {
     /// Obstacle: fixed, or with prescribed motion.
     pub struct Obstacle {
-        /// Prescribed motion; fixed if none is given.
+        /// Prescribed motion, from the reference configuration; fixed if none is given.
         motion: Option<Shift> as Maybe<Braces<Shift>> = None,
     }
     with {

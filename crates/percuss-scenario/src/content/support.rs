@@ -64,7 +64,8 @@ table! {
         at: Point as PointText,
         /// Active until this time (s), or "forever".
         until: f64 as OrEndless<Until> = f64::INFINITY,
-        /// Prescribed motion of the fixed components; at rest if none is given.
+        /// Prescribed motion of the fixed components, from the reference configuration; at rest if none is given. Where it is not zero at time zero,
+        /// the structure starts in equilibrium with it.
         motion: Option<Motion> as Maybe<Braces<Motion>> = None,
     }
     with {

@@ -53,6 +53,31 @@ impl HingeStretch {
     }
 }
 
+/// A beam before it is meshed.
+struct HingeLayout {
+    /// Its parts, shape (parts).
+    parts: Vec<SpanPlan>,
+    /// Places inside each part that have a node, shape (parts, places).
+    breaks: Vec<Vec<BeamPlace>>,
+    /// What lies between these and the ends of parts, shape (stretches).
+    stretches: Vec<HingeStretch>,
+}
+
+impl HingeLayout {
+    fn new(
+        beam: &Beam,
+        line: &CentreLine,
+        places: &[BeamPlace],
+        least: impl Fn(&SpanPlan, f64) -> Option<f64>,
+    ) -> Self {
+        let parts = parts_of(beam, line);
+        let near = near(beam, line);
+        let breaks: Vec<_> = parts.iter().map(|part| breaks(part, places, near)).collect();
+        let stretches = stretches(&parts, &breaks, ends(line, places), least);
+        Self { parts, breaks, stretches }
+    }
+}
+
 /// Spans of a beam with nodes at `places`, which are in their order along it, those struck among them; and whether it has short elements. The least
 /// length of these at a place of a part is `least`, none if the part cannot yield.
 pub fn spans(
@@ -61,10 +86,7 @@ pub fn spans(
     places: &[BeamPlace],
     least: impl Fn(&SpanPlan, f64) -> Option<f64>,
 ) -> (Vec<SpanPlan>, bool) {
-    let mut parts = parts_of(beam, line);
-    let near = near(beam, line);
-    let breaks: Vec<Vec<BeamPlace>> = parts.iter().map(|part| breaks(part, places, near)).collect();
-    let stretches = stretches(&parts, &breaks, ends(line, places), least);
+    let HingeLayout { mut parts, breaks, stretches } = HingeLayout::new(beam, line, places, least);
     let (full, short) = numbers(beam.mesh.size, &stretches);
     for part in &mut parts {
         part.stations.truncate(1);
@@ -83,12 +105,8 @@ pub fn hinges(
     places: &[BeamPlace],
     least: impl Fn(&SpanPlan, f64) -> Option<f64>,
 ) -> Vec<f64> {
-    let parts = parts_of(beam, line);
-    let near = near(beam, line);
-    let breaks: Vec<Vec<BeamPlace>> = parts.iter().map(|part| breaks(part, places, near)).collect();
-    let all = stretches(&parts, &breaks, ends(line, places), least);
     let mut out: Vec<f64> = Vec::new();
-    for stretch in &all {
+    for stretch in &HingeLayout::new(beam, line, places, least).stretches {
         let at = [stretch.from, stretch.to].into_iter().zip(stretch.hinges);
         out.extend(at.filter(|(_, hinge)| *hinge).map(|(s, _)| s));
     }

@@ -85,52 +85,48 @@ fn a_disc_flies_through_the_strip_that_it_has_broken() {
 /// spring had stored is lost, so that nothing is left to the scheme.
 #[test]
 fn a_contact_ends_with_the_fracture_below_it() {
-    let deep = || {
-        let mut b = ModelBuilder::new();
-        let curve = vec![Hardening { from: 0.0, stress: 250e6, modulus: 0.0 }];
-        let failure_strain = Some(0.01);
-        let law = Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain };
-        let material = b.material(Material {
-            strain: StrainMeasure::Engineering,
-            inelasticity: Some(Inelasticity::Plastic(law)),
-            ..Material::new("metal", 200e9, 7850.0)
-        });
-        let section = b.section(Section::rectangle("bar", 0.02, 0.02));
-        let bar = b.beam(beam("bar", [0.0, 0.0], [1.0, 0.0], 7, material, section));
-        for (name, f) in [("left", 0.0), ("right", 1.0)] {
-            b.support(Support::new(name, at(name, bar, f), SupportKind::Clamp));
-        }
-        let ball = b.disc(disc("ball", 20.0, 0.2, [0.5, 0.215], [0.0, -100.0]));
-        let between = [ContactPartner::Disc(ball), ContactPartner::Beam(bar)];
-        let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e7 }));
-        b.contact(Contact::new("blow", between, law));
-        b.build().unwrap()
-    };
-    for (model, end, step) in [(deep(), 1e-2, 1e-5)] {
-        let (summary, rows) = run(&model, &Settings::new(end, step));
-        assert_balances(&summary);
-        let ContactRecord::Smooth { intervals, .. } = &summary.contacts[0].record else {
-            unreachable!()
-        };
-        let torn: Vec<_> = intervals.iter().filter(|interval| interval.torn).collect();
-        assert!(!torn.is_empty(), "{intervals:?}");
-        for interval in intervals {
-            assert!(interval.end <= end && interval.start < interval.end, "{interval:?}");
-            let all = summary.energy.scale;
-            assert!(interval.energy.scheme.abs() < 1e-12 * all, "{:?}", interval.energy);
-            assert!(interval.energy.stored.abs() < 1e-12 * all, "{:?}", interval.energy);
-        }
-        for interval in torn {
-            assert!(interval.separation_velocity.is_nan(), "{interval:?}");
-            assert_eq!(interval.restitution(), Err(NoRestitution::Torn));
-            assert!(interval.energy.failure > 0.0, "{:?}", interval.energy);
-            // The force of the rows is there before that instant, and not at it.
-            let [time, force] = ["time", "contact.blow.force"].map(|c| rows.column(c).unwrap());
-            let at = time.iter().position(|t| *t > interval.end - 0.5 * step).unwrap();
-            assert!(force[at - 1] > 0.0 && force[at] == 0.0, "{} {}", force[at - 1], force[at]);
-        }
-        assert!(summary.loss_contacts().abs() < 1e-9 * summary.energy.scale);
+    let mut b = ModelBuilder::new();
+    let curve = vec![Hardening { from: 0.0, stress: 250e6, modulus: 0.0 }];
+    let failure_strain = Some(0.01);
+    let law = Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain };
+    let material = b.material(Material {
+        strain: StrainMeasure::Engineering,
+        inelasticity: Some(Inelasticity::Plastic(law)),
+        ..Material::new("metal", 200e9, 7850.0)
+    });
+    let section = b.section(Section::rectangle("bar", 0.02, 0.02));
+    let bar = b.beam(beam("bar", [0.0, 0.0], [1.0, 0.0], 7, material, section));
+    for (name, f) in [("left", 0.0), ("right", 1.0)] {
+        b.support(Support::new(name, at(name, bar, f), SupportKind::Clamp));
     }
+    let ball = b.disc(disc("ball", 20.0, 0.2, [0.5, 0.215], [0.0, -100.0]));
+    let between = [ContactPartner::Disc(ball), ContactPartner::Beam(bar)];
+    let law = TouchLaw::Smooth(SmoothLaw::elastic(Potential::Linear { stiffness: 1e7 }));
+    b.contact(Contact::new("blow", between, law));
+    let (end, step) = (1e-2, 1e-5);
+    let (summary, rows) = run(&b.build().unwrap(), &Settings::new(end, step));
+    assert_balances(&summary);
+    let ContactRecord::Smooth { intervals, .. } = &summary.contacts[0].record else {
+        unreachable!()
+    };
+    let torn: Vec<_> = intervals.iter().filter(|interval| interval.torn).collect();
+    assert!(!torn.is_empty(), "{intervals:?}");
+    for interval in intervals {
+        assert!(interval.end <= end && interval.start < interval.end, "{interval:?}");
+        let all = summary.energy.scale;
+        assert!(interval.energy.scheme.abs() < 1e-12 * all, "{:?}", interval.energy);
+        assert!(interval.energy.stored.abs() < 1e-12 * all, "{:?}", interval.energy);
+    }
+    for interval in torn {
+        assert!(interval.separation_velocity.is_nan(), "{interval:?}");
+        assert_eq!(interval.restitution(), Err(NoRestitution::Torn));
+        assert!(interval.energy.failure > 0.0, "{:?}", interval.energy);
+        // The force of the rows is there before that instant, and not at it.
+        let [time, force] = ["time", "contact.blow.force"].map(|c| rows.column(c).unwrap());
+        let at = time.iter().position(|t| *t > interval.end - 0.5 * step).unwrap();
+        assert!(force[at - 1] > 0.0 && force[at] == 0.0, "{} {}", force[at - 1], force[at]);
+    }
+    assert!(summary.loss_contacts().abs() < 1e-9 * summary.energy.scale);
 }
 
 /// The energy released at a place does not exceed that of all failures, and each is reported once, in the order of time.

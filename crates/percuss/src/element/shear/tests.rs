@@ -242,6 +242,7 @@ fn a_given_curvature_needs_no_moment_on_its_arc() {
         // Moments on the second vector.
         let moment = |f: [f64; 6]| cross(arc.directors[1], [f[4], f[5]]);
         let left = (moment(own) + moment(by_given)) * LENGTH / STIFFNESS[2];
+        // The factor is 0.064 at the smallest of these angles and 0.028 at the largest.
         assert!(left.abs() < 0.1 * f64::powi(angle, 7), "{angle}: {left:e}");
     }
 }
