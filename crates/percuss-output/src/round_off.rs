@@ -3,7 +3,7 @@
 //! Numbers in files are never changed. What a reader sees is zero, or is left out, where it is less than [`ROUND_OFF`] of the largest of its
 //! kind in the run, or of what a structure has that is at rest but for round-off.
 
-use percuss::SectionForceSummary;
+use percuss::{Equilibrium, SectionForceSummary};
 use serde_json::Value;
 
 /// What is below this share of the largest of its kind is round-off. Residuals of balances are some 1e-14 of the largest energy; velocities and
@@ -121,6 +121,39 @@ impl SectionScales {
         };
         without_round_off(value, scale)
     }
+}
+
+/// What the displacements and forces of an equilibrium are measured by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StaticScales {
+    /// Largest displacement of a recorded point \[m\].
+    pub moved: f64,
+    /// Largest rotation of one, or that of which slopes have the round-off of numbers of the size of one \[rad\].
+    pub turned: f64,
+    /// Largest force of a support, of a foundation, and of all springs to the ground \[N\].
+    pub force: f64,
+    /// That, or the largest moment of a support, if that is larger \[N m\].
+    pub moment: f64,
+}
+
+impl StaticScales {
+    /// Those of an equilibrium.
+    pub fn of(found: &Equilibrium) -> Self {
+        let reactions = || found.reactions.iter().map(|(_, reaction)| reaction);
+        let forces = reactions().flat_map(|reaction| &reaction[..2]);
+        let others = found.foundations.iter().flat_map(|one| &one.force);
+        let force = largest(forces.chain(others).chain(&found.balance.springs));
+        Self {
+            moved: largest(found.points.iter().flat_map(|(_, moved)| moved)),
+            turned: largest(&found.rotations).max(LEAST),
+            force,
+            moment: largest(reactions().map(|reaction| &reaction[2])).max(force),
+        }
+    }
+}
+
+fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
+    values.into_iter().fold(0.0, |most: f64, value| most.max(value.abs()))
 }
 
 /// Largest displacement of a recorded point, and permanent deflection.

@@ -363,3 +363,15 @@ fn failures_on_the_way_are_reported_with_their_load_factor() {
     let reported = text.ends_with(0);
     assert!(reported.stdout.contains("`spring.k` fails at load factor"), "{}", reported.stdout);
 }
+
+/// A support that bears nothing beside springs to the ground that bear all: its reaction is zero, not the round-off of theirs.
+#[test]
+fn reactions_of_round_off_beside_springs_to_the_ground_are_zero() {
+    let sandbox = Sandbox::empty();
+    let foundation = "[foundation.bed]\non = \"arm\"\nstiffness = \"20 MN/m^2\"\n\n\
+        [support.roller]\nat = \"arm.mid\"\nkind = \"fix\"\ncomponents = [1]\n\n[load.tip]";
+    let file = sandbox.write("bed.toml", &CANTILEVER.replace("[load.tip]", foundation));
+    let (status, out, _) = percuss(&file, &[]);
+    assert_eq!(status, Some(0), "{out}");
+    assert!(out.contains("'roller': force (x, y) = (0 N, 0 N), moment 0 N m"), "{out}");
+}

@@ -9,7 +9,9 @@ use percuss::{
 use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity};
 use crate::plastic_text::{largest_hinge, permanent_deflection, plastic_hinge};
-use percuss_output::round_off::{LEAST, NO_DISTANCE, NO_GAP, SectionScales, without_round_off};
+use percuss_output::round_off::{
+    NO_DISTANCE, NO_GAP, SectionScales, StaticScales, without_round_off,
+};
 
 /// Limit points and failures printed, of each.
 const LISTED: usize = 20;
@@ -30,14 +32,14 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
     if !found.reactions.is_empty() {
         text.push_str("reactions, on the structure\n");
     }
-    let size = largest(found.reactions.iter().flat_map(|(_, r)| r));
+    let scales = StaticScales::of(found);
     for (name, reaction) in &found.reactions {
-        let [x, y] = [0, 1].map(|k| beside(size, reaction[k], "N"));
-        let moment = beside(size, reaction[2], "N*m");
+        let [x, y] = [0, 1].map(|k| beside(scales.force, reaction[k], "N"));
+        let moment = beside(scales.moment, reaction[2], "N*m");
         text.push_str(&format!("  '{name}': force (x, y) = ({x}, {y}), moment {moment}\n"));
     }
     if found.balance.springs != [0.0; 2] {
-        let [x, y] = found.balance.springs.map(|f| beside(size, f, "N"));
+        let [x, y] = found.balance.springs.map(|f| beside(scales.force, f, "N"));
         text.push_str(&format!("  springs to ground, total: force (x, y) = ({x}, {y})\n"));
     }
     text.push_str(&foundations(&found.foundations));
@@ -85,9 +87,7 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
 /// The largest displacement, and those of the recorded points with their rotations.
 fn displacements(found: &Equilibrium) -> String {
     let mut text = found.largest_displacement.as_ref().map_or(String::new(), farthest);
-    let moved = largest(found.points.iter().flat_map(|(_, u)| u));
-    // A single recorded rotation has no other one to be compared with; slopes have the round-off of numbers of the size of one.
-    let turned = largest(found.rotations.iter()).max(LEAST);
+    let StaticScales { moved, turned, .. } = StaticScales::of(found);
     for ((name, u), rotation) in found.points.iter().zip(&found.rotations) {
         let [x, y] = u.map(|u| beside(moved, u, "m"));
         let rotation = beside(turned, *rotation, "rad");
@@ -291,10 +291,6 @@ fn contacts(found: &[StaticContact]) -> String {
         text.push('\n');
     }
     text
-}
-
-fn largest<'a>(values: impl Iterator<Item = &'a f64>) -> f64 {
-    values.fold(0.0, |most: f64, v| most.max(v.abs()))
 }
 
 /// A quantity, zero if it is round-off beside `size`.

@@ -9,12 +9,11 @@ use serde_json::json;
 
 use super::{Page, swinging};
 use crate::fields::{Fields, Places, scene_value};
-use crate::report::figure::largest;
 use crate::report::foundations::{AT_REST, rows_at_rest};
 use crate::report::html::{sentences, table};
 use crate::report::quantity::{number, quantity, without_round_off};
 use crate::report::scene;
-use crate::round_off::{LEAST, NO_DISTANCE, NO_GAP, SectionScales};
+use crate::round_off::{NO_DISTANCE, NO_GAP, SectionScales, StaticScales};
 
 /// An equilibrium and what it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -130,27 +129,22 @@ fn largest_section(
 
 /// Displacements, reactions, contacts, section forces.
 pub(super) fn tables(found: &Equilibrium) -> String {
-    let moved = largest(found.points.iter().flat_map(|(_, u)| u));
+    let StaticScales { moved, turned, force, moment } = StaticScales::of(found);
     let text_of =
         |v: f64, scale: f64, unit: &str| quantity(Some(without_round_off(v, scale)), unit);
-    // A single recorded rotation has no other one to be compared with.
-    let turned = largest(found.rotations.iter()).max(LEAST);
     let points: Vec<Vec<String>> = (found.points.iter().zip(&found.rotations))
         .map(|((name, u), rotation)| {
             let [u1, u2] = u.map(|u| text_of(u, moved, "m"));
             vec![name.clone(), u1, u2, text_of(*rotation, turned, "rad")]
         })
         .collect();
-    let all_forces = found.reactions.iter().flat_map(|(_, r)| &r[..2]);
-    let size = largest(all_forces.chain(found.foundations.iter().flat_map(|f| &f.force)));
-    let turning = largest(found.reactions.iter().map(|(_, r)| &r[2])).max(size);
     let reactions: Vec<Vec<String>> = (found.reactions.iter())
         .map(|(name, r)| {
             vec![
                 name.clone(),
-                text_of(r[0], size, "N"),
-                text_of(r[1], size, "N"),
-                text_of(r[2], turning, "N*m"),
+                text_of(r[0], force, "N"),
+                text_of(r[1], force, "N"),
+                text_of(r[2], moment, "N*m"),
             ]
         })
         .collect();

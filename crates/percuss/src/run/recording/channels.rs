@@ -1,8 +1,8 @@
-//! The columns of the history and their values at a state.
+//! The columns of the history and their values at a state: each column is one entry of name, unit, meaning and value.
+//!
+//! A new column is a new entry, of [`super::balances`] if its name contains none of the model, else of the function here whose part it belongs to.
 
-use super::columns::{
-    BALANCE_COLUMNS, FORCE_COLUMNS, PLASTIC_COLUMNS, SECTION_COLUMNS, SHEAR_COLUMN,
-};
+use super::balances::{BALANCES, HARDENING, SHEAR};
 use crate::analysis::section_forces::{self, Lines};
 use crate::contact::search::Search;
 use crate::geometry::pair::Memory;
@@ -25,112 +25,262 @@ pub struct Channel {
     pub description: String,
 }
 
+/// A state at which a row is taken, and changes since the previous row.
+pub struct Now<'a> {
+    pub state: &'a State,
+    pub measures: &'a Measures,
+    /// Impulses along normal and tangent, shape (contacts, 2) \[N s\].
+    pub impulse: &'a [[f64; 2]],
+    /// Rotations of the recorded points in the current state, shape (points) \[rad\].
+    pub rotations: &'a [f64],
+    /// Pairs evaluated in the current state, and bounds for the gaps of the others.
+    pub search: &'a Search,
+    /// Mean reactions, shape (supports, 3) \[N, N m\].
+    pub reactions: &'a [[f64; 3]],
+    /// Their additional impulses, shape (supports, 3) \[N s, N m s\].
+    pub reaction_impulses: &'a [[f64; 3]],
+    /// Section forces of the last step without impact.
+    pub lines: &'a Lines,
+    /// Velocity of the accelerated base, shape (2) \[m/s\].
+    pub base_velocity: [f64; 2],
+    /// Newton iterations.
+    pub iterations: usize,
+}
+
 /// Columns of the history of `model`, in the order of [`values`].
 pub fn channels(model: &Model) -> Vec<Channel> {
     let mut out = Vec::new();
-    let mut add = |name: String, unit: &'static str, description: &str| {
-        out.push(Channel { name, unit, description: description.into() });
-    };
-    add("time".into(), "s", "Time");
-    for (_, name, disc) in projectiles(model) {
-        let body = if disc { "disc" } else { "projectile" };
-        for i in 1..=2 {
-            let what = format!("Position of the {body}");
-            add(format!("projectile.{name}.position_{i}"), "m", &what);
-        }
-        for i in 1..=2 {
-            let what = format!("Velocity of the {body}");
-            add(format!("projectile.{name}.velocity_{i}"), "m/s", &what);
-        }
-        if disc {
-            add(format!("projectile.{name}.angle"), "rad", "Rotation of the disc");
-            add(format!("projectile.{name}.spin"), "rad/s", "Angular velocity of the disc");
-        }
-    }
-    for contact in &model.contacts {
-        let name = &contact.name;
-        add(format!("contact.{name}.gap"), "m", "Gap at the closest points");
-        if !contact.law.is_rigid() {
-            add(format!("contact.{name}.force"), "N", "Contact force at this instant");
-        }
-        let text = "Impulse during the output interval";
-        add(format!("contact.{name}.impulse"), "N*s", text);
-        if has_friction(contact) {
-            let text = "Impulse of friction during the output interval";
-            add(format!("contact.{name}.friction_impulse"), "N*s", text);
-        }
-        if slides(model, contact) {
-            let text = "Arc length of the closest point along the first beam";
-            add(format!("contact.{name}.place"), "m", text);
-        }
-    }
-    for p in &model.points {
-        let name = &p.label;
-        for i in 1..=2 {
-            add(format!("point.{name}.displacement_{i}"), "m", "Displacement of the point");
-        }
-        let text =
-            "Rotation of the section at the point, counter-clockwise, continued from row to row";
-        add(format!("point.{name}.rotation"), "rad", text);
-        for i in 1..=2 {
-            add(format!("point.{name}.velocity_{i}"), "m/s", "Velocity of the point");
-        }
-        if model.has_accelerated_base() {
-            for i in 1..=2 {
-                let text = "Velocity of the point and of the accelerated base together";
-                add(format!("point.{name}.absolute_velocity_{i}"), "m/s", text);
-            }
-        }
-    }
-    for p in &model.points {
-        let shown = if has_depth(model, p) { SECTION_COLUMNS.len() } else { FORCE_COLUMNS };
-        for (quantity, unit, text) in &SECTION_COLUMNS[..shown] {
-            add(format!("section.{}.{quantity}", p.label), unit, text);
-        }
-    }
-    for s in &model.supports {
-        let name = &s.name;
-        for i in 1..=2 {
-            let text = "Force of the support on the structure, averaged over the output interval";
-            add(format!("support.{name}.force_{i}"), "N", text);
-        }
-        let text = "Moment of the support on the structure, averaged over the output interval";
-        add(format!("support.{name}.moment"), "N*m", text);
-        if model.has_impulses() {
-            for i in 1..=2 {
-                let text = "Impulse of the support in impacts during the output interval, in addition to its force";
-                add(format!("support.{name}.impulse_{i}"), "N*s", text);
-            }
-            let text = "Angular impulse of the support in impacts during the output interval";
-            add(format!("support.{name}.impulse_moment"), "N*m*s", text);
-        }
-    }
-    out.extend(connector_channels(model));
-    out.extend(foundation_channels(model));
-    out.extend(balances(model));
+    enter_all(model, &mut Sheet::Columns(&mut out));
     out
 }
 
-/// Columns of energies, momenta and the solver.
-fn balances(model: &Model) -> impl Iterator<Item = Channel> {
-    let plastic = PLASTIC_COLUMNS.iter().filter(|_| model.is_inelastic());
-    let plastic = plastic.map(|(name, description)| (*name, "J", *description));
-    let shear = model.has_shear().then_some(SHEAR_COLUMN);
-    BALANCE_COLUMNS.into_iter().chain(plastic).chain(shear).map(|(name, unit, description)| {
-        Channel { name: name.into(), unit, description: description.into() }
-    })
+/// Values of a row.
+pub fn values(model: &Model, now: &Now<'_>, row: &mut Vec<f64>) {
+    row.clear();
+    enter_all(model, &mut Sheet::Row { now, row });
 }
 
-/// Bodies of projectiles, their names and whether they are discs.
-fn projectiles(model: &Model) -> impl Iterator<Item = (usize, &str, bool)> {
-    model.striking_bodies().map(|i| {
-        let body = &model.bodies[i];
-        (i, body.name.as_str(), body.kind.is_disc())
-    })
+/// Takes the entries: of each its name, unit and meaning, or at a state its value.
+enum Sheet<'a> {
+    Columns(&'a mut Vec<Channel>),
+    Row { now: &'a Now<'a>, row: &'a mut Vec<f64> },
 }
 
-fn has_friction(contact: &ContactData) -> bool {
-    contact.law.has_friction()
+impl Sheet<'_> {
+    /// What the values of several columns follow from; nothing where values are not asked for.
+    fn at<T>(&self, of: impl FnOnce(&Now<'_>) -> T) -> Option<T> {
+        match self {
+            Self::Columns(_) => None,
+            Self::Row { now, .. } => Some(of(now)),
+        }
+    }
+
+    /// A column: its name, unit, meaning, and where values are asked for its value.
+    fn enter(
+        &mut self,
+        name: impl FnOnce() -> String,
+        unit: &'static str,
+        meaning: &str,
+        value: Option<f64>,
+    ) {
+        match self {
+            Self::Columns(out) => {
+                out.push(Channel { name: name(), unit, description: meaning.to_owned() });
+            }
+            Self::Row { row, .. } => row.extend(value),
+        }
+    }
+
+    /// A column of each component of a vector.
+    fn enter_vector(
+        &mut self,
+        name: impl Fn() -> String,
+        unit: &'static str,
+        meaning: &str,
+        value: Option<[f64; 2]>,
+    ) {
+        for i in 0..2 {
+            let component = || format!("{}_{}", name(), i + 1);
+            self.enter(component, unit, meaning, value.map(|vector| vector[i]));
+        }
+    }
+}
+
+fn enter_all(model: &Model, sheet: &mut Sheet<'_>) {
+    let time = sheet.at(|now| now.state.time);
+    sheet.enter(|| "time".to_owned(), "s", "Time", time);
+    enter_projectiles(model, sheet);
+    enter_contacts(model, sheet);
+    enter_points(model, sheet);
+    enter_sections(model, sheet);
+    enter_supports(model, sheet);
+    enter_connectors(model, sheet);
+    enter_foundations(model, sheet);
+    let hardening = HARDENING.iter().filter(|_| model.is_inelastic());
+    let shear = SHEAR.iter().filter(|_| model.has_shear());
+    for (name, unit, meaning, value) in BALANCES.iter().chain(hardening).chain(shear) {
+        let value = sheet.at(value);
+        sheet.enter(|| (*name).to_owned(), unit, meaning, value);
+    }
+}
+
+fn enter_projectiles(model: &Model, sheet: &mut Sheet<'_>) {
+    for i in model.striking_bodies() {
+        let (body, node) = (&model.bodies[i], model.body_node(i));
+        let (name, disc) = (body.name.as_str(), body.kind.is_disc());
+        let motion = sheet.at(|now| (now.state.displacement[node], now.state.velocity[node]));
+        let x = model.nodes[node].position;
+        let position = motion.map(|(u, _)| [x[0] + u[0], x[1] + u[1]]);
+        let velocity = motion.map(|(_, v)| [v[0], v[1]]);
+        let [place, rate] = if disc {
+            ["Position of the disc", "Velocity of the disc"]
+        } else {
+            ["Position of the projectile", "Velocity of the projectile"]
+        };
+        sheet.enter_vector(|| format!("projectile.{name}.position"), "m", place, position);
+        sheet.enter_vector(|| format!("projectile.{name}.velocity"), "m/s", rate, velocity);
+        if disc {
+            let [angle, spin] = [motion.map(|(u, _)| u[2]), motion.map(|(_, v)| v[2])];
+            let named = |what: &str| format!("projectile.{name}.{what}");
+            sheet.enter(|| named("angle"), "rad", "Rotation of the disc", angle);
+            sheet.enter(|| named("spin"), "rad/s", "Angular velocity of the disc", spin);
+        }
+    }
+}
+
+fn enter_contacts(model: &Model, sheet: &mut Sheet<'_>) {
+    for (k, contact) in model.contacts.iter().enumerate() {
+        let named = |what: &str| format!("contact.{}.{what}", contact.name);
+        let nearest = sheet.at(|now| nearest(model, now.state, contact, now.search));
+        let gap = nearest.as_ref().map(|one| one.gap);
+        sheet.enter(|| named("gap"), "m", "Gap at the closest points", gap);
+        if !contact.law.is_rigid() {
+            let force = sheet.at(|now| force_now(contact, now));
+            sheet.enter(|| named("force"), "N", "Contact force at this instant", force);
+        }
+        let [normal, tangential] = [0, 1].map(|i| sheet.at(|now| now.impulse[k][i]));
+        let meaning = "Impulse during the output interval";
+        sheet.enter(|| named("impulse"), "N*s", meaning, normal);
+        if contact.law.has_friction() {
+            let meaning = "Impulse of friction during the output interval";
+            sheet.enter(|| named("friction_impulse"), "N*s", meaning, tangential);
+        }
+        if slides(model, contact) {
+            let meaning = "Arc length of the closest point along the first beam";
+            sheet.enter(|| named("place"), "m", meaning, nearest.map(|one| one.s));
+        }
+    }
+}
+
+/// Force of a compliant contact, that of its damping included \[N\].
+fn force_now(contact: &ContactData, now: &Now<'_>) -> f64 {
+    let Some(law) = contact.law.smooth() else { return 0.0 };
+    let force = |i: usize| {
+        let pair = &now.state.pairs[i];
+        let damped = (1.0 - law.dissipation * pair.rate).max(0.0);
+        law.force(-pair.gap, pair.deepest) * damped
+    };
+    let awake = now.search.awake().iter().filter(|i| contact.pairs.contains(i));
+    awake.map(|i| force(*i)).sum()
+}
+
+fn enter_points(model: &Model, sheet: &mut Sheet<'_>) {
+    for (k, point) in model.points.iter().enumerate() {
+        let named = |what: &str| format!("point.{}.{what}", point.label);
+        let displacement = sheet.at(|now| point.displacement(&now.state.displacement));
+        let meaning = "Displacement of the point";
+        sheet.enter_vector(|| named("displacement"), "m", meaning, displacement);
+        let rotation = sheet.at(|now| now.rotations[k]);
+        let meaning =
+            "Rotation of the section at the point, counter-clockwise, continued from row to row";
+        sheet.enter(|| named("rotation"), "rad", meaning, rotation);
+        let velocity = sheet.at(|now| point.velocity(&now.state.displacement, &now.state.velocity));
+        sheet.enter_vector(|| named("velocity"), "m/s", "Velocity of the point", velocity);
+        if model.has_accelerated_base() {
+            let base = sheet.at(|now| now.base_velocity);
+            let absolute = velocity.zip(base).map(|(v, base)| [v[0] + base[0], v[1] + base[1]]);
+            let meaning = "Velocity of the point and of the accelerated base together";
+            sheet.enter_vector(|| named("absolute_velocity"), "m/s", meaning, absolute);
+        }
+    }
+}
+
+fn enter_sections(model: &Model, sheet: &mut Sheet<'_>) {
+    for point in &model.points {
+        let named = |what: &str| format!("section.{}.{what}", point.label);
+        let found = sheet.at(|now| section_forces::at_point(model, now.lines, now.state, point));
+        let value = |of: fn(&PointForces) -> f64| found.as_ref().map(of);
+        let meaning = "Axial force at the point, positive in tension";
+        sheet.enter(|| named("axial"), "N", meaning, value(|f| f.axial));
+        sheet.enter(|| named("shear"), "N", "Shear force at the point", value(|f| f.shear));
+        sheet.enter(|| named("moment"), "N*m", "Bending moment at the point", value(|f| f.moment));
+        if has_depth(model, point) {
+            let meaning = "Stress of the extreme fibre (top or bottom) with the larger magnitude";
+            sheet.enter(|| named("stress"), "Pa", meaning, value(|f| f.stress.largest));
+            let meaning = "Stress at the top fibre: left of the direction of increasing s, the upper face of a beam drawn from left to right";
+            sheet.enter(|| named("stress_top"), "Pa", meaning, value(|f| f.stress.top));
+            let meaning = "Stress at the bottom fibre: right of the direction of increasing s, the lower face of a beam drawn from left to right";
+            sheet.enter(|| named("stress_bottom"), "Pa", meaning, value(|f| f.stress.bottom));
+        }
+    }
+}
+
+fn enter_supports(model: &Model, sheet: &mut Sheet<'_>) {
+    for (k, support) in model.supports.iter().enumerate() {
+        let named = |what: &str| format!("support.{}.{what}", support.name);
+        let mean = sheet.at(|now| now.reactions[k]);
+        let force = mean.map(|r| [r[0], r[1]]);
+        let meaning = "Force of the support on the structure, averaged over the output interval";
+        sheet.enter_vector(|| named("force"), "N", meaning, force);
+        let meaning = "Moment of the support on the structure, averaged over the output interval";
+        sheet.enter(|| named("moment"), "N*m", meaning, mean.map(|r| r[2]));
+        if model.has_impulses() {
+            let sum = sheet.at(|now| now.reaction_impulses[k]);
+            let meaning = "Impulse of the support in impacts during the output interval, in addition to its force";
+            let impulse = sum.map(|r| [r[0], r[1]]);
+            sheet.enter_vector(|| named("impulse"), "N*s", meaning, impulse);
+            let meaning = "Angular impulse of the support in impacts during the output interval";
+            sheet.enter(|| named("impulse_moment"), "N*m*s", meaning, sum.map(|r| r[2]));
+        }
+    }
+}
+
+/// Springs and hinges that can yield.
+fn enter_connectors(model: &Model, sheet: &mut Sheet<'_>) {
+    for (i, connector, own) in model.yielding() {
+        let [what, unit, force, of] = if connector.turns() {
+            ["rotation", "rad", "moment", "N*m"]
+        } else {
+            ["extension", "m", "force", "N"]
+        };
+        let signed = |value: f64| own.sign * value + 0.0;
+        let extension = sheet.at(|now| signed(now.state.coordinates[i] - connector.law.free()));
+        let plastic = sheet.at(|now| signed(now.state.memories[own.memory].plastic));
+        let of_now = sheet.at(|now| signed(connector.force_now(i, now.state)));
+        let named = |what: &str| format!("{}.{what}", own.name);
+        let meaning = format!("Its {what} from the state without {force}");
+        sheet.enter(|| named(what), unit, &meaning, extension);
+        let meaning = format!("Plastic {what}, which would remain without {force}");
+        sheet.enter(|| named(&format!("plastic_{what}")), unit, &meaning, plastic);
+        let meaning = format!("Its {force}, that of its damper included");
+        sheet.enter(|| named(force), of, &meaning, of_now);
+    }
+}
+
+fn enter_foundations(model: &Model, sheet: &mut Sheet<'_>) {
+    for foundation in &model.foundations {
+        let named = |what: &str| format!("foundation.{}.{what}", foundation.name);
+        let sums = sheet.at(|now| FoundationSums::of(model, now.state, foundation));
+        let value = |of: fn(&FoundationSums) -> f64| sums.as_ref().map(of);
+        let meaning = "Resultant force of the foundation on the beam, that of its dampers included";
+        sheet.enter_vector(|| named("force"), "N", meaning, sums.as_ref().map(|sum| sum.force));
+        let meaning = "Reaction per length of largest magnitude, that of the dampers included, positive where it pushes the beam";
+        sheet.enter(|| named("pressure"), "N/m", meaning, value(|sum| sum.pressure[0]));
+        let meaning = "Length over which the beam has lifted off";
+        sheet.enter(|| named("lifted"), "m", meaning, value(|sum| sum.lifted));
+        let meaning = "Energy stored in the foundation, a part of that of the springs";
+        sheet.enter(|| named("energy"), "J", meaning, value(|sum| sum.energy));
+    }
 }
 
 /// Whether the place of a contact along a beam can change.
@@ -180,176 +330,4 @@ fn nearest(model: &Model, state: &State, contact: &ContactData, search: &Search)
 /// Whether the section at a point has a depth, and so extreme fibres.
 fn has_depth(model: &Model, point: &MaterialPoint) -> bool {
     model.element_of(point.node).0.has_depth()
-}
-
-/// Changes since the previous row.
-pub struct SinceLast<'a> {
-    /// Impulses along normal and tangent, shape (contacts, 2) \[N s\].
-    pub impulse: &'a [[f64; 2]],
-    /// Rotations of the recorded points in the current state, shape (points) \[rad\].
-    pub rotations: &'a [f64],
-    /// Pairs evaluated in the current state, and bounds for the gaps of the others.
-    pub search: &'a Search,
-    /// Mean reactions, shape (supports, 3) \[N, N m\].
-    pub reactions: &'a [[f64; 3]],
-    /// Their additional impulses, shape (supports, 3) \[N s, N m s\].
-    pub reaction_impulses: &'a [[f64; 3]],
-    /// Section forces of the last step without impact.
-    pub lines: &'a Lines,
-    /// Velocity of the accelerated base, shape (2) \[m/s\].
-    pub base_velocity: [f64; 2],
-    /// Newton iterations.
-    pub iterations: usize,
-}
-
-/// Values of a row.
-pub fn values(model: &Model, state: &State, m: &Measures, since: &SinceLast, row: &mut Vec<f64>) {
-    row.clear();
-    row.push(state.time);
-    for (i, _, disc) in projectiles(model) {
-        let node = model.body_node(i);
-        let (x, u, v) =
-            (model.nodes[node].position, state.displacement[node], state.velocity[node]);
-        row.extend([x[0] + u[0], x[1] + u[1], v[0], v[1]]);
-        if disc {
-            row.extend([u[2], v[2]]);
-        }
-    }
-    for (k, contact) in model.contacts.iter().enumerate() {
-        let nearest = nearest(model, state, contact, since.search);
-        row.push(nearest.gap);
-        if let Some(law) = contact.law.smooth() {
-            let force = |i: usize| {
-                let pair = &state.pairs[i];
-                let damped = (1.0 - law.dissipation * pair.rate).max(0.0);
-                law.force(-pair.gap, pair.deepest) * damped
-            };
-            let awake = since.search.awake().iter().filter(|i| contact.pairs.contains(i));
-            row.push(awake.map(|i| force(*i)).sum());
-        }
-        row.push(since.impulse[k][0]);
-        if has_friction(contact) {
-            row.push(since.impulse[k][1]);
-        }
-        if slides(model, contact) {
-            row.push(nearest.s);
-        }
-    }
-    for (p, rotation) in model.points.iter().zip(since.rotations) {
-        row.extend(p.displacement(&state.displacement));
-        row.push(*rotation);
-        let relative = p.velocity(&state.displacement, &state.velocity);
-        row.extend(relative);
-        if model.has_accelerated_base() {
-            row.extend([0, 1].map(|i| relative[i] + since.base_velocity[i]));
-        }
-    }
-    for p in &model.points {
-        let PointForces { axial, shear, moment, stress } =
-            section_forces::at_point(model, since.lines, state, p);
-        row.extend([axial, shear, moment]);
-        if has_depth(model, p) {
-            row.extend([stress.largest, stress.top, stress.bottom]);
-        }
-    }
-    for (forces, impulses) in since.reactions.iter().zip(since.reaction_impulses) {
-        row.extend_from_slice(forces);
-        if model.has_impulses() {
-            row.extend_from_slice(impulses);
-        }
-    }
-    add_connectors(model, state, row);
-    add_foundations(model, state, row);
-    let ledger = &state.ledger;
-    let residual = ledger.linear_residual(m);
-    row.extend([
-        m.kinetic_beams + m.kinetic_projectiles,
-        m.kinetic_beams,
-        m.kinetic_projectiles,
-        m.strain_axial + m.strain_bending,
-        m.strain_axial,
-        m.strain_bending - m.strain_shear,
-        m.contact,
-        m.springs,
-        m.total(),
-        ledger.work_loads,
-        ledger.work_supports,
-        ledger.loss_impacts,
-        ledger.loss_damping,
-        ledger.energy_residual(m),
-        m.linear[0],
-        m.linear[1],
-        m.angular,
-        residual[0],
-        residual[1],
-        ledger.angular_residual(m),
-        m.curvature_drift,
-        m.membrane_drift,
-        m.angular_rate_drift,
-        since.iterations as f64,
-    ]);
-    if model.is_inelastic() {
-        row.extend([ledger.loss_plastic, m.hardening, ledger.loss_failure]);
-    }
-    if model.has_shear() {
-        row.push(m.strain_shear);
-    }
-}
-
-/// Columns of foundations, in the order of [`add_foundations`].
-fn foundation_channels(model: &Model) -> Vec<Channel> {
-    let each = model.foundations.iter().flat_map(|foundation| {
-        let name = &foundation.name;
-        let force = "Resultant force of the foundation on the beam, that of its dampers included";
-        let pressure =
-            "Reaction per length of largest magnitude, that of the dampers included, positive where it pushes the beam";
-        let lifted = "Length over which the beam has lifted off";
-        [
-            ("force_1", "N", force),
-            ("force_2", "N", force),
-            ("pressure", "N/m", pressure),
-            ("lifted", "m", lifted),
-            ("energy", "J", "Energy stored in the foundation, a part of that of the springs"),
-        ]
-        .map(|(quantity, unit, text)| (format!("foundation.{name}.{quantity}"), unit, text.into()))
-    });
-    each.map(|(name, unit, description)| Channel { name, unit, description }).collect()
-}
-
-/// Adds their values to a row.
-fn add_foundations(model: &Model, state: &State, row: &mut Vec<f64>) {
-    for foundation in &model.foundations {
-        let FoundationSums { force, pressure, lifted, energy, .. } =
-            FoundationSums::of(model, state, foundation);
-        row.extend([force[0], force[1], pressure[0], lifted, energy]);
-    }
-}
-
-/// Columns of springs and hinges that can yield, in the order of [`add_connectors`].
-fn connector_channels(model: &Model) -> Vec<Channel> {
-    let each = model.yielding().flat_map(|(_, c, own)| {
-        let name = &own.name;
-        let [(what, unit), (force, of)] = if c.turns() {
-            [("rotation", "rad"), ("moment", "N*m")]
-        } else {
-            [("extension", "m"), ("force", "N")]
-        };
-        let plastic = format!("Plastic {what}, which would remain without {force}");
-        [
-            (format!("{name}.{what}"), unit, format!("Its {what} from the state without {force}")),
-            (format!("{name}.plastic_{what}"), unit, plastic),
-            (format!("{name}.{force}"), of, format!("Its {force}, that of its damper included")),
-        ]
-    });
-    each.map(|(name, unit, description)| Channel { name, unit, description }).collect()
-}
-
-/// Adds their values to a row.
-fn add_connectors(model: &Model, state: &State, row: &mut Vec<f64>) {
-    for (i, c, own) in model.yielding() {
-        let (q, memory) = (state.coordinates[i], &state.memories[own.memory]);
-        let force = c.force_now(i, state);
-        let values = [q - c.law.free(), memory.plastic, force];
-        row.extend(values.map(|value| own.sign * value + 0.0));
-    }
 }

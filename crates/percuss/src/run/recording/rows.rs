@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::channels::{self, SinceLast};
+use super::channels::{self, Now};
 use crate::contact::search::Search;
 use crate::ledger::Measures;
 use crate::model::Model;
@@ -76,7 +76,9 @@ impl Rows {
         iterations: usize,
     ) -> &[f64] {
         self.turn(model, state);
-        let since = SinceLast {
+        let now = Now {
+            state,
+            measures,
             rotations: &self.rotations,
             impulse: &self.impulse,
             search,
@@ -86,7 +88,7 @@ impl Rows {
             base_velocity: monitor.base_velocity,
             iterations,
         };
-        channels::values(model, state, measures, &since, &mut self.values);
+        channels::values(model, &now, &mut self.values);
         &self.values
     }
 
