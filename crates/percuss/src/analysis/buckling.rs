@@ -6,15 +6,15 @@ mod touching;
 use super::equilibrium::Equilibrium;
 use super::flutter::{FollowerStability, follower_stability};
 use super::spectrum::{Held, Krylov, Layout, Matrix, Nodal, Ritz, free_motions};
-use super::static_search::{StaticSearch, largest, linearized};
+use super::static_search::{StaticSearch, largest};
 use crate::model::Model;
-use crate::model::frozen::{ConnectorLaw, LoadAction};
+use crate::model::frozen::{Connector, ConnectorLaw, LoadAction};
 use crate::settings::Scheme;
 use crate::state::State;
 use crate::step::given_strains;
 pub use outcome::BucklingOutcome;
 pub use touching::JustTouching;
-use touching::{TOUCHING, touching_laws};
+use touching::{both_sides, line, loads, sides};
 
 /// Additional vectors of the subspace, beside six for each requested factor.
 const SPARE: usize = 80;
@@ -103,42 +103,78 @@ pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> 
     let mut structure = model.structure();
     let reference = vec![[0.0; 4]; structure.node_count()];
     let extent = structure.extent();
-    let (mut closed_stops, mut springs_as_unloaded) = (0, 0);
-    let mut foundations = vec![false; structure.foundations.len()];
-    // The larger stiffness of what just touches, shape (such connectors) [index of a connector].
-    let mut stiffer: Vec<(usize, ConnectorLaw)> = Vec::new();
+    let mut changes = Changes::new(&structure);
+    // What just touches in the reference configuration, with its law to either side, shape (such connectors) [index of a connector].
+    let mut touching: Vec<(usize, [ConnectorLaw; 2])> = Vec::new();
     let each = structure.connectors.iter_mut().zip(&found.state.coordinates).enumerate();
     for (i, (c, q)) in each {
         let from = c.value(&reference, 0.0);
-        let scale = from.abs().max(extent);
+        let now = c.law.stiffness_at(*q);
         if c.has_failed(&found.state.memories) {
             c.law = ConnectorLaw::Linear { stiffness: 0.0, rest: from };
-        } else if let Some([soft, stiff]) = touching_laws(&c.law, [from, *q], scale) {
-            c.law = soft;
-            stiffer.push((i, stiff));
-        } else if !matches!(c.law, ConnectorLaw::Linear { .. }) {
-            let unloaded = tangent_law(&c.law, [from, *q], scale);
-            let now = c.law.stiffness_at(*q);
-            let changes = unloaded.stiffness_at(from) != now;
-            c.law = match c.support {
-                // A closed stop is a spring, an open one is none.
-                Some(_) => {
-                    closed_stops += usize::from(changes && now > 0.0);
-                    ConnectorLaw::Linear { stiffness: now, rest: from }
-                }
-                None => {
-                    match c.foundation {
-                        Some(foundation) => foundations[foundation] |= changes,
-                        None => springs_as_unloaded += usize::from(changes),
-                    }
-                    unloaded
-                }
-            };
+        } else if matches!(c.law, ConnectorLaw::Linear { .. }) {
+        } else if let Some(both) = both_sides(&c.law, from, from.abs().max(extent)) {
+            c.law = both[softer(&both)].clone();
+            touching.push((i, both));
+        } else {
+            let unloaded = c.law.stiffness_at(from);
+            changes.note(c, unloaded, now);
+            // A closed stop is a spring, an open one is none; others have the stiffness of the reference configuration.
+            let stiffness = if c.support.is_some() { now } else { unloaded };
+            c.law = line(&c.law, from, stiffness);
+        }
+    }
+    // The larger stiffness of what the loads do not move, shape (such connectors) [index of a connector].
+    let mut stiffer: Vec<(usize, ConnectorLaw)> = Vec::new();
+    let sides = sides(&structure, &found.held, &touching);
+    for ((i, both), side) in touching.into_iter().zip(sides) {
+        let c = &mut structure.connectors[i];
+        match side {
+            Some(side) => {
+                c.law = both[side].clone();
+                let now = model.connectors[i].law.stiffness_at(found.state.coordinates[i]);
+                changes.note(c, stiffness_of(&c.law), now);
+            }
+            None => stiffer.push((i, both[1 - softer(&both)].clone())),
         }
     }
     let all = with_touching(structure, stiffer, found, count);
+    let Changes { closed_stops, springs: springs_as_unloaded, foundations } = changes;
     let foundations_as_unloaded = foundations.into_iter().filter(|changes| *changes).count();
     LinearBuckling { closed_stops, springs_as_unloaded, foundations_as_unloaded, ..all }
+}
+
+/// What has another stiffness in the equilibrium than in linear buckling: numbers of closed stops and of springs, and whether each foundation has.
+struct Changes {
+    closed_stops: usize,
+    springs: usize,
+    foundations: Vec<bool>,
+}
+
+impl Changes {
+    fn new(model: &Model) -> Self {
+        let foundations = vec![false; model.foundations.len()];
+        Self { closed_stops: 0, springs: 0, foundations }
+    }
+
+    /// Notes a connector with its stiffness without loads and in the equilibrium.
+    fn note(&mut self, connector: &Connector, unloaded: f64, now: f64) {
+        let changes = unloaded != now;
+        match (connector.support, connector.foundation) {
+            (Some(_), _) => self.closed_stops += usize::from(changes && now > 0.0),
+            (None, Some(foundation)) => self.foundations[foundation] |= changes,
+            (None, None) => self.springs += usize::from(changes),
+        }
+    }
+}
+
+/// Which of both sides has the smaller stiffness.
+fn softer(both: &[ConnectorLaw; 2]) -> usize {
+    usize::from(stiffness_of(&both[1]) < stiffness_of(&both[0]))
+}
+
+fn stiffness_of(law: &ConnectorLaw) -> f64 {
+    law.stiffness_at(0.0)
 }
 
 /// The lower result of both stiffnesses of what just touches; `structure` has the smaller ones.
@@ -163,16 +199,6 @@ fn with_touching(
     let slack = a <= b || (b.is_nan() && (!a.is_nan() || soft.outcome == stiff.outcome));
     let touching = Some(JustTouching { count: number, slack, other: if slack { b } else { a } });
     LinearBuckling { touching, ..if slack { soft } else { stiff } }
-}
-
-/// The line that a spring follows from the reference configuration on, to the side to which the loads take it: what just touches there acts if they
-/// close it, and what is slack or has a gap has no stiffness, wherever the loads take it.
-fn tangent_law(law: &ConnectorLaw, [from, to]: [f64; 2], scale: f64) -> ConnectorLaw {
-    let side = if to == from { 0.0 } else { (to - from).signum() };
-    let stiffness = law.stiffness_at(from + side * TOUCHING * scale);
-    let force = law.collocated(from, 0.0, 1.0)[0];
-    let rest = if stiffness == 0.0 { from } else { from - force / stiffness };
-    ConnectorLaw::Linear { stiffness, rest }
 }
 
 fn result(structure: &Model, held: Vec<Held>, count: usize) -> LinearBuckling {
@@ -350,18 +376,4 @@ fn given_strain(model: &Model) -> f64 {
         }
     }
     most
-}
-
-/// Nodal forces of the loads only: springs may be stressed before they act.
-fn loads(model: &Model, rest: &State) -> Vec<[f64; 4]> {
-    let mut search = linearized(model, rest);
-    search.work.multiplier.fill(0.0);
-    search.forcing.set_static(model, 1.0);
-    search.forcing.rest_motions();
-    search.assemble::<false>();
-    let loaded = search.work.residual.clone();
-    search.forcing.set_static(model, 0.0);
-    search.assemble::<false>();
-    let difference = |(a, b): (&[f64; 4], &[f64; 4])| std::array::from_fn(|i| b[i] - a[i]);
-    loaded.iter().zip(&search.work.residual).map(difference).collect()
 }

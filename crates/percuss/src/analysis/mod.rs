@@ -4,6 +4,7 @@ mod balance;
 mod buckling;
 mod course;
 pub(crate) mod damped_modes;
+mod ends;
 mod equilibrium;
 pub(crate) mod equivalent;
 mod failure;

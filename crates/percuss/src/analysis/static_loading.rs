@@ -59,6 +59,12 @@ impl<'a, 'm> Loading<'a, 'm> {
         Self { search, accepted, longest, stable: true, onward: true, steps: 0, failures, course }
     }
 
+    /// Whether load steps may have lost the branch that begins without load: an equilibrium was unstable, or lay behind the one before, however fine
+    /// the steps.
+    pub fn is_astray(&self) -> bool {
+        !(self.stable && self.onward)
+    }
+
     /// Brings the loads up; `structure` is the beams alone, for their stability.
     pub fn bring_up(&mut self, structure: &Model) -> Result<(), Error> {
         let (mut reached, mut step, mut smallest) = (0.0, self.longest, SMALLEST_STEP);

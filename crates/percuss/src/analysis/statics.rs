@@ -1,24 +1,23 @@
 //! Static equilibrium under the loads at time zero, and mechanisms that prevent it.
 
-use super::balance::{self, StaticBalance};
+use super::balance;
+use super::ends::{finish, refuse_overlaps};
 use super::equilibrium::Equilibrium;
 use super::failure::in_words;
-use super::foundations;
-use super::largest_displacement::LargestDisplacement;
 use super::lost::{loose, moves};
+use super::path::equilibrium_path;
 use super::spectrum::{Layout, free_motions};
 use super::stability::stability;
 use super::static_contacts::takes_part;
 use super::static_loading::Loading;
 use super::static_search::StaticSearch;
-use super::yields::at_rest;
 use crate::error::Error;
 use crate::inspect::loose_ends;
 use crate::linalg::block::inner;
 use crate::model::frozen::BeamData;
 use crate::model::{Fault, Model};
+use crate::settings::PathSettings;
 use crate::state::State;
-use crate::step::contacts::PressingPair;
 
 /// Load steps, as a share of the load: small enough to stay on the branch that starts at rest where a beam has several
 /// equilibria (a roll of one turn more or less).
@@ -51,7 +50,14 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     search.hold_loose_beams();
     search.foresee(true);
     let mut loading = Loading::new(&mut search, first_step.clamp(1e-3, 1.0));
-    loading.bring_up(&structure)?;
+    let brought = loading.bring_up(&structure);
+    if (brought.is_err() || loading.is_astray())
+        && loading.failures.is_empty()
+        && let Some(found) = along_path(model)
+    {
+        return Ok(found);
+    }
+    brought?;
     let Loading { stable, steps, failures, course, .. } = loading;
     let mut found = finish(&mut search, steps);
     let after_failures = |error: Error| match failures.last() {
@@ -76,6 +82,15 @@ pub fn equilibrium_in(model: &Model, first_step: f64) -> Result<Equilibrium, Err
     Ok(found)
 }
 
+/// The equilibrium to which the path from zero load leads, by arcs: beside a bifurcation that small loads across hardly round off, load steps may
+/// find the other branch, the unstable one, or none. Only of elastic structures, where the way does not matter, without contacts and motions.
+fn along_path(model: &Model) -> Option<Equilibrium> {
+    let elastic = !model.is_inelastic() && model.pairs.is_empty() && model.motions.is_empty();
+    let path = elastic.then(|| equilibrium_path(model, &PathSettings::default()).ok()).flatten()?;
+    let direct = path.reached && path.limit_points.is_empty() && path.failures.is_empty();
+    (direct && path.end.stable).then_some(path.end)
+}
+
 /// Beams that can slide with their active contacts closed.
 fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
     let state = found.state.of_structure(structure);
@@ -84,67 +99,6 @@ fn sliding(structure: &Model, found: &Equilibrium) -> Vec<String> {
     let shifts = without(&free, |_, component| component >= 2);
     let slides = |beam: &&BeamData| moves(&shifts, beam);
     structure.beams.iter().filter(slides).map(|beam| beam.name.clone()).collect()
-}
-
-/// Rejects overlapping bodies before any load acts.
-pub(super) fn refuse_overlaps(search: &StaticSearch) -> Result<(), Error> {
-    let overlaps = search.model.overlaps(&search.base.displacement, |_| true);
-    overlaps.first().map_or(Ok(()), |fault| Err(Error::overlap(fault.to_string())))
-}
-
-/// The result at the increment reached.
-pub(super) fn finish(search: &mut StaticSearch, load_steps: usize) -> Equilibrium {
-    search.assemble::<false>();
-    search.clear_round_off();
-    search.foresee(true);
-    search.assemble::<false>();
-    let mut state = search.state();
-    search.contacts.remember_crushing(&mut state);
-    let model = search.model;
-    let at = |p: &crate::model::frozen::MaterialPoint| p.displacement(&state.displacement);
-    let names = model.support_names().map(str::to_owned);
-    let forces = search.section_forces(&state);
-    let reactions = search.reactions(&state);
-    let balance = StaticBalance::new(search, &reactions);
-    Equilibrium {
-        points: model.points.iter().map(|p| (p.label.clone(), at(p))).collect(),
-        rotations: model.rotations(&state.displacement),
-        largest_displacement: LargestDisplacement::of(model, &state),
-        section_forces: forces.beams,
-        point_forces: forces.points,
-        element_forces: forces.ends,
-        element_points: forces.vertices,
-        contact_forces: search.contacts.frame_forces(model, &state),
-        load_factors: search.forcing.factors.clone(),
-        reactions: names.zip(reactions).collect(),
-        contacts: search.contacts.results(model),
-        pressed: search
-            .contacts
-            .forces()
-            .map(|(pair, force, row)| PressingPair { pair, row: *row, force })
-            .collect(),
-        held: search.contacts.held(model, &state),
-        yielding: at_rest(model, &state),
-        foundations: foundations::at_rest(model, &state),
-        failures: Vec::new(),
-        balance,
-        first_yields: Vec::new(),
-        softening: f64::NAN,
-        stable: true,
-        sliding: Vec::new(),
-        load_steps,
-        newton_iterations: search.iterations,
-        state,
-    }
-}
-
-/// Whether the structure has stops and would be a mechanism without them.
-pub(super) fn leans_on_stops(model: &Model) -> bool {
-    let structure = model.structure();
-    let rest = State::at_rest(&structure, crate::settings::Scheme::EnergyMomentum);
-    let layout = Layout::new(&structure);
-    structure.connectors.iter().any(|c| c.law.may_give_way())
-        && !free_motions(&layout, &StaticSearch::at(&structure, &rest)).motions.is_empty()
 }
 
 /// A fault for each beam that can move without strain despite supports and joints and cannot be supported otherwise: from the rank deficiency of

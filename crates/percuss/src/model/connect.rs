@@ -46,9 +46,18 @@ pub(super) fn supports(builder: &ModelBuilder, model: &mut Model) {
             }
             SupportKind::Stop { direction, gap, stiffness, two_sided } => {
                 let along = scale(1.0 / norm(direction), direction);
-                let sides = if two_sided { vec![1.0, -1.0] } else { vec![1.0] };
+                if two_sided && gap == 0.0 {
+                    // One of both always acts: an elastic support, with that stiffness in modes and buckling, too.
+                    let drive = drive_of(support, model, index, along);
+                    let coordinate =
+                        Coordinate::Displacement { point: point.clone(), direction: along, drive };
+                    let law = ConnectorLaw::Linear { stiffness, rest: 0.0 };
+                    push(model, coordinate, law, 0.0, index, support);
+                    continue;
+                }
+                let sides: &[f64] = if two_sided { &[1.0, -1.0] } else { &[1.0] };
                 for side in sides {
-                    let direction = scale(side, along);
+                    let direction = scale(*side, along);
                     let drive = drive_of(support, model, index, direction);
                     let coordinate =
                         Coordinate::Displacement { point: point.clone(), direction, drive };

@@ -2,8 +2,17 @@
 
 use std::fmt;
 
+use crate::analysis::spectrum::{Held, Layout, free_motions};
+use crate::analysis::static_search::{StaticSearch, largest, linearized};
+use crate::model::Model;
 use crate::model::frozen::ConnectorLaw;
+use crate::settings::Scheme;
+use crate::state::State;
 
+/// Largest displacement at which it is seen what the loads move, as a share of the size of the structure.
+const SMALL: f64 = 1e-6;
+/// What moves by less than this share of the largest displacement is not moved by the loads.
+const MOVED: f64 = 1e-6;
 /// Gaps below this share of the length of a spring or the size of the structure are round-off: the spring touches.
 pub(super) const TOUCHING: f64 = 1e-9;
 
@@ -45,23 +54,67 @@ impl fmt::Display for JustTouching {
     }
 }
 
-/// The smaller and the larger stiffness of a law on either side of the reference configuration, where they differ and the loads move it by
-/// round-off alone.
-pub(super) fn touching_laws(
-    law: &ConnectorLaw,
-    [from, to]: [f64; 2],
-    scale: f64,
-) -> Option<[ConnectorLaw; 2]> {
-    if matches!(law, ConnectorLaw::Linear { .. }) || (to - from).abs() > TOUCHING * scale {
+/// The lines that a law follows from the reference configuration to negative and to positive changes, where they differ: what just touches there.
+pub(super) fn both_sides(law: &ConnectorLaw, from: f64, scale: f64) -> Option<[ConnectorLaw; 2]> {
+    let side = |side: f64| law.stiffness_at(from + 2.0 * side * TOUCHING * scale);
+    let stiffness = [-1.0, 1.0].map(side);
+    (stiffness[0] != stiffness[1]).then(|| stiffness.map(|one| line(law, from, one)))
+}
+
+/// The line through the force of a law in the reference configuration.
+pub(super) fn line(law: &ConnectorLaw, from: f64, stiffness: f64) -> ConnectorLaw {
+    let force = law.collocated(from, 0.0, 1.0)[0];
+    let rest = if stiffness == 0.0 { from } else { from - force / stiffness };
+    ConnectorLaw::Linear { stiffness, rest }
+}
+
+/// The side to which the linear response of the structure takes each of what just touches, as the index of [`both_sides`]; none where it moves it by
+/// round-off alone, or where nothing else holds the structure. `structure` has the smaller of their stiffnesses.
+pub(super) fn sides(
+    structure: &Model,
+    held: &[Held],
+    touching: &[(usize, [ConnectorLaw; 2])],
+) -> Vec<Option<usize>> {
+    let layout = Layout::holding(structure, held.to_vec());
+    let Some(mut response) = response(structure, &layout) else {
+        return vec![None; touching.len()];
+    };
+    // So small that changes are linear in it, and larger than the round-off of positions.
+    let most = largest(&response);
+    let factor = SMALL * structure.extent() / most;
+    response.as_flattened_mut().iter_mut().for_each(|c| *c *= factor);
+    let still = vec![[0.0; 4]; response.len()];
+    let side = |(i, _): &(usize, _)| {
+        let connector = &structure.connectors[*i];
+        let change = connector.value(&response, 0.0) - connector.value(&still, 0.0);
+        let moves = change.abs() > MOVED * SMALL * structure.extent();
+        (moves && most > 0.0).then_some(usize::from(change > 0.0))
+    };
+    touching.iter().map(side).collect()
+}
+
+/// The linear response to the loads, shape (nodes, 4) \[m, -\]; none of a mechanism.
+fn response(structure: &Model, layout: &Layout<'_>) -> Option<Vec<[f64; 4]>> {
+    let rest = State::at_rest(structure, Scheme::EnergyMomentum);
+    let unloaded = StaticSearch::at(structure, &rest);
+    if !free_motions(layout, &unloaded).motions.is_empty() {
         return None;
     }
-    let force = law.collocated(from, 0.0, 1.0)[0];
-    let mut stiffness =
-        [-1.0, 1.0].map(|side| law.stiffness_at(from + 2.0 * side * TOUCHING * scale));
-    stiffness.sort_by(f64::total_cmp);
-    let line = |stiffness: f64| ConnectorLaw::Linear {
-        stiffness,
-        rest: if stiffness == 0.0 { from } else { from - force / stiffness },
-    };
-    (stiffness[0] < stiffness[1]).then(|| stiffness.map(line))
+    let factored = layout.factor(layout.tangent_with(&unloaded, 0.0), true)?;
+    let (response, _) = factored.solve_with_multipliers(&loads(structure, &rest));
+    (factored.negative == 0).then_some(response)
+}
+
+/// Nodal forces of the loads only: springs may be stressed before they act.
+pub(super) fn loads(model: &Model, rest: &State) -> Vec<[f64; 4]> {
+    let mut search = linearized(model, rest);
+    search.work.multiplier.fill(0.0);
+    search.forcing.set_static(model, 1.0);
+    search.forcing.rest_motions();
+    search.assemble::<false>();
+    let loaded = search.work.residual.clone();
+    search.forcing.set_static(model, 0.0);
+    search.assemble::<false>();
+    let difference = |(a, b): (&[f64; 4], &[f64; 4])| std::array::from_fn(|i| b[i] - a[i]);
+    loaded.iter().zip(&search.work.residual).map(difference).collect()
 }

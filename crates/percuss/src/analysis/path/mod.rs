@@ -9,10 +9,10 @@ mod tracer;
 mod yielding;
 
 use super::balance;
+use super::ends::{finish, refuse_overlaps};
 use super::equilibrium::Equilibrium;
 use super::failure::StaticFailure;
 use super::static_search::StaticSearch;
-use super::statics::{finish, refuse_overlaps};
 use super::yields::PathYield;
 use crate::error::Error;
 use crate::model::Model;

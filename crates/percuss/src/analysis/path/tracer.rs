@@ -2,11 +2,11 @@
 
 use super::goal::Goal;
 use super::point::{PathPoint, PathRecorder};
+use crate::analysis::ends::{finish, leans_on_stops};
 use crate::analysis::lost::lost as lost_at;
 use crate::analysis::stability::{Stability, stability};
 use crate::analysis::static_contacts::{Pressing, Programme, Response};
 use crate::analysis::static_search::{Motions, Reached, StaticSearch, largest};
-use crate::analysis::statics::{finish, leans_on_stops};
 use crate::error::Error;
 use crate::model::Model;
 

@@ -38,7 +38,8 @@ struct Limits {
     force: [f64; 2],
 }
 
-/// Enters the largest excess of an element, at its ends, in its middle and at forces between, into the record of its beam.
+/// Enters the largest excess of an element into the record of its beam: at its ends, in its middle, on both sides of forces between, and where
+/// the moment between these is largest.
 pub(super) fn take(
     piece: &ElementForces<'_>,
     fibres: &SpanFibres,
@@ -46,32 +47,56 @@ pub(super) fn take(
     out: &mut SectionForceSummary,
 ) {
     let Some(least) = first_yield_strain(fibres) else { return };
-    let forced = piece.inner.iter().flat_map(|one| [(one.xi, false), (one.xi, true)]);
-    for (xi, ahead) in PLACES.map(|xi| (xi, false)).into_iter().chain(forced) {
-        let forces = piece.line.at(xi, piece.inner, ahead);
-        if elastic_strain(piece, xi, &forces, fibres) <= least {
-            continue;
+    let mut look = |xi: f64, forces: &SectionForces| {
+        if elastic_strain(piece, xi, forces, fibres) > least {
+            take_at(piece, fibres, state, (xi, forces), out);
         }
-        let known = out.excess.map_or(1.0 + NO_EXCESS, |known| known.ratio);
-        let own = [forces.axial, forces.moment];
-        let of = |(k, xi): (usize, f64)| {
-            let limits = limits((piece.span, k), fibres, state, xi)?;
-            ratio_above(&limits, own, known)
-        };
-        // Curvature jumps at a node: the section bears what either side says.
-        let beside = match xi {
-            0.0 => piece.k.checked_sub(1).map(|k| (k, 1.0)),
-            1.0 => Some((piece.k + 1, 0.0)).filter(|(k, _)| *k < piece.span.elements.len()),
-            _ => None,
-        };
-        let ratio = of((piece.k, xi));
-        if let Some(ratio) = ratio.and_then(|own| beside.map_or(Some(own), of).map(|b| b.min(own)))
-        {
-            let (s, time) = (piece.s(xi), state.time);
-            let element = piece.span.stations[piece.k + 1] - piece.span.stations[piece.k];
-            let SectionForces { axial, moment, .. } = forces;
-            out.excess = Some(SectionExcess { ratio, axial, moment, s, time, element });
+    };
+    let mut from = 0.0;
+    let mut ahead = piece.line.at(from, piece.inner, true);
+    look(from, &ahead);
+    while from < 1.0 {
+        let to = piece.next_stop(from, &PLACES);
+        let behind = piece.line.at(to, piece.inner, false);
+        let rises = [(from, ahead.rise.moment), (to, behind.rise.moment)];
+        if rises[0].1 * rises[1].1 < 0.0 {
+            let xi = piece.line.stationary(rises, piece.inner, |rise| rise.moment);
+            look(xi, &piece.line.at(xi, piece.inner, false));
         }
+        look(to, &behind);
+        from = to;
+        if from < 1.0 {
+            ahead = piece.line.at(from, piece.inner, true);
+            look(from, &ahead);
+        }
+    }
+}
+
+/// Enters the excess of section forces at a share of the way along an element, if it is the largest so far.
+fn take_at(
+    piece: &ElementForces<'_>,
+    fibres: &SpanFibres,
+    state: &State,
+    (xi, forces): (f64, &SectionForces),
+    out: &mut SectionForceSummary,
+) {
+    let known = out.excess.map_or(1.0 + NO_EXCESS, |known| known.ratio);
+    let SectionForces { axial, moment, .. } = *forces;
+    let of = |(k, xi): (usize, f64)| {
+        let limits = limits((piece.span, k), fibres, state, xi)?;
+        ratio_above(&limits, [axial, moment], known)
+    };
+    // Curvature jumps at a node: the section bears what either side says.
+    let beside = match xi {
+        0.0 => piece.k.checked_sub(1).map(|k| (k, 1.0)),
+        1.0 => Some((piece.k + 1, 0.0)).filter(|(k, _)| *k < piece.span.elements.len()),
+        _ => None,
+    };
+    let ratio = of((piece.k, xi));
+    if let Some(ratio) = ratio.and_then(|own| beside.map_or(Some(own), of).map(|b| b.min(own))) {
+        let (s, time) = (piece.s(xi), state.time);
+        let element = piece.span.stations[piece.k + 1] - piece.span.stations[piece.k];
+        out.excess = Some(SectionExcess { ratio, axial, moment, s, time, element });
     }
 }
 

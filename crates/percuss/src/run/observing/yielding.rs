@@ -102,23 +102,26 @@ fn points<'a>(
     all.filter(|point| !point.fibres.is_empty())
 }
 
-/// Enters the state at the end of a step into the records, one per beam.
+/// Enters the state at the end of a step into the records, one per beam. Of the places that yield first in the same step, it is the one that has
+/// flowed most.
 pub fn note(model: &Model, state: &State, records: &mut [YieldRecord]) {
     for (beam, record) in model.beams.iter().zip(records) {
+        let none = SectionPeak { value: 0.0, s: f64::NAN, time: state.time };
+        let [mut strain, mut accumulated] = [none; 2];
         for point in points(model, state, beam, false) {
-            let mut most = [0.0_f64; 2];
             for fibre in point.states {
-                if fibre.plastic.abs() > most[0].abs() {
-                    most[0] = fibre.plastic;
+                if fibre.plastic.abs() > strain.value.abs() {
+                    strain = SectionPeak { value: fibre.plastic, s: point.s, ..strain };
                 }
-                most[1] = most[1].max(fibre.accumulated);
+                if fibre.accumulated > accumulated.value {
+                    let value = fibre.accumulated;
+                    accumulated = SectionPeak { value, s: point.s, ..accumulated };
+                }
             }
-            if most[1] == 0.0 {
-                continue;
-            }
-            let first = FirstYield { s: point.s, time: state.time };
-            let peak = |value| SectionPeak { value, s: point.s, time: state.time };
-            record.take(first, peak(most[0]), peak(most[1]));
+        }
+        if accumulated.value > 0.0 {
+            let first = FirstYield { s: accumulated.s, time: state.time };
+            record.take(first, strain, accumulated);
         }
     }
 }
