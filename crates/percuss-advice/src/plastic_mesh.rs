@@ -14,9 +14,11 @@ const EXCESS: [f64; 2] = [0.03, 0.1];
 /// An axial force is named if it times the radius of gyration is more than this share of the moment.
 const LITTLE: f64 = 0.05;
 
-/// Beams whose mesh would bear more than the structure if plastic hinges formed in them.
+/// Beams whose mesh would bear more than the structure if plastic hinges formed in them, and rigid masses that strike them between long elements.
 pub fn findings(model: &Model) -> Vec<Advice> {
-    (0..model.beam_count()).filter_map(|index| coarse(&model.beam(index))).collect()
+    let beams = (0..model.beam_count()).filter_map(|index| coarse(&model.beam(index)));
+    let strikers = (0..model.guided().len()).filter_map(|k| coarse_where_struck(model, k));
+    beams.chain(strikers).collect()
 }
 
 /// A stretch of a beam between neighbouring places of hinges or ends.
@@ -28,17 +30,7 @@ struct Stretch {
 }
 
 fn coarse(beam: &BeamView<'_>) -> Option<Advice> {
-    let stations: Vec<f64> = beam.spans().flat_map(|span| span.stations()).copied().collect();
-    let elements: Vec<[f64; 2]> =
-        stations.windows(2).map(|w| [w[0], w[1]]).filter(|[a, b]| b > a).collect();
-    let excess = |one: &Stretch| collapse_excess(one.to - one.from, one.at);
-    let stretches = stretches(beam, &elements);
-    let worst = stretches.iter().max_by(|a, b| excess(a).total_cmp(&excess(b)))?;
-    let found = excess(worst);
-    if found <= EXCESS[0] {
-        return None;
-    }
-    let verdict = if found > EXCESS[1] { Verdict::Warning } else { Verdict::Note };
+    let (worst, found, count) = worst(beam, beam.hinge_places())?;
     let text = format!(
         "beam '{}' can yield, and its elements between s = {} and {} are as long as {}: if plastic hinges form there, it bears about {} % \
          more than the structure; {} for 3 %",
@@ -47,10 +39,52 @@ fn coarse(beam: &BeamView<'_>) -> Option<Advice> {
         quantity(worst.to, "m"),
         quantity(worst.at[0].max(worst.at[1]), "m"),
         digits(100.0 * found),
-        advised(elements_for(elements.len(), found, EXCESS[0]))
+        advised(elements_for(count, found, EXCESS[0]))
     );
-    let subject = subject(beam.name());
-    Some(Advice::new(subject, Topic::Unresolved, [found, EXCESS[0]], "1", verdict, text))
+    Some(finding(subject(beam.name()), found, text))
+}
+
+/// A rigid mass on a guide that strikes a beam which can yield. No short elements stand there by themselves: with their mass that of the beam which
+/// takes part in the impact would fall. The forces of a coarse mesh stay within what its sections bear, so that the run does not show the error.
+fn coarse_where_struck(model: &Model, index: usize) -> Option<Advice> {
+    let contact = model.contact(index).filter(|contact| contact.law().is_rigid())?;
+    let point = model.guided().nth(index)?.point;
+    let beam = model.beam(point.beam);
+    let mut places = beam.hinge_places().to_vec();
+    if places.is_empty() {
+        return None;
+    }
+    let before = worst(&beam, &places).map_or(0.0, |(_, found, _)| found);
+    places.push(point.s);
+    places.sort_by(f64::total_cmp);
+    let (worst, found, count) = worst(&beam, &places)?;
+    let text = format!(
+        "it strikes beam '{}', which can yield, between elements of {}: a plastic hinge at s = {} turns less than in the structure, and permanent \
+         deflections may be several times too small; {}, and compare with twice as many",
+        beam.name(),
+        quantity(worst.at[0].max(worst.at[1]), "m"),
+        quantity(point.s, "m"),
+        advised(elements_for(count, found, EXCESS[0]))
+    );
+    (found > before).then(|| finding(contact.name().to_owned(), found, text))
+}
+
+fn finding(subject: String, found: f64, text: String) -> Advice {
+    let verdict = if found > EXCESS[1] { Verdict::Warning } else { Verdict::Note };
+    Advice::new(subject, Topic::Unresolved, [found, EXCESS[0]], "1", verdict, text)
+}
+
+/// The stretch of a beam between places of hinges whose elements are longest for it, if its excess is worth a note, the excess, and the number of
+/// elements of the beam.
+fn worst(beam: &BeamView<'_>, hinges: &[f64]) -> Option<(Stretch, f64, usize)> {
+    let stations: Vec<f64> = beam.spans().flat_map(|span| span.stations()).copied().collect();
+    let elements: Vec<[f64; 2]> =
+        stations.windows(2).map(|w| [w[0], w[1]]).filter(|[a, b]| b > a).collect();
+    let excess = |one: &Stretch| collapse_excess(one.to - one.from, one.at);
+    let all = stretches(beam, hinges, &elements);
+    let worst = all.into_iter().max_by(|a, b| excess(a).total_cmp(&excess(b)))?;
+    let found = excess(&worst);
+    (found > EXCESS[0]).then_some((worst, found, elements.len()))
 }
 
 fn advised(elements: usize) -> String {
@@ -61,8 +95,7 @@ fn subject(beam: &str) -> String {
     format!("beam {beam}")
 }
 
-fn stretches(beam: &BeamView<'_>, elements: &[[f64; 2]]) -> Vec<Stretch> {
-    let hinges = beam.hinge_places();
+fn stretches(beam: &BeamView<'_>, hinges: &[f64], elements: &[[f64; 2]]) -> Vec<Stretch> {
     if hinges.is_empty() {
         return Vec::new();
     }

@@ -212,7 +212,7 @@ mod tests {
         };
         let ends = [end(0.0, 0.05), end(1.04, 0.2)];
         let slender = ElementTable::new(1.05, ends, false, |_| values);
-        (slender, ShearTable::new(1.05, ends, &values))
+        (slender, ShearTable::new(1.05, ends, &[values; 3]))
     }
 
     fn values(v: [f64; 6]) -> ElementValues<f64> {

@@ -26,9 +26,9 @@ pub use inside::{InsideField, StretchedPlace};
 
 use super::beam::{ElementSums, ElementTable, ElementValues, NodeFrame};
 use super::gauss::SectionValues;
-use crate::math::hermite::GAUSS;
+use crate::math::hermite::{GAUSS, GAUSS_WEIGHTS, gauss_points};
 use crate::math::vec2::{add, cross, dot, sub};
-use crate::scalar::Real;
+use crate::scalar::{Real, array};
 
 /// A shear-flexible element: its reference and stiffnesses.
 #[derive(Clone, Copy, Debug)]
@@ -43,6 +43,8 @@ pub struct ShearTable {
     back: [f64; 2],
     /// EA, shear stiffness and EI, times the length, shape (3) \[N m, N m, N m^3\].
     stiffness: [f64; 3],
+    /// Stiffness that couples Gamma2 and the bend, times the length: none of a uniform section \[N m^2\].
+    coupling: f64,
     /// Share of shear in its flexibility in shear; the rest is that of residual bending \[-\].
     shear_share: f64,
     /// Axial strain by half the square of Gamma2 \[-\].
@@ -80,6 +82,8 @@ struct Evaluated<S> {
     across: [S; 2],
     /// Derivatives of the first three with respect to the strains at the end, shape (3) \[N m, N m, N m^3\].
     slopes: [S; 3],
+    /// Derivative of the second with respect to the bend, and of the third with respect to Gamma2 \[N m^2\].
+    coupled: S,
     /// Share of the step at which the variations are taken.
     share: f64,
 }
@@ -89,17 +93,17 @@ struct Evaluated<S> {
 const LEAST_STRETCH: f64 = 0.5;
 
 impl ShearTable {
-    /// Table of an element between two nodes, with the section in its middle.
+    /// Table of an element between two nodes, with the sections at its Gauss points.
     ///
     /// Linear elements with one point cannot bend between their nodes: the flexibility missed, `L^2 / (12 EI)` per unit of shear, is added to that
-    /// of shear (MacNeal's residual bending flexibility). Nodal displacements of a straight uniform beam in equilibrium are then exact, for any
-    /// slenderness and any number of elements.
-    pub fn new(length: f64, ends: [NodeFrame; 2], middle: &SectionValues) -> Self {
+    /// of shear (MacNeal's residual bending flexibility). Nodal displacements of a straight beam in equilibrium are then exact, for any slenderness and
+    /// any number of elements; that of a section which varies has the flexibility of the element under a moment in its middle and a shear force.
+    pub fn new(length: f64, ends: [NodeFrame; 2], sections: &[SectionValues; GAUSS]) -> Self {
         let [a, b] = ends;
-        let (axial, bending) = (middle.law.axial, middle.law.bending);
-        let shear = (1.0 / middle.shear + length * length / (12.0 * bending)).recip();
+        let middle = &sections[MIDDLE];
+        let (axial, [bending, coupling, shear]) = stiffness(length, sections);
         let chord = sub(b.position, a.position);
-        let share = shear / middle.shear;
+        let share = 1.0 - Self::bent_share(length, middle);
         let bent = 1.0 - share;
         let even = 0.5 * dot(chord, add(a.tangent, b.tangent));
         Self {
@@ -108,6 +112,7 @@ impl ShearTable {
             directors: [a.tangent, b.tangent],
             back: [dot(a.tangent, b.tangent), cross(b.tangent, a.tangent)],
             stiffness: [axial, shear, bending].map(|stiffness| stiffness * length),
+            coupling: coupling * length,
             shear_share: share,
             leaning: 1.0 - share * share + 0.2 * bent * bent,
             per_stretch: 1.0 / (even / length).max(LEAST_STRETCH),
@@ -131,13 +136,17 @@ impl ShearTable {
 
     /// The table that shares mass, loads and drawing with slender elements: mass, rotary inertia on d, and no stiffness, which is that of `self`.
     /// All of the length is at the middle, where its fibres are if it has some.
-    pub fn carried_by(&self, table: ElementTable, middle: &SectionValues) -> ElementTable {
+    pub fn carried_by(
+        &self,
+        table: ElementTable,
+        sections: &[SectionValues; GAUSS],
+    ) -> ElementTable {
         let mut rows = table.rows;
         for (j, row) in rows.iter_mut().enumerate() {
             (row.weighed.axial, row.weighed.bending, row.weighed.rotary) = (0.0, 0.0, 0.0);
             row.weight = if j == MIDDLE { self.length } else { 0.0 };
         }
-        ElementTable { rows, mass: inertia::mass(self.length, middle), membrane: None, ..table }
+        ElementTable { rows, mass: inertia::mass(self.length, sections), membrane: None, ..table }
     }
 
     /// Strains less those of the reference. Formed from displacements: small ones keep their digits.
@@ -192,14 +201,24 @@ impl ShearTable {
         let (old, new) = (self.strains(start).linear, self.strains(&end).linear);
         let one = start.chord[0].constant(1.0);
         let stress = self.stresses(one, [0, 1, 2].map(|k| (old[k] + new[k]) * 0.5));
-        let viscous = |k: usize| (new[k] - old[k]) * (lag * self.stiffness[k]);
+        let viscous = self.viscous(array(|k| (new[k] - old[k]) * lag));
         let [axial, shear, moment, square] = stress;
-        let stress = [axial + viscous(0), shear + viscous(1), moment + viscous(2), square];
+        let stress = [axial + viscous[0], shear + viscous[1], moment + viscous[2], square];
         let at = moved(start, increment, 0.5);
         let elastic = self.acting();
         let slopes = [0, 1, 2].map(|k| one * (0.5 * elastic[k] + lag * self.stiffness[k]));
+        let coupled = one * ((0.5 + lag) * self.coupling);
         let (turning, across) = (stress, [(old[1] + new[1]) * 0.5, new[1]]);
-        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, across, slopes, share: 0.5 })
+        self.sums::<S, TANGENT>(&Evaluated {
+            stress,
+            turning,
+            at,
+            end,
+            across,
+            slopes,
+            coupled,
+            share: 0.5,
+        })
     }
 
     /// Forces at the end of a step, as in an equilibrium, and their tangent if `TANGENT`. Its geometric stiffness is that of the strains
@@ -217,8 +236,17 @@ impl ShearTable {
         let turning =
             foreseen.map_or(stress, |strains| self.stresses(one, strains.map(|e| one * e)));
         let slopes = self.acting().map(|k| one * k);
-        let (at, across) = (end, [strains[1]; 2]);
-        self.sums::<S, TANGENT>(&Evaluated { stress, turning, at, end, across, slopes, share: 1.0 })
+        let (at, across, coupled) = (end, [strains[1]; 2], one * self.coupling);
+        self.sums::<S, TANGENT>(&Evaluated {
+            stress,
+            turning,
+            at,
+            end,
+            across,
+            slopes,
+            coupled,
+            share: 1.0,
+        })
     }
 
     /// Tangent at displacements with the geometric stiffness of given strains, stored as [`stored`] does; without any if there are none, so that
@@ -242,6 +270,7 @@ impl ShearTable {
             end,
             across,
             slopes,
+            coupled: one * self.coupling,
             share: 1.0,
         })
     }
@@ -257,7 +286,16 @@ impl ShearTable {
     fn stresses<S: Real>(&self, one: S, strains: [S; 3]) -> [S; 4] {
         let elastic = self.acting();
         let [axial, shear, moment] = [0, 1, 2].map(|k| strains[k] * elastic[k]);
+        let [shear, moment] =
+            [shear + strains[2] * self.coupling, moment + strains[1] * self.coupling];
         [axial, shear, moment, one * (BENDING[0] * self.stiffness[2])]
+    }
+
+    /// Stresses in proportion to changes of the linear strains.
+    #[inline]
+    fn viscous<S: Real>(&self, change: [S; 3]) -> [S; 3] {
+        let [axial, shear, moment] = array(|k| change[k] * self.stiffness[k]);
+        [axial, shear + change[2] * self.coupling, moment + change[1] * self.coupling]
     }
 
     /// Linear strains after a correction of displacements, to first order, shape (3) \[-, -, 1/m\].
@@ -274,13 +312,15 @@ impl ShearTable {
         let ([axial, shear, bending], strains) = (self.stiffness, self.strains(u));
         let [stretch, across, bend] = strains.linear;
         let bent = 2.0 * BENDING[0] * strains.square + BENDING[1] * bend * bend;
-        [axial * stretch * stretch, shear * across * across, bending * bent]
+        let coupled = 2.0 * self.coupling * across * bend;
+        [axial * stretch * stretch, shear * across * across, bending * bent + coupled]
     }
 
     /// What viscous stresses lose in a step, without the factor of retardation time over step size \[J\].
     pub fn viscous_loss(&self, start: &ElementValues<f64>, end: &ElementValues<f64>) -> f64 {
         let (old, new) = (self.strains(start).linear, self.strains(end).linear);
-        (0..3).map(|k| self.stiffness[k] * (new[k] - old[k]).powi(2)).sum()
+        let change: [f64; 3] = array(|k| new[k] - old[k]);
+        self.viscous(change).iter().zip(change).map(|(stress, change)| stress * change).sum()
     }
 
     /// What viscous stresses of shear alone lose in a step, likewise \[J\].
@@ -288,6 +328,27 @@ impl ShearTable {
         let [old, new] = [start, end].map(|u| self.strains(u).linear[1]);
         self.stiffness[1] * (new - old).powi(2)
     }
+}
+
+/// EA, and the stiffnesses of bend, of both, and of Gamma2, shape (3) \[N, N m^2, N m, N\]: the inverse of the flexibility under a moment M in the
+/// middle and a shear force V, with which the moment is `M - V x` along the element.
+fn stiffness(length: f64, sections: &[SectionValues; GAUSS]) -> (f64, [f64; 3]) {
+    let SectionValues { law, shear, .. } = sections[MIDDLE];
+    let constants = |of: &SectionValues| [of.law.axial, of.law.bending, of.shear];
+    if sections.iter().all(|of| constants(of) == constants(&sections[MIDDLE])) {
+        let across = (1.0 / shear + length * length / (12.0 * law.bending)).recip();
+        return (law.axial, [law.bending, 0.0, across]);
+    }
+    let mean = |of: &dyn Fn(f64, &SectionValues) -> f64| -> f64 {
+        let points = gauss_points().into_iter().zip(sections).zip(GAUSS_WEIGHTS);
+        points.map(|((xi, section), weight)| weight * of((xi - 0.5) * length, section)).sum()
+    };
+    let axial = mean(&|_, section| section.law.axial.recip()).recip();
+    let even = mean(&|_, section| section.law.bending.recip());
+    let mixed = mean(&|x, section| x / section.law.bending);
+    let across = mean(&|x, section| x * x / section.law.bending + section.shear.recip());
+    let determinant = even * across - mixed * mixed;
+    (axial, [across, mixed, even].map(|flexibility| flexibility / determinant))
 }
 
 /// Linear strains as they are stored beside those of slender elements: Gamma1 and the bend, then Gamma2.

@@ -18,6 +18,7 @@ use super::{
 use crate::element::beam::{ElementTable, NodeFrame};
 use crate::element::shear::ShearTable;
 use crate::geometry::axis::{AxisElement, AxisElements};
+use crate::math::hermite::{GAUSS, gauss_points};
 use crate::math::vec2::{cross, sub};
 
 impl ModelBuilder {
@@ -136,9 +137,11 @@ impl ModelBuilder {
             if theory == Theory::Slender {
                 return table;
             }
-            let flexible = ShearTable::new(length, ends, &at(0.5));
+            // Fibres stand in the middle alone.
+            let places = if make.has_fibres() { [0.5; GAUSS] } else { gauss_points() };
+            let flexible = ShearTable::new(length, ends, &places.map(at));
             shear.push(flexible);
-            flexible.carried_by(table, &at(0.5))
+            flexible.carried_by(table, &gauss_points().map(at))
         };
         let share = |w: &[f64]| n as f64 * (w[1] - w[0]) / (stations[n] - stations[0]);
         let alike = mesh::is_straight(&line.pieces[plan.piece])

@@ -4,6 +4,7 @@ use super::ShearTable;
 use crate::element::beam::{ElementSums, ElementValues, NodeFrame, SectionValues, ShearedPlace};
 use crate::element::point::SectionLaw;
 use crate::element::strain::StrainMeasure;
+use crate::math::hermite::GAUSS;
 use crate::math::vec2::cross;
 
 pub const LENGTH: f64 = 0.3;
@@ -34,14 +35,29 @@ fn frame(position: [f64; 2], angle: f64) -> NodeFrame {
 
 /// A bent element that is not aligned with the axes.
 pub fn bent(section: &SectionValues) -> ShearTable {
-    ShearTable::new(LENGTH, [frame([0.1, -0.2], 0.4), frame([0.37, -0.08], 0.7)], section)
+    ShearTable::new(
+        LENGTH,
+        [frame([0.1, -0.2], 0.4), frame([0.37, -0.08], 0.7)],
+        &[*section; GAUSS],
+    )
+}
+
+/// The same with a section that varies along it.
+pub fn tapered(stiffness: [f64; 3], inertia: [f64; 2]) -> ShearTable {
+    let at = |share: f64| section(stiffness.map(|k| share * k), inertia);
+    let ends = [frame([0.1, -0.2], 0.4), frame([0.37, -0.08], 0.7)];
+    ShearTable::new(LENGTH, ends, &[1.4, 1.0, 0.5].map(at))
 }
 
 /// A bar along the first axis, or an arc that turns by an angle in the reference.
 pub fn bar(angle: f64, section: &SectionValues) -> ShearTable {
     let half = 0.5 * angle;
     let chord = if angle == 0.0 { LENGTH } else { LENGTH * half.sin() / half };
-    ShearTable::new(LENGTH, [frame([0.0, 0.0], -half), frame([chord, 0.0], half)], section)
+    ShearTable::new(
+        LENGTH,
+        [frame([0.0, 0.0], -half), frame([chord, 0.0], half)],
+        &[*section; GAUSS],
+    )
 }
 
 pub fn values([c1, c2, a1, a2, b1, b2]: [f64; 6]) -> ElementValues<f64> {

@@ -30,6 +30,16 @@ impl ShearTable {
                 }
             }
         }
+        if self.coupling != 0.0 {
+            for (k, other) in [(1, 2), (2, 1)] {
+                for i in 0..6 {
+                    let left = at[k][i] * of.coupled;
+                    for j in 0..6 {
+                        sums.tangent[i][j] = sums.tangent[i][j].add_product(left, end[other][j]);
+                    }
+                }
+            }
+        }
         self.add_second(&turning, across, &mut sums);
         sums
     }

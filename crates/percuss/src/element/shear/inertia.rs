@@ -7,7 +7,9 @@
 //! velocities times the square of the frequency: the inertia per length `rhoA l^2/12 D.(s (D - m)) + rhoI (s n.n / 12 - c s (D - m).m)`, with the
 //! share `s = 1 - c` of shear in `D - m`.
 
+use super::{InsideField, MIDDLE, ShearTable};
 use crate::element::beam::SectionValues;
+use crate::math::hermite::{GAUSS, GAUSS_WEIGHTS, gauss_points};
 
 /// A linear form of the values of both nodes, x_a, d_a, x_b and d_b, shape (4) \[-, m, -, m\] or that over a length.
 type MotionForm = [f64; 4];
@@ -16,8 +18,27 @@ type MotionForm = [f64; 4];
 /// the motions alone is.
 const MOST_SHEAR: f64 = 36.0;
 
-/// Mass matrix of one component, order (x_a, d_a, x_b, d_b), shape (4, 4) \[kg, kg m, kg m^2\].
-pub(super) fn mass(l: f64, section: &SectionValues) -> [[f64; 4]; 4] {
+/// Mass matrix of one component, order (x_a, d_a, x_b, d_b), from the sections at the Gauss points, shape (4, 4) \[kg, kg m, kg m^2\]: that of the
+/// section in the middle, and in the field inside the element what the others have beyond it.
+pub(super) fn mass(l: f64, sections: &[SectionValues; GAUSS]) -> [[f64; 4]; 4] {
+    let middle = &sections[MIDDLE];
+    let mut mass = uniform_mass(l, middle);
+    let field = InsideField { length: l, bent: ShearTable::bent_share(l, middle) };
+    for ((xi, section), weight) in gauss_points().into_iter().zip(sections).zip(GAUSS_WEIGHTS) {
+        let more = [section.mass - middle.mass, section.law.rotary - middle.law.rotary];
+        for (density, form) in more.into_iter().zip([field.axis(xi), field.section(xi)]) {
+            for i in 0..4 {
+                for j in 0..4 {
+                    mass[i][j] += weight * l * density * form[i] * form[j];
+                }
+            }
+        }
+    }
+    mass
+}
+
+/// That of a uniform element.
+fn uniform_mass(l: f64, section: &SectionValues) -> [[f64; 4]; 4] {
     let (along, rotary) = (section.mass * l, section.law.rotary * l);
     let softness = 12.0 * section.law.bending / (section.shear * l * l);
     let c = 1.0 / (1.0 + softness);
@@ -91,7 +112,7 @@ mod tests {
         for gyration in [1e-3, 0.03, 0.1, 0.3, 1.0, 30.0] {
             let square = f64::powi(gyration, 2);
             for ratio in [1e-3, 0.4, 3.06, 20.0, 1e3, 1e6] {
-                let m = mass(1.0, &section(1.0 / ratio, square, 1.0, square));
+                let m = uniform_mass(1.0, &section(1.0 / ratio, square, 1.0, square));
                 let least = pivots(m).into_iter().fold(f64::INFINITY, f64::min);
                 assert!(least > 0.0, "{gyration} {ratio}: {m:?}");
             }
@@ -101,7 +122,7 @@ mod tests {
     #[test]
     fn a_bar_that_turns_has_a_linear_inertia_along_it() {
         // About its first node, at 3 rad/s^2: 2 kg/m along 0.5 m.
-        let m = mass(0.5, &section(30.0, 1.0, 2.0, 0.1));
+        let m = uniform_mass(0.5, &section(30.0, 1.0, 2.0, 0.1));
         let at = [[0.0, 0.0, 0.0, 3.0], [0.0, 1.5, 0.0, 3.0]];
         let mut on = [[0.0; 4]; 2];
         for (node, on) in on.iter_mut().enumerate() {
@@ -116,7 +137,7 @@ mod tests {
     #[test]
     fn slender_elements_move_as_cubics() {
         let l = 0.7;
-        let found = mass(l, &section(1e12, 1.0, 2.0, 0.0));
+        let found = uniform_mass(l, &section(1e12, 1.0, 2.0, 0.0));
         let exact = crate::math::hermite::mass(l, |_| 2.0);
         for i in 0..4 {
             for j in 0..4 {

@@ -30,7 +30,8 @@ impl ShearTable {
         let factor = mean(self.by_sine(&old), self.by_sine(&new));
         let by_square = self.by_square(mean(old.square, new.square));
         let across = mean(old.linear[1], new.linear[1]);
-        let stress = [-stretch * axial, 0.0, moment * factor, moment * sine * by_square];
+        let shear = -bend * self.coupling;
+        let stress = [-stretch * axial, shear, moment * factor, moment * sine * by_square];
         let mut sums = self.sums::<f64, TANGENT>(&Evaluated {
             stress,
             turning: stress,
@@ -38,6 +39,7 @@ impl ShearTable {
             end,
             across: [across, new.linear[1]],
             slopes: [0.0; 3], // constant stresses
+            coupled: 0.0,
             share,
         });
         if TANGENT && moment != 0.0 {
@@ -64,7 +66,7 @@ impl ShearTable {
         let bent = strains.linear[2] * self.by_sine(&strains);
         [
             axial * stretch * (0.5 * stretch - strains.linear[0]),
-            bending * bend * (0.5 * bend - bent),
+            bending * bend * (0.5 * bend - bent) - self.coupling * bend * strains.linear[1],
         ]
     }
 

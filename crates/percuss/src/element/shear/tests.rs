@@ -12,6 +12,11 @@ fn element() -> ShearTable {
     bent(&section(STIFFNESS, INERTIA))
 }
 
+/// That, and one with a section that varies.
+fn elements() -> [ShearTable; 2] {
+    [element(), tapered(STIFFNESS, INERTIA)]
+}
+
 /// A bar along the first axis, or an arc that turns by an angle in the reference.
 fn bar(angle: f64) -> ShearTable {
     examples::bar(angle, &section(STIFFNESS, INERTIA))
@@ -42,18 +47,26 @@ fn rigid_motions_do_not_strain_it() {
 
 #[test]
 fn forces_of_a_step_do_the_work_of_its_energy() {
-    let table = element();
     let end: [f64; 6] = std::array::from_fn(|i| START[i] + STEP[i]);
-    let sums = table.mean::<f64, false>(&values(START), &values(STEP), 0.0);
-    let work: f64 = sums.force.iter().zip(STEP).map(|(f, d)| f * d).sum();
-    let gained = energy(&table, end) - energy(&table, START);
-    assert!((work - gained).abs() < 1e-13 * gained.abs(), "{work:e} {gained:e}");
-    // A step with a retardation time loses that times the squares of the changes.
-    let lag = 0.3;
-    let damped = table.mean::<f64, false>(&values(START), &values(STEP), lag);
-    let lost: f64 = damped.force.iter().zip(STEP).map(|(f, d)| f * d).sum::<f64>() - work;
-    let expected = lag * table.viscous_loss(&values(START), &values(end));
-    assert!(expected > 0.0 && (lost - expected).abs() < 1e-12 * expected, "{lost:e} {expected:e}");
+    let work =
+        |sums: &ElementSums<f64>| -> f64 { sums.force.iter().zip(STEP).map(|(f, d)| f * d).sum() };
+    for table in elements() {
+        let plain = work(&table.mean::<f64, false>(&values(START), &values(STEP), 0.0));
+        let gained = energy(&table, end) - energy(&table, START);
+        assert!((plain - gained).abs() < 1e-13 * gained.abs(), "{plain:e} {gained:e}");
+        // A step with a retardation time loses that times the squares of the changes.
+        let lag = 0.3;
+        let lost = work(&table.mean::<f64, false>(&values(START), &values(STEP), lag)) - plain;
+        let expected = lag * table.viscous_loss(&values(START), &values(end));
+        assert!(expected > 0.0 && (lost - expected).abs() < 1e-12 * expected, "{lost:e}");
+        // Strains without forces.
+        let given = [0.02, 0.3];
+        let relieved = table.relieved::<false>(&values(START), &values(STEP), 0.5, given);
+        let [before, after] =
+            [START, end].map(|at| table.energy_relieved(&values(at), given).iter().sum::<f64>());
+        let work = work(&relieved);
+        assert!((work - (after - before)).abs() < 1e-13 * gained.abs(), "{work:e}");
+    }
 }
 
 #[test]
@@ -81,17 +94,21 @@ fn an_arc_has_no_stretch_and_the_energy_of_its_turning_to_fourth_order() {
 
 #[test]
 fn forces_of_a_step_have_no_resultant_moment() {
-    let table = element();
-    let sums = table.mean::<f64, false>(&values(START), &values(STEP), 0.0);
-    assert_no_resultant_moment(&table, sums.force);
+    for table in elements() {
+        let sums = table.mean::<f64, false>(&values(START), &values(STEP), 0.0);
+        assert_no_resultant_moment(&table, sums.force);
+    }
 }
 
 #[test]
 fn tangents_are_the_derivatives_of_the_forces() {
-    let table = element();
     let start = values(START);
-    assert_tangent_of_forces(|d| table.mean::<f64, true>(&start, &values(d), 0.3));
-    assert_tangent_of_forces(|d| table.at_end::<f64, true>(&start, &values(d), None));
+    for table in elements() {
+        assert_tangent_of_forces(|d| table.mean::<f64, true>(&start, &values(d), 0.3));
+        assert_tangent_of_forces(|d| table.at_end::<f64, true>(&start, &values(d), None));
+        let given = [0.02, 0.3];
+        assert_tangent_of_forces(|d| table.relieved::<true>(&start, &values(d), 0.5, given));
+    }
 }
 
 #[test]
@@ -127,7 +144,7 @@ fn one_element_bends_as_a_cantilever_of_any_slenderness() {
         let (axial, bending, shear) = (depth, f64::powi(depth, 3) / 12.0, depth / 3.6);
         let ends =
             [[0.0, 0.0], [1.0, 0.0]].map(|position| NodeFrame { position, tangent: [1.0, 0.0] });
-        let table = ShearTable::new(1.0, ends, &section([axial, shear, bending], INERTIA));
+        let table = ShearTable::new(1.0, ends, &[section([axial, shear, bending], INERTIA); GAUSS]);
         let still = values([0.0; 6]);
         let k = table.at_end::<f64, true>(&still, &still, None).tangent;
         // Deflection of the tip, and its turn: the other values stay zero, to first order.
@@ -147,7 +164,7 @@ fn its_mass_has_the_inertia_of_a_rigid_bar_and_the_moments_of_a_uniform_load() {
     let ends =
         [[0.0, 0.0], [LENGTH, 0.0]].map(|position| NodeFrame { position, tangent: [1.0, 0.0] });
     let slender = ElementTable::new(LENGTH, ends, false, |_| of);
-    let table = ShearTable::new(LENGTH, ends, &of).carried_by(slender, &of);
+    let table = ShearTable::new(LENGTH, ends, &[of; GAUSS]).carried_by(slender, &[of; GAUSS]);
     let m = &table.mass;
     let close = |a: f64, b: f64| (a - b).abs() < 1e-15;
     assert!(close(m[0][0] + 2.0 * m[0][2] + m[2][2], 2.0 * LENGTH));
