@@ -18,7 +18,7 @@ use super::drift::{drift, unresolved};
 use super::ended::Ended;
 use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity, small};
-use crate::plastic_text::{largest_hinge, permanent_deflection, plastic_hinge};
+use crate::plastic_text::{permanent_deflection, plastic_hinges};
 use crate::terminal::{self, painted};
 use contacts::{contact_lines, touched};
 use lines::listed;
@@ -110,10 +110,7 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
         format!("largest plastic strain {}", number(beam.strain_max.value)),
         dissipated(beam.dissipated, beam.dissipated_by_preload),
     ];
-    if let Some(hinge) = largest_hinge(&beam.hinges) {
-        let length = quantity(hinge.element_length, "m");
-        parts.push(format!("{} (element length {length})", plastic_hinge(hinge)));
-    }
+    parts.extend(plastic_hinges(&beam.hinges));
     match beam.permanent_set {
         Err(reason) => parts.push(format!("permanent deflection not available: {reason}")),
         Ok(set) => parts.push(permanent_deflection(&set)),

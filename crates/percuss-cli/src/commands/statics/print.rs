@@ -8,7 +8,7 @@ use percuss::{
 
 use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity};
-use crate::plastic_text::{largest_hinge, permanent_deflection, plastic_hinge};
+use crate::plastic_text::{permanent_deflection, plastic_hinges};
 use percuss_output::round_off::{
     NO_DISTANCE, NO_GAP, SectionScales, StaticScales, without_round_off,
 };
@@ -229,7 +229,7 @@ fn in_short(model: &Model, found: &Equilibrium, beam: &PlasticSummary) -> String
         format!("first yield at s = {}{by}", quantity(first.s, "m")),
         format!("largest plastic strain {}", number(beam.strain_max.value)),
     ];
-    parts.extend(largest_hinge(&beam.hinges).map(plastic_hinge));
+    parts.extend(plastic_hinges(&beam.hinges));
     parts.push(match beam.permanent_set {
         Ok(set) => permanent_deflection(&set),
         Err(reason) => format!("permanent deflection not available: {reason}"),
