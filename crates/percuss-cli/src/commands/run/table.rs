@@ -137,7 +137,7 @@ fn dissipated(all: f64, by_preload: f64) -> String {
             "{} dissipated ({} in the static start, {} in the run)",
             quantity(all, "J"),
             quantity(by_preload, "J"),
-            quantity(all - by_preload, "J")
+            quantity(without_round_off(all - by_preload, all), "J")
         ),
         false => format!("{} dissipated", quantity(all, "J")),
     }
@@ -381,6 +381,14 @@ mod tests {
             )),
             "formula, largest contact force: 100 N, simulated 90 N (-10.00 %; not met: no damping, and 1 more)"
         );
+    }
+
+    #[test]
+    fn dissipation_of_round_off_in_the_run_is_none() {
+        let text = "2.763 J dissipated (2.763 J in the static start, 0 J in the run)";
+        assert_eq!(dissipated(2.763 + 2e-11, 2.763), text);
+        let text = "3 J dissipated (2 J in the static start, 1 J in the run)";
+        assert_eq!(dissipated(3.0, 2.0), text);
     }
 
     #[test]
