@@ -20,7 +20,7 @@ use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity, small};
 use crate::plastic_text::{permanent_deflection, plastic_hinges};
 use crate::terminal::{self, painted};
-use contacts::{contact_lines, touched};
+use contacts::contact_lines;
 use lines::listed;
 
 /// Hand formulas and supports listed.
@@ -43,7 +43,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     ));
     rows.extend(drift(run, &ended.value));
     rows.extend(unresolved(run));
-    let (touched, untouched): (Vec<_>, Vec<_>) = run.contacts.iter().partition(|c| touched(c));
+    let (touched, untouched): (Vec<_>, Vec<_>) = run.contacts.iter().partition(|c| c.record.has_closed());
     let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
     for contact in touched.iter().chain(alone) {
         let label = format!("contact '{}'", contact.name);
