@@ -42,9 +42,11 @@ pub fn findings(
     all.extend(reactions(model, run));
     all.extend(jumps(model, run));
     all.extend((0..model.beam_count()).filter_map(|beam| compressed(model, run, beam)));
-    all.extend(run.section_forces.iter().filter_map(|beam| {
-        beyond_strength(model, beam, Some(settings.start))
-    }));
+    all.extend(
+        run.section_forces
+            .iter()
+            .filter_map(|beam| beyond_strength(model, beam, Some(settings.start))),
+    );
     all.extend(plastic_mesh::exceeded(model, &run.section_forces));
     all.extend(ductility::findings(model, &run.section_forces, &run.plastic));
     all

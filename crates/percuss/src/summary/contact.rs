@@ -260,8 +260,7 @@ impl ContactRecord {
 
     /// Whether the contact closed in the run.
     pub fn has_closed(&self) -> bool {
-        let struck =
-            matches!(self, Self::Nonsmooth { impact_count, .. } if *impact_count > 0);
+        let struck = matches!(self, Self::Nonsmooth { impact_count, .. } if *impact_count > 0);
         struck || !self.intervals().is_empty()
     }
 

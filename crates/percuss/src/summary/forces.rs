@@ -13,6 +13,8 @@ pub struct PointSummary {
     pub displacement_max: [Peak; 2],
     /// Whether steps resolve each of them, shape (2); if not, it is the largest at the end of a step, and between there may be more.
     pub resolved: [bool; 2],
+    /// Whether the base is accelerated: displacements are relative to it.
+    pub relative_to_base: bool,
 }
 
 /// A largest section force, where and when it occurred.

@@ -6,8 +6,8 @@ mod lines;
 use std::path::Path;
 
 use percuss::{
-    FoundationSummary, JointSummary, PlasticSummary, RunSummary, StepControl, SupportSummary,
-    Termination, YieldingSummary,
+    FoundationSummary, JointSummary, Peak, PlasticSummary, PulseOf, PulseSummary, RunSummary,
+    StepControl, SupportSummary, Termination, YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::{RunState, story};
@@ -43,7 +43,8 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     ));
     rows.extend(drift(run, &ended.value));
     rows.extend(unresolved(run));
-    let (touched, untouched): (Vec<_>, Vec<_>) = run.contacts.iter().partition(|c| c.record.has_closed());
+    let (touched, untouched): (Vec<_>, Vec<_>) =
+        run.contacts.iter().partition(|c| c.record.has_closed());
     let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
     for contact in touched.iter().chain(alone) {
         let label = format!("contact '{}'", contact.name);
@@ -58,6 +59,8 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     }
     rows.extend(run.plastic.iter().filter_map(plastic));
     rows.extend(run.yielding.iter().filter_map(yielding));
+    rows.extend(springs(run));
+    rows.extend(stops(run));
     rows.extend(run.foundations.iter().map(foundation));
     rows.extend(run.joints.iter().map(joint));
     let labels =
@@ -192,7 +195,11 @@ fn joint(joint: &JointSummary) -> (String, String) {
 fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
     let Some(first) = connector.first_yield else {
         let time = quantity(connector.failed?, "s");
-        return Some((format!("failure of '{}'", connector.name), format!("at t = {time}")));
+        let reached = reached_before(connector);
+        return Some((
+            format!("failure of '{}'", connector.name),
+            format!("at t = {time}{reached}"),
+        ));
     };
     let [what, unit] = if connector.turns { ["rotation", "rad"] } else { ["extension", "m"] };
     let mut parts = vec![
@@ -205,6 +212,50 @@ fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
     }
     parts.push(dissipated(connector.dissipated, connector.dissipated_by_preload));
     Some((format!("yield of '{}'", connector.name), parts.join(", ")))
+}
+
+/// The largest force, or moment, at the end of a step before a spring or hinge failed; nothing of one that failed in the static start.
+fn reached_before(connector: &YieldingSummary) -> String {
+    let [what, unit] = if connector.turns { ["moment", "N*m"] } else { ["force", "N"] };
+    match connector.force_max.value {
+        0.0 => String::new(),
+        most if most.is_nan() => String::new(),
+        most => format!(", largest {what} before {}", quantity(most, unit)),
+    }
+}
+
+/// The largest forces of springs that act on one side or along a table, and cannot yield or fail.
+fn springs(run: &RunSummary) -> Vec<(String, String)> {
+    let limited = |name: &str| run.yielding.iter().any(|one| one.name == format!("spring.{name}"));
+    let of = |pulse: &PulseSummary| match &pulse.of {
+        PulseOf::Spring(name) if !limited(name) => {
+            let text = match pulse.force.value > 0.0 {
+                true => peak_force(&pulse.force),
+                false => "without force".to_owned(),
+            };
+            Some((format!("spring '{name}'"), text))
+        }
+        _ => None,
+    };
+    run.pulses.iter().filter_map(of).collect()
+}
+
+/// The largest forces of stops, and how often they were touched.
+fn stops(run: &RunSummary) -> Vec<(String, String)> {
+    let of = |support: &SupportSummary| {
+        let touches = support.touches.as_ref()?;
+        let most = touches.iter().map(|touch| touch.peak_force);
+        let text = match most.max_by(|a, b| a.value.total_cmp(&b.value)) {
+            Some(most) => format!("{}, {}", peak_force(&most), count(touches.len(), "contact")),
+            None => "not touched".to_owned(),
+        };
+        Some((format!("stop '{}'", support.name), text))
+    };
+    run.supports.iter().filter_map(of).collect()
+}
+
+fn peak_force(peak: &Peak) -> String {
+    format!("peak force {} at t = {}", quantity(peak.value, "N"), quantity(peak.time, "s"))
 }
 
 /// Impulses of supports and obstacles, in addition to their forces in the history.

@@ -387,7 +387,8 @@ mod tests {
         };
         let scale = 1e-4; // of a beam of 1 m
         assert_eq!(farthest(&most(3.4e-21), scale), "  largest displacement: 0 m\n");
-        let real = "  largest displacement: 1 mm, (x, y) = (0 m, -1 mm), in 'strut' at s = 1.25 m\n";
+        let real =
+            "  largest displacement: 1 mm, (x, y) = (0 m, -1 mm), in 'strut' at s = 1.25 m\n";
         assert_eq!(farthest(&most(-1e-3), scale), real);
     }
 }

@@ -251,7 +251,9 @@ fn elastic(all: &Map<String, Value>) -> String {
     let failed = failures(all.iter());
     let first = failed.iter().min_by(|a, b| a.1.total_cmp(&b.1));
     match (all.len(), all.iter().next(), first) {
-        (1, _, Some((name, time))) => format!("{name} failed at {}.", instant(Some(*time))),
+        (1, Some((_, one)), Some((name, time))) => {
+            format!("{name} failed at {}{}.", instant(Some(*time)), reached_before(one))
+        }
         (1, Some((name, one)), None) => {
             let largest =
                 [("force", "N"), ("moment", "N*m"), ("extension", "m"), ("rotation", "rad")];
@@ -271,6 +273,27 @@ fn elastic(all: &Map<String, Value>) -> String {
         ),
         (n, ..) => format!("None of the {n} springs and joints with a limit yielded or failed."),
     }
+}
+
+/// The largest force or moment before a failure, where one is known.
+fn reached_before(one: &Value) -> String {
+    let reached = [("force", "N"), ("moment", "N*m")].into_iter().find_map(|(what, unit)| {
+        let most = one[format!("{what}_max").as_str()]["value"].as_f64()?;
+        (most != 0.0).then(|| format!("; largest {what} before {}", quantity(Some(most), unit)))
+    });
+    reached.unwrap_or_default()
+}
+
+/// The largest force of a stop that was touched.
+pub(super) fn stops(summary: &Value) -> Option<String> {
+    let supports = summary["support"].as_object()?;
+    let touches = supports.iter().flat_map(|(name, support)| {
+        super::list(support, "intervals").iter().map(move |touch| (name, &touch["peak_force"]))
+    });
+    let size = |peak: &Value| peak["value"].as_f64().unwrap_or(0.0);
+    let (name, peak) = touches.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
+    let (force, time) = (quantity(peak["value"].as_f64(), "N"), instant(peak["time"].as_f64()));
+    Some(format!("Peak force of stop '{name}': {force} at {time}."))
 }
 
 /// `spring.brace` as a sentence names it: spring 'brace'.
@@ -435,8 +458,16 @@ mod tests {
         let text = "Spring 'rope' neither yielded nor failed; largest force 8700 N at t = 550 ms; largest extension 290 mm at t = 550 ms.";
         assert_eq!(plain(connectors(&whole)).as_deref(), Some(text));
         let broken = json!({ "yielding": { "spring.rope": rope(json!(0.6)) } });
-        let text = "Spring 'rope' failed at t = 600 ms.";
+        let text = "Spring 'rope' failed at t = 600 ms; largest force before 8700 N.";
         assert_eq!(plain(connectors(&broken)).as_deref(), Some(text));
+        let touch =
+            |force: f64, time: f64| json!({ "peak_force": { "value": force, "time": time } });
+        let held = json!({ "support": {
+            "anchor": {}, "restraint": { "intervals": [touch(288e3, 0.011), touch(37e3, 0.1)] },
+        } });
+        let text = "Peak force of stop 'restraint': 288 kN at t = 11 ms.";
+        assert_eq!(plain(stops(&held)).as_deref(), Some(text));
+        assert_eq!(stops(&json!({ "support": { "stop": { "intervals": [] } } })), None);
         let one =
             json!({ "yielding": { "spring.a": rope(Value::Null), "spring.b": rope(json!(0.6)) } });
         let text = "1 of 2 springs and joints with a limit failed, spring 'b' first at t = 600 ms.";
