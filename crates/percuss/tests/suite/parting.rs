@@ -154,7 +154,7 @@ fn strains_are_those_of_fibres_that_have_not_failed() {
     let (summary, _) = run(&model, &Settings::new(4e-3, 2e-6));
     assert!(!summary.plastic[0].parted.is_empty());
     let strain = summary.section_forces[0].strain.largest().value;
-    assert!(strain.is_finite() && strain.abs() <= failure_strain, "{strain}");
+    assert!(strain.is_finite() && strain.abs() <= failure_strain * (1.0 + 1e-9), "{strain}");
 }
 
 /// A free bar whose halves separate: it fractures, and both momenta and the kinetic energy do not change.

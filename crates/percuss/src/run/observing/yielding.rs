@@ -288,9 +288,10 @@ fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
     out
 }
 
-/// Length of the element of a beam at an arc length; at a node the one before it \[m\].
+/// Length of the element of a beam at an arc length; at a node that of the one before it \[m\].
 fn element_length_at(model: &Model, beam: &BeamData, s: f64) -> f64 {
-    let spans = &model.spans[beam.spans.clone()];
-    let mut pairs = spans.iter().flat_map(|span| span.stations.windows(2));
-    pairs.find(|pair| s <= pair[1]).map_or(f64::NAN, |pair| pair[1] - pair[0])
+    let spans = model.spans[beam.spans.clone()].iter();
+    let mut elements = spans.flat_map(|span| (0..span.elements.len()).map(move |k| (span, k)));
+    let found = elements.find(|(span, k)| s <= span.stations[k + 1]);
+    found.map_or(f64::NAN, |(span, k)| span.table(k).length)
 }
