@@ -168,7 +168,7 @@ pub fn compare(model: &Model, settings: &Settings, summary: &RunSummary) -> Vec<
 pub fn at_rest(model: &Model, found: &Equilibrium) -> Vec<Advice> {
     let forces = &found.section_forces;
     let mut all: Vec<Advice> =
-        forces.iter().filter_map(|beam| review::beyond_strength(model, beam)).collect();
+        forces.iter().filter_map(|beam| review::beyond_strength(model, beam, None)).collect();
     all.extend(plastic_mesh::exceeded(model, forces));
     all.extend(ductility::findings(model, forces, &yielded_at_rest(model, found)));
     all

@@ -11,7 +11,7 @@ use percuss::{
     ContactRecord, ContactSummary, PressedIn, RunSummary, SectionForceSummary, SectionPeak,
     Termination, WithoutLimit,
 };
-use percuss::{Model, StrainMeasure, Strength};
+use percuss::{Model, Start, StrainMeasure, Strength};
 
 /// Compressive strains from which on strain measures differ by some per cent, and by a tenth.
 const STRAINS: [f64; 2] = [0.05, 0.15];
@@ -42,7 +42,11 @@ pub fn findings(
     all.extend(reactions(model, run));
     all.extend(jumps(model, run));
     all.extend((0..model.beam_count()).filter_map(|beam| compressed(model, run, beam)));
-    all.extend(run.section_forces.iter().filter_map(|beam| beyond_strength(model, beam)));
+    all.extend(
+        run.section_forces
+            .iter()
+            .filter_map(|beam| beyond_strength(model, beam, Some(settings.start))),
+    );
     all.extend(plastic_mesh::exceeded(model, &run.section_forces));
     all.extend(ductility::findings(model, &run.section_forces, &run.plastic));
     all
@@ -236,12 +240,36 @@ fn strength_passed(model: &Model, name: &str, s: f64, stress: f64) -> Option<f64
     passed.map(limit).min_by(f64::total_cmp)
 }
 
+/// Place and instant of a stress; an equilibrium has no time, and the start of a run is named elsewhere.
+fn at(peak: &SectionPeak) -> String {
+    match peak.time > 0.0 {
+        true => format!("s = {}, t = {}", quantity(peak.s, "m"), quantity(peak.time, "s")),
+        false => format!("s = {}", quantity(peak.s, "m")),
+    }
+}
+
+/// When a strength was first exceeded: at the start of a run, or at a place and an instant of its own where the largest stresses came `later`.
+fn first_exceeded(first: &SectionPeak, later: bool, start: Option<Start>) -> String {
+    match start {
+        Some(Start::Static) if first.time == 0.0 => {
+            "; exceeded already at the start, under the permanent loads".to_owned()
+        }
+        Some(_) if first.time == 0.0 => "; exceeded already at the start".to_owned(),
+        _ if first.time > 0.0 && later => format!("; first exceeded at {}", at(first)),
+        _ => String::new(),
+    }
+}
+
 /// What a von Mises stress inside a section is called.
 const INSIDE: &str = "von Mises stress";
 
 /// An elastic beam whose stress exceeds the usual strength of its material: that of the extreme fibres, in tension and in compression, or the von Mises
-/// stress inside where that is larger.
-pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advice> {
+/// stress inside where that is larger. `start` is that of a run; an equilibrium has none.
+pub fn beyond_strength(
+    model: &Model,
+    beam: &SectionForceSummary,
+    start: Option<Start>,
+) -> Option<Advice> {
     let strength_at = |peak: &SectionPeak| strength_passed(model, &beam.name, peak.s, peak.value);
     let inside = beam.beyond_inside.map(|first| (first, beam.von_mises_inside));
     let in_fibres = beam.beyond.map(|first| {
@@ -256,17 +284,10 @@ pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advi
     };
     // Where materials change, what is largest need not be what exceeds.
     let reached = if reached.is_empty() { vec![(first, "stress")] } else { reached };
-    // An equilibrium has no time.
-    let at = |peak: &SectionPeak| match peak.time > 0.0 {
-        true => format!("s = {}, t = {}", quantity(peak.s, "m"), quantity(peak.time, "s")),
-        false => format!("s = {}", quantity(peak.s, "m")),
-    };
     let strength = |most: &SectionPeak| strength_at(most).unwrap_or(f64::NAN);
     let stress = |value: f64| quantity(value, "Pa");
-    let since = match first.time > 0.0 && reached.iter().all(|(most, _)| most.time != first.time) {
-        true => format!("; first exceeded at {}", at(&first)),
-        false => String::new(),
-    };
+    let later = reached.iter().all(|(most, _)| most.time != first.time);
+    let since = first_exceeded(&first, later, start);
     let limit = strength(&reached[0].0);
     let reported = if reached.iter().all(|(most, _)| strength(most) == limit) {
         let larger = |a: &&(SectionPeak, &str), b: &&(SectionPeak, &str)| {
@@ -297,4 +318,23 @@ pub fn beyond_strength(model: &Model, beam: &SectionForceSummary) -> Option<Advi
     let values = [worst.value, strength(worst)];
     let subject = format!("beam {}", beam.name);
     Some(Advice::new(subject, Topic::Strength, values, "Pa", Verdict::Warning, text))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_strength_exceeded_at_the_start_is_reported_so() {
+        let at = |time: f64| SectionPeak { value: 3e8, s: 2.0, time };
+        let words = |time: f64, start| first_exceeded(&at(time), true, start);
+        let permanent = "; exceeded already at the start, under the permanent loads";
+        assert_eq!(words(0.0, Some(Start::Static)), permanent);
+        assert_eq!(words(0.0, Some(Start::Reference)), "; exceeded already at the start");
+        let late = words(0.25, Some(Start::Static));
+        assert_eq!(late, "; first exceeded at s = 2 m, t = 250 ms");
+        assert_eq!(first_exceeded(&at(0.25), false, Some(Start::Static)), "");
+        // An equilibrium has no time.
+        assert_eq!(words(0.0, None), "");
+    }
 }

@@ -142,6 +142,7 @@ impl<S: Number> SummaryInput<'_, S> {
                         name: p.label.clone(),
                         displacement_max: crests.map(|c| peak(&c)),
                         resolved: crests.map(|c| c.is_resolved(self.lane)),
+                        relative_to_base: model.has_accelerated_base(),
                     }
                 })
                 .collect(),

@@ -126,7 +126,7 @@ impl SectionScales {
 /// What the displacements and forces of an equilibrium are measured by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StaticScales {
-    /// Largest displacement of a recorded point \[m\].
+    /// Largest displacement of a recorded point, or a share of the longest beam \[m\].
     pub moved: f64,
     /// Largest rotation of one, or that of which slopes have the round-off of numbers of the size of one \[rad\].
     pub turned: f64,
@@ -143,8 +143,11 @@ impl StaticScales {
         let forces = reactions().flat_map(|reaction| &reaction[..2]);
         let others = found.foundations.iter().flat_map(|one| &one.force);
         let force = largest(forces.chain(others).chain(&found.balance.springs));
+        // The last place of an envelope is the end of its beam.
+        let longest = largest(found.section_forces.iter().flat_map(|beam| &beam.envelope.s));
+        let moved = largest(found.points.iter().flat_map(|(_, moved)| moved));
         Self {
-            moved: largest(found.points.iter().flat_map(|(_, moved)| moved)),
+            moved: moved.max(LEAST * longest),
             turned: largest(&found.rotations).max(LEAST),
             force,
             moment: largest(reactions().map(|reaction| &reaction[2])).max(force),

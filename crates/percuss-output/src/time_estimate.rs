@@ -13,6 +13,9 @@ const PATIENCE: Duration = Duration::from_secs(5);
 /// Whether a requested accuracy is reached so far is looked at each time that this has passed.
 const GLANCE: Duration = Duration::from_millis(500);
 
+/// Fewer impacts per step cost nothing: they are printed as 0.00.
+const FEW: f64 = 0.005;
+
 /// What had been done when the watch began.
 #[derive(Clone, Copy, Debug)]
 struct Beginning {
@@ -109,11 +112,11 @@ fn in_words(status: &RunStatus<'_>, before: &RunStatus<'_>, elapsed: Duration) -
         let all = steps as f64 * (status.end - before.time) / done;
         text += &format!("; at this rate {all:.1e} steps for the requested accuracy");
     }
-    let impacts = status.impacts.saturating_sub(before.impacts);
-    if let Some((name, count)) = status.busiest.filter(|_| impacts > 0) {
+    let impacts = each(status.impacts.saturating_sub(before.impacts));
+    if let Some((name, count)) = status.busiest.filter(|_| impacts >= FEW) {
         text += &format!(
             " and {} impacts per step; contact `{name}` has {} % of the impacts",
-            short(each(impacts)),
+            short(impacts),
             short(share(count, status))
         );
     }
@@ -170,6 +173,9 @@ mod tests {
             "5.0 % done after 5 s; about 95 s remain. 500 ms per step: 90 Newton iterations and 40 impacts per step; contact \
              `floor` has 75 % of the impacts"
         );
+        let rare = RunStatus { step: 90_000, impacts: 400, ..now };
+        let reported = in_words(&rare, &before, Duration::from_secs(5)).expect("a long run");
+        assert!(!reported.contains("impacts"), "{reported}");
         let late = RunStatus { time: 1.5, ..now };
         assert_eq!(in_words(&late, &before, Duration::from_secs(5)), None);
     }

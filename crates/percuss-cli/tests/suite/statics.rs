@@ -370,8 +370,8 @@ fn reactions_of_round_off_beside_springs_to_the_ground_are_zero() {
     let sandbox = Sandbox::empty();
     let foundation = "[foundation.bed]\non = \"arm\"\nstiffness = \"20 MN/m^2\"\n\n\
         [support.roller]\nat = \"arm.mid\"\nkind = \"fix\"\ncomponents = [1]\n\n[load.tip]";
-    let file = sandbox.write("bed.toml", &CANTILEVER.replace("[load.tip]", foundation));
-    let (status, out, _) = percuss(&file, &[]);
+    sandbox.put("bed.toml", CANTILEVER.replace("[load.tip]", foundation));
+    let (status, out, _) = percuss(&sandbox.path("bed.toml"), &[]);
     assert_eq!(status, Some(0), "{out}");
     assert!(out.contains("'roller': force (x, y) = (0 N, 0 N), moment 0 N m"), "{out}");
 }

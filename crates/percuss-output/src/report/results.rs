@@ -339,7 +339,12 @@ fn points(summary: &Value) -> String {
     let moved = Scales::of(summary).length;
     let header =
         ["point", "largest displacement x", "at time", "largest displacement y", "at time"];
-    listing("Recorded points", &header, &list, list.len(), |_, entry| {
+    let relative = points.values().any(|point| point["relative_to_base"] == true);
+    let caption = match relative {
+        true => "Recorded points (displacements relative to the base)",
+        false => "Recorded points",
+    };
+    listing(caption, &header, &list, list.len(), |_, entry| {
         let mut row = vec![entry[0].as_str().unwrap_or_default().to_owned()];
         for component in ["component_1", "component_2"] {
             let peak = &entry[1]["displacement_max"][component];

@@ -27,6 +27,7 @@ pub fn story(summary: &Value) -> String {
     out.extend(yielding::fractures(summary));
     out.extend(yielding::beams(summary));
     out.extend(yielding::connectors(summary));
+    out.extend(yielding::stops(summary));
     out.extend(foundations::foundations(summary));
     // What did not happen comes last.
     out.extend(contacts::none_closed(summary));
@@ -70,8 +71,9 @@ fn deflection(summary: &Value) -> Option<String> {
         true => " Places that are not recorded moved further (permanent deflection).",
         false => "",
     };
+    let base = if points[name]["relative_to_base"] == true { " relative to the base" } else { "" };
     Some(format!(
-        "Largest displacement of the recorded {of}: {value} in {axis} at '{name}', {time}.{more}"
+        "Largest displacement{base} of the recorded {of}: {value} in {axis} at '{name}', {time}.{more}"
     ))
 }
 
@@ -262,6 +264,18 @@ mod tests {
         };
         let more = "Places that are not recorded moved further (permanent deflection).";
         assert!(run(0.7682).contains(more) && !run(0.5).contains(more), "{}", run(0.7682));
+    }
+
+    #[test]
+    fn displacements_on_an_accelerated_base_are_relative_to_it() {
+        let moved = json!({ "value": 0.05, "time": 0.09 });
+        let of = |relative: bool| {
+            let point = json!({ "displacement_max": { "component_1": moved }, "relative_to_base": relative });
+            plain(&json!({ "point": { "mast.end": point }, "energy": {} }))
+        };
+        let text = "Largest displacement relative to the base of the recorded point: 50 mm in x at 'mast.end', t = 90 ms.";
+        assert_eq!(of(true), text);
+        assert_eq!(of(false), text.replace(" relative to the base", ""));
     }
 
     #[test]

@@ -283,12 +283,16 @@ fn projectile(projectile: &ProjectileSummary) -> Value {
 }
 
 fn point(point: &PointSummary) -> Value {
-    json!({
+    let mut value = json!({
         "displacement_max": {
             "component_1": crest(&point.displacement_max[0], point.resolved[0]),
             "component_2": crest(&point.displacement_max[1], point.resolved[1]),
         }
-    })
+    });
+    if point.relative_to_base {
+        value["relative_to_base"] = true.into();
+    }
+    value
 }
 
 fn crest(largest: &Peak, resolved: bool) -> Value {

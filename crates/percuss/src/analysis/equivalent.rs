@@ -29,6 +29,9 @@ pub fn equivalent_force(
     run: &RunSummary,
 ) -> Result<EquivalentForce, String> {
     let projectile = striker(model)?;
+    if !run.contacts.first().is_some_and(|contact| contact.record.has_closed()) {
+        return Err("the contact did not close".into());
+    }
     refuse_others(model, start)?;
     refuse_failures(run)?;
     let yielded = run.plastic.iter().any(|beam| beam.first_yield.is_some())

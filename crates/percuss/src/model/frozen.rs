@@ -279,7 +279,7 @@ impl Model {
     }
 
     /// Whether the base is accelerated, so that the motion is relative to it.
-    pub(crate) fn has_accelerated_base(&self) -> bool {
+    pub fn has_accelerated_base(&self) -> bool {
         self.loads.iter().any(|load| load.base)
     }
 

@@ -159,6 +159,7 @@ fn points(at: StateView<'_>, crests: Vec<[Crest<f64>; 2]>) -> Vec<PointSummary> 
                 name: p.label.clone(),
                 displacement_max: crests.map(|c| Peak { value: c.value, time: c.time }),
                 resolved: crests.map(|c| c.is_resolved(0)),
+                relative_to_base: at.model.has_accelerated_base(),
             }
         })
         .collect()

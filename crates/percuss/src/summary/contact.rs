@@ -258,6 +258,12 @@ impl ContactRecord {
         }
     }
 
+    /// Whether the contact closed in the run.
+    pub fn has_closed(&self) -> bool {
+        let struck = matches!(self, Self::Nonsmooth { impact_count, .. } if *impact_count > 0);
+        struck || !self.intervals().is_empty()
+    }
+
     pub(crate) fn intervals_mut(&mut self) -> &mut [ContactInterval] {
         match self {
             Self::Smooth { intervals, .. } | Self::Nonsmooth { intervals, .. } => intervals,

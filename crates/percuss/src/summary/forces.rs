@@ -13,6 +13,8 @@ pub struct PointSummary {
     pub displacement_max: [Peak; 2],
     /// Whether steps resolve each of them, shape (2); if not, it is the largest at the end of a step, and between there may be more.
     pub resolved: [bool; 2],
+    /// Whether the base is accelerated: displacements are relative to it.
+    pub relative_to_base: bool,
 }
 
 /// A largest section force, where and when it occurred.
@@ -80,9 +82,15 @@ impl SectionRange {
     }
 }
 
+/// Whether a larger value is that of the start but for round-off: a structure that stays at rest has its extremes at time zero.
+pub(crate) fn is_of_start(known: f64, time: f64, value: f64) -> bool {
+    time == 0.0 && (value - known).abs() <= SAME_SIZE * value.abs()
+}
+
 impl SectionPeak {
     fn replace(&mut self, value: f64, s: f64, time: f64) {
-        let same = time == self.time && (value - self.value).abs() <= SAME_SIZE * value.abs();
+        let at_once = time == self.time && (value - self.value).abs() <= SAME_SIZE * value.abs();
+        let same = at_once || is_of_start(self.value, self.time, value);
         *self = if same { Self { value, ..*self } } else { Self { value, s, time } };
     }
 }
@@ -172,11 +180,15 @@ impl Range {
     /// Enters a value.
     #[doc(hidden)]
     pub fn take(&mut self, value: f64, time: f64) {
+        let instant = |known: &Peak| match is_of_start(known.value, known.time, value) {
+            true => known.time,
+            false => time,
+        };
         if value > self.max.value || self.max.value.is_nan() {
-            self.max = Peak { value, time };
+            self.max = Peak { value, time: instant(&self.max) };
         }
         if value < self.min.value || self.min.value.is_nan() {
-            self.min = Peak { value, time };
+            self.min = Peak { value, time: instant(&self.min) };
         }
     }
 }
@@ -238,4 +250,36 @@ pub struct PointStress {
     pub top: f64,
     /// At the bottom fibre, on the other side \[Pa\].
     pub bottom: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What stays as it was at the start has no later extreme, and what grows has one.
+    #[test]
+    fn round_off_beside_the_start_does_not_change_the_instant_of_an_extreme() {
+        let (mut forces, mut reaction) = (SectionRange::default(), Range::default());
+        let mut take = |value: f64, time: f64| {
+            forces.take(value, 1e3 * time, time);
+            reaction.take(value, time);
+            [forces.max.s, forces.max.time, reaction.max.time, reaction.min.time]
+        };
+        assert_eq!(take(2.0, 0.0), [0.0; 4]);
+        assert_eq!(take(2.0 + 1e-12, 0.25), [0.0; 4]);
+        assert_eq!(take(2.0 - 1e-12, 0.5), [0.0; 4]);
+        assert_eq!(take(2.1, 0.75), [750.0, 0.75, 0.75, 0.0]);
+        // After the start every larger value counts.
+        assert_eq!(take(2.1 + 1e-12, 1.0), [1000.0, 1.0, 1.0, 0.0]);
+        assert_eq!((reaction.max.value, reaction.min.value), (2.1 + 1e-12, 2.0 - 1e-12));
+    }
+
+    /// A force that begins at zero has its extreme where it acts.
+    #[test]
+    fn the_smallest_value_is_larger_than_none() {
+        let mut reaction = Range::default();
+        reaction.take(0.0, 0.0);
+        reaction.take(1e-300, 0.5);
+        assert_eq!(reaction.max, Peak { value: 1e-300, time: 0.5 });
+    }
 }

@@ -110,6 +110,21 @@ fn beams_of_eight_elements_bear_their_collapse_load_within_three_per_cent() {
     }
 }
 
+/// The element length beside a plastic hinge is that at its centre, which a longer element at the edge of the hinge does not change.
+#[test]
+fn a_hinge_has_the_length_of_the_element_at_its_centre() {
+    let ends = [SupportKind::Clamp, sliding()];
+    let model = span(ends, 0.5, 0.98 * 8.0 * MOST / 2.0, (8, true)).b.build().unwrap();
+    let all = yielded_at_rest(&model, &equilibrium(&model).unwrap());
+    let stations: Vec<f64> =
+        model.beam(0).spans().flat_map(|span| span.stations().to_vec()).collect();
+    assert!(all[0].hinges.len() > 1, "{:?}", all[0].hinges);
+    for hinge in &all[0].hinges {
+        let around = stations.windows(2).find(|w| w[0] < hinge.s && hinge.s <= w[1]).unwrap();
+        assert!((hinge.element_length - (around[1] - around[0])).abs() < 1e-12, "{hinge:?}");
+    }
+}
+
 /// Clamped feet, a force H at the eaves and V in the middle of the girder: `H h + V l/2 = 6 Mp` (combined mechanism).
 #[test]
 fn a_portal_of_eight_elements_a_member_bears_its_collapse_load_within_three_per_cent() {

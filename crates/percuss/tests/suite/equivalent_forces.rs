@@ -187,3 +187,19 @@ fn an_arch_that_snaps_through_has_none() {
         (None, why) => assert!(why.as_ref().unwrap().contains("snaps through"), "{why:?}"),
     }
 }
+
+/// Without a contact there is no effect of an impact to be equivalent to.
+#[test]
+fn a_projectile_that_does_not_arrive_has_no_equivalent_force() {
+    let mut b = ModelBuilder::new();
+    let (material, section) = plank(&mut b);
+    let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 6, material, section));
+    clamp(&mut b, "left", girder, 0.0);
+    let kind = ProjectileKind::spring(7.5e5);
+    let striker = Projectile::new("striker", kind, 500.0, [0.0, -1.0], at("tip", girder, 1.0));
+    b.projectile(Projectile { standoff: 1.0, ..striker });
+    let run = simulate(&b.build().unwrap(), &Settings::new(0.1, 1e-3), &mut NoRecorder).unwrap();
+    let contact = &run.contacts[0];
+    assert!(!contact.record.has_closed() && contact.equivalent_force.is_none());
+    assert_eq!(contact.no_equivalent_force.as_deref(), Some("the contact did not close"));
+}

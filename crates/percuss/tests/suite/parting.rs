@@ -146,6 +146,17 @@ fn each_place_is_reported_once() {
     assert!(released > 0.0 && released <= summary.energy.failure * (1.0 + 1e-12));
 }
 
+/// A gap is not a strain of the material: strains end where fibres fail, however far the halves move apart, and stresses are those of whole fibres.
+#[test]
+fn strains_are_those_of_fibres_that_have_not_failed() {
+    let failure_strain = 0.08;
+    let model = struck(80.0, spring());
+    let (summary, _) = run(&model, &Settings::new(4e-3, 2e-6));
+    assert!(!summary.plastic[0].parted.is_empty());
+    let strain = summary.section_forces[0].strain.largest().value;
+    assert!(strain.is_finite() && strain.abs() <= failure_strain * (1.0 + 1e-9), "{strain}");
+}
+
 /// A free bar whose halves separate: it fractures, and both momenta and the kinetic energy do not change.
 #[test]
 fn a_free_bar_keeps_its_momenta_as_it_parts() {

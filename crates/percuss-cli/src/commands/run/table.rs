@@ -6,8 +6,8 @@ mod lines;
 use std::path::Path;
 
 use percuss::{
-    FoundationSummary, JointSummary, PlasticSummary, RunSummary, StepControl, SupportSummary,
-    Termination, YieldingSummary,
+    FoundationSummary, JointSummary, Peak, PlasticSummary, PulseOf, PulseSummary, RunSummary,
+    StepControl, SupportSummary, Termination, YieldingSummary,
 };
 use percuss_advice::Comparison;
 use percuss_output::report::{RunState, story};
@@ -18,9 +18,9 @@ use super::drift::{drift, unresolved};
 use super::ended::Ended;
 use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity, small};
-use crate::plastic_text::{largest_hinge, permanent_deflection, plastic_hinge};
+use crate::plastic_text::{permanent_deflection, plastic_hinges};
 use crate::terminal::{self, painted};
-use contacts::{contact_lines, touched};
+use contacts::contact_lines;
 use lines::listed;
 
 /// Hand formulas and supports listed.
@@ -43,7 +43,8 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     ));
     rows.extend(drift(run, &ended.value));
     rows.extend(unresolved(run));
-    let (touched, untouched): (Vec<_>, Vec<_>) = run.contacts.iter().partition(|c| touched(c));
+    let (touched, untouched): (Vec<_>, Vec<_>) =
+        run.contacts.iter().partition(|c| c.record.has_closed());
     let alone = if untouched.len() == 1 { &untouched[..] } else { &[] };
     for contact in touched.iter().chain(alone) {
         let label = format!("contact '{}'", contact.name);
@@ -58,6 +59,8 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     }
     rows.extend(run.plastic.iter().filter_map(plastic));
     rows.extend(run.yielding.iter().filter_map(yielding));
+    rows.extend(springs(run));
+    rows.extend(stops(run));
     rows.extend(run.foundations.iter().map(foundation));
     rows.extend(run.joints.iter().map(joint));
     let labels =
@@ -110,10 +113,7 @@ fn plastic(beam: &PlasticSummary) -> Option<(String, String)> {
         format!("largest plastic strain {}", number(beam.strain_max.value)),
         dissipated(beam.dissipated, beam.dissipated_by_preload),
     ];
-    if let Some(hinge) = largest_hinge(&beam.hinges) {
-        let length = quantity(hinge.element_length, "m");
-        parts.push(format!("{} (element length {length})", plastic_hinge(hinge)));
-    }
+    parts.extend(plastic_hinges(&beam.hinges));
     match beam.permanent_set {
         Err(reason) => parts.push(format!("permanent deflection not available: {reason}")),
         Ok(set) => parts.push(permanent_deflection(&set)),
@@ -140,7 +140,7 @@ fn dissipated(all: f64, by_preload: f64) -> String {
             "{} dissipated ({} in the static start, {} in the run)",
             quantity(all, "J"),
             quantity(by_preload, "J"),
-            quantity(all - by_preload, "J")
+            quantity(without_round_off(all - by_preload, all), "J")
         ),
         false => format!("{} dissipated", quantity(all, "J")),
     }
@@ -195,7 +195,11 @@ fn joint(joint: &JointSummary) -> (String, String) {
 fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
     let Some(first) = connector.first_yield else {
         let time = quantity(connector.failed?, "s");
-        return Some((format!("failure of '{}'", connector.name), format!("at t = {time}")));
+        let reached = reached_before(connector);
+        return Some((
+            format!("failure of '{}'", connector.name),
+            format!("at t = {time}{reached}"),
+        ));
     };
     let [what, unit] = if connector.turns { ["rotation", "rad"] } else { ["extension", "m"] };
     let mut parts = vec![
@@ -208,6 +212,50 @@ fn yielding(connector: &YieldingSummary) -> Option<(String, String)> {
     }
     parts.push(dissipated(connector.dissipated, connector.dissipated_by_preload));
     Some((format!("yield of '{}'", connector.name), parts.join(", ")))
+}
+
+/// The largest force, or moment, at the end of a step before a spring or hinge failed; nothing of one that failed in the static start.
+fn reached_before(connector: &YieldingSummary) -> String {
+    let [what, unit] = if connector.turns { ["moment", "N*m"] } else { ["force", "N"] };
+    match connector.force_max.value {
+        0.0 => String::new(),
+        most if most.is_nan() => String::new(),
+        most => format!(", largest {what} before {}", quantity(most, unit)),
+    }
+}
+
+/// The largest forces of springs that act on one side or along a table, and cannot yield or fail.
+fn springs(run: &RunSummary) -> Vec<(String, String)> {
+    let limited = |name: &str| run.yielding.iter().any(|one| one.name == format!("spring.{name}"));
+    let of = |pulse: &PulseSummary| match &pulse.of {
+        PulseOf::Spring(name) if !limited(name) => {
+            let text = match pulse.force.value > 0.0 {
+                true => peak_force(&pulse.force),
+                false => "without force".to_owned(),
+            };
+            Some((format!("spring '{name}'"), text))
+        }
+        _ => None,
+    };
+    run.pulses.iter().filter_map(of).collect()
+}
+
+/// The largest forces of stops, and how often they were touched.
+fn stops(run: &RunSummary) -> Vec<(String, String)> {
+    let of = |support: &SupportSummary| {
+        let touches = support.touches.as_ref()?;
+        let most = touches.iter().map(|touch| touch.peak_force);
+        let text = match most.max_by(|a, b| a.value.total_cmp(&b.value)) {
+            Some(most) => format!("{}, {}", peak_force(&most), count(touches.len(), "contact")),
+            None => "not touched".to_owned(),
+        };
+        Some((format!("stop '{}'", support.name), text))
+    };
+    run.supports.iter().filter_map(of).collect()
+}
+
+fn peak_force(peak: &Peak) -> String {
+    format!("peak force {} at t = {}", quantity(peak.value, "N"), quantity(peak.time, "s"))
 }
 
 /// Impulses of supports and obstacles, in addition to their forces in the history.
@@ -384,6 +432,14 @@ mod tests {
             )),
             "formula, largest contact force: 100 N, simulated 90 N (-10.00 %; not met: no damping, and 1 more)"
         );
+    }
+
+    #[test]
+    fn dissipation_of_round_off_in_the_run_is_none() {
+        let text = "2.763 J dissipated (2.763 J in the static start, 0 J in the run)";
+        assert_eq!(dissipated(2.763 + 2e-11, 2.763), text);
+        let text = "3 J dissipated (2 J in the static start, 1 J in the run)";
+        assert_eq!(dissipated(3.0, 2.0), text);
     }
 
     #[test]

@@ -8,9 +8,9 @@ use percuss::{
 
 use crate::foundation_text::foundation_place;
 use crate::number::{count, number, quantity};
-use crate::plastic_text::{largest_hinge, permanent_deflection, plastic_hinge};
+use crate::plastic_text::{permanent_deflection, plastic_hinges};
 use percuss_output::round_off::{
-    NO_DISTANCE, NO_GAP, SectionScales, StaticScales, without_round_off,
+    NO_DISTANCE, NO_GAP, SectionScales, StaticScales, is_round_off, without_round_off,
 };
 
 /// Limit points and failures printed, of each.
@@ -86,8 +86,9 @@ pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> Str
 
 /// The largest displacement, and those of the recorded points with their rotations.
 fn displacements(found: &Equilibrium) -> String {
-    let mut text = found.largest_displacement.as_ref().map_or(String::new(), farthest);
     let StaticScales { moved, turned, .. } = StaticScales::of(found);
+    let most = found.largest_displacement.as_ref();
+    let mut text = most.map_or(String::new(), |most| farthest(most, moved));
     for ((name, u), rotation) in found.points.iter().zip(&found.rotations) {
         let [x, y] = u.map(|u| beside(moved, u, "m"));
         let rotation = beside(turned, *rotation, "rad");
@@ -101,8 +102,11 @@ fn displacements(found: &Equilibrium) -> String {
     text
 }
 
-/// The largest displacement.
-fn farthest(most: &LargestDisplacement) -> String {
+/// The largest displacement; what is round-off beside `scale` has no place.
+fn farthest(most: &LargestDisplacement, scale: f64) -> String {
+    if is_round_off(most.size(), scale) {
+        return "  largest displacement: 0 m\n".to_owned();
+    }
     let (size, s) = (quantity(most.size(), "m"), quantity(most.s, "m"));
     let [x, y] = most.displacement.map(|u| beside(most.size(), u, "m"));
     format!("  largest displacement: {size}, (x, y) = ({x}, {y}), in '{}' at s = {s}\n", most.beam)
@@ -229,7 +233,7 @@ fn in_short(model: &Model, found: &Equilibrium, beam: &PlasticSummary) -> String
         format!("first yield at s = {}{by}", quantity(first.s, "m")),
         format!("largest plastic strain {}", number(beam.strain_max.value)),
     ];
-    parts.extend(largest_hinge(&beam.hinges).map(plastic_hinge));
+    parts.extend(plastic_hinges(&beam.hinges));
     parts.push(match beam.permanent_set {
         Ok(set) => permanent_deflection(&set),
         Err(reason) => format!("permanent deflection not available: {reason}"),
@@ -368,4 +372,23 @@ fn unstable(path: &Path) -> String {
         points = &rest[length..];
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_displacement_of_round_off_is_zero_and_has_no_place() {
+        let most = |y: f64| LargestDisplacement {
+            beam: "strut".to_owned(),
+            s: 1.25,
+            displacement: [0.0, y],
+        };
+        let scale = 1e-4; // of a beam of 1 m
+        assert_eq!(farthest(&most(3.4e-21), scale), "  largest displacement: 0 m\n");
+        let real =
+            "  largest displacement: 1 mm, (x, y) = (0 m, -1 mm), in 'strut' at s = 1.25 m\n";
+        assert_eq!(farthest(&most(-1e-3), scale), real);
+    }
 }

@@ -13,7 +13,7 @@ use crate::report::foundations::{AT_REST, rows_at_rest};
 use crate::report::html::{sentences, table};
 use crate::report::quantity::{number, quantity, without_round_off};
 use crate::report::scene;
-use crate::round_off::{NO_DISTANCE, NO_GAP, SectionScales, StaticScales};
+use crate::round_off::{NO_DISTANCE, NO_GAP, SectionScales, StaticScales, is_round_off};
 
 /// An equilibrium and what it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -44,7 +44,7 @@ pub(crate) fn render(info: &EquilibriumInfo<'_>) -> String {
         title: if info.title.is_empty() { "Static equilibrium" } else { info.title },
         status: "Static equilibrium under the loads at time zero; moving projectiles are ignored.".to_owned(),
         alarming: false,
-        scene: scene::section(&sentences(&story(found, info.linear)), None),
+        scene: scene::section(&sentences(&story(info)), None),
         fields: Fields { scene: scene_value(info.scene), frames },
         details: json!({ "kind": "static", "panels": panels }),
         tables: tables(found),
@@ -58,12 +58,15 @@ pub(super) fn buckling_title(factor: f64) -> String {
 }
 
 /// What the equilibrium is, in a few sentences.
-fn story(found: &Equilibrium, linear: &LinearBuckling) -> String {
+fn story(info: &EquilibriumInfo<'_>) -> String {
+    let EquilibriumInfo { found, linear, .. } = info;
     let mut out = vec![match found.stable {
         true => "Stable equilibrium.".to_owned(),
         false => "Unstable equilibrium.".to_owned(),
     }];
-    if let Some(most) = &found.largest_displacement {
+    let scale = StaticScales::of(found).moved;
+    let most = found.largest_displacement.as_ref();
+    if let Some(most) = most.filter(|most| !is_round_off(most.size(), scale)) {
         let (moved, s) = (quantity(Some(most.size()), "m"), quantity(Some(most.s), "m"));
         let beam = &most.beam;
         out.push(format!("Largest displacement: {moved}, in '{beam}' at s\u{a0}=\u{a0}{s}."));

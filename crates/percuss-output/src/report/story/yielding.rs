@@ -130,24 +130,60 @@ pub(super) fn joints(summary: &Value) -> Option<String> {
     })
 }
 
+/// A fracture of a beam, as its sentence names it.
+struct Fracture<'v> {
+    beam: &'v str,
+    /// Its place, or both ends of the elements of a fracture at the node between them, shape (1 or 2) \[m\].
+    places: Vec<f64>,
+    /// Ends of the elements \[m\]; NaN in results of earlier versions.
+    stretch: [f64; 2],
+    time: f64,
+}
+
+impl Fracture<'_> {
+    fn sentence(&self) -> String {
+        let places: Vec<String> = self.places.iter().map(|s| place(Some(*s))).collect();
+        let (places, time) = (places.join(" and "), instant(Some(self.time)));
+        format!("Beam '{}' fractured at {places}, {time}.", self.beam)
+    }
+}
+
+/// Fractures of a beam, along it at each instant; elements on both sides of a node that fracture at the same instant are one.
+fn fractures_of<'v>(beam: &'v str, summary: &'v Value) -> Vec<Fracture<'v>> {
+    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+    let one = |parting: &Value| Fracture {
+        beam,
+        places: vec![number(&parting["s"])],
+        stretch: [0, 1].map(|end| number(&parting["stretch"][end])),
+        time: parting["time"].as_f64().unwrap_or(0.0),
+    };
+    let mut all: Vec<Fracture<'v>> = super::list(summary, "parted").iter().map(one).collect();
+    let along = |one: &Fracture<'_>| one.places[0];
+    all.sort_by(|a, b| a.time.total_cmp(&b.time).then(along(a).total_cmp(&along(b))));
+    let mut out: Vec<Fracture<'v>> = Vec::new();
+    for next in all {
+        match out.last_mut() {
+            Some(last) if last.time == next.time && last.stretch[1] == next.stretch[0] => {
+                last.places.truncate(1);
+                last.places.extend(next.places);
+                last.stretch[1] = next.stretch[1];
+            }
+            _ => out.push(next),
+        }
+    }
+    out
+}
+
 /// Where and when beams fractured: each place while they are few.
 pub(super) fn fractures(summary: &Value) -> Option<String> {
     let all = summary["plastic"].as_object()?;
-    let mut places: Vec<(&String, &Value)> = all
-        .iter()
-        .flat_map(|(name, beam)| super::list(beam, "parted").iter().map(move |one| (name, one)))
-        .collect();
-    places.sort_by(|a, b| {
-        a.1["time"].as_f64().unwrap_or(0.0).total_cmp(&b.1["time"].as_f64().unwrap_or(0.0))
-    });
-    let sentence = |(name, one): &(&String, &Value)| {
-        let (s, time) = (place(one["s"].as_f64()), instant(one["time"].as_f64()));
-        format!("Beam '{name}' fractured at {s}, {time}.")
-    };
-    let first = sentence(places.first()?);
+    let mut places: Vec<Fracture<'_>> =
+        all.iter().flat_map(|(name, beam)| fractures_of(name, beam)).collect();
+    places.sort_by(|a, b| a.time.total_cmp(&b.time));
+    let first = places.first()?.sentence();
     Some(match places.len() - 1 {
         0 => first,
-        1 => format!("{first} {}", sentence(&places[1])),
+        1 => format!("{first} {}", places[1].sentence()),
         more => format!("{first} {more} more fractures."),
     })
 }
@@ -215,7 +251,9 @@ fn elastic(all: &Map<String, Value>) -> String {
     let failed = failures(all.iter());
     let first = failed.iter().min_by(|a, b| a.1.total_cmp(&b.1));
     match (all.len(), all.iter().next(), first) {
-        (1, _, Some((name, time))) => format!("{name} failed at {}.", instant(Some(*time))),
+        (1, Some((_, one)), Some((name, time))) => {
+            format!("{name} failed at {}{}.", instant(Some(*time)), reached_before(one))
+        }
         (1, Some((name, one)), None) => {
             let largest =
                 [("force", "N"), ("moment", "N*m"), ("extension", "m"), ("rotation", "rad")];
@@ -235,6 +273,27 @@ fn elastic(all: &Map<String, Value>) -> String {
         ),
         (n, ..) => format!("None of the {n} springs and joints with a limit yielded or failed."),
     }
+}
+
+/// The largest force or moment before a failure, where one is known.
+fn reached_before(one: &Value) -> String {
+    let reached = [("force", "N"), ("moment", "N*m")].into_iter().find_map(|(what, unit)| {
+        let most = one[format!("{what}_max").as_str()]["value"].as_f64()?;
+        (most != 0.0).then(|| format!("; largest {what} before {}", quantity(Some(most), unit)))
+    });
+    reached.unwrap_or_default()
+}
+
+/// The largest force of a stop that was touched.
+pub(super) fn stops(summary: &Value) -> Option<String> {
+    let supports = summary["support"].as_object()?;
+    let touches = supports.iter().flat_map(|(name, support)| {
+        super::list(support, "intervals").iter().map(move |touch| (name, &touch["peak_force"]))
+    });
+    let size = |peak: &Value| peak["value"].as_f64().unwrap_or(0.0);
+    let (name, peak) = touches.max_by(|a, b| size(a.1).total_cmp(&size(b.1)))?;
+    let (force, time) = (quantity(peak["value"].as_f64(), "N"), instant(peak["time"].as_f64()));
+    Some(format!("Peak force of stop '{name}': {force} at {time}."))
 }
 
 /// `spring.brace` as a sentence names it: spring 'brace'.
@@ -370,6 +429,16 @@ mod tests {
         let broken = json!({ "plastic": { "g": { "parted": [{ "s": 0.5, "time": 0.003 }] } } });
         let text = "Beam 'g' fractured at s = 500 mm, t = 3 ms.";
         assert_eq!(plain(fractures(&broken)).as_deref(), Some(text));
+        let side = |s: f64, stretch: [f64; 2], time: f64| json!({ "s": s, "stretch": stretch, "time": time });
+        let both = [side(0.2503, [0.25, 0.26], 0.003), side(0.2497, [0.24, 0.25], 0.003)];
+        let torn = json!({ "plastic": { "g": { "parted": both } } });
+        let text = "Beam 'g' fractured at s = 249.7 mm and s = 250.3 mm, t = 3 ms.";
+        assert_eq!(plain(fractures(&torn)).as_deref(), Some(text));
+        // Not at one instant: two fractures.
+        let later = [side(0.2503, [0.25, 0.26], 0.003), side(0.2497, [0.24, 0.25], 0.004)];
+        let torn = json!({ "plastic": { "g": { "parted": later } } });
+        let text = "Beam 'g' fractured at s = 250.3 mm, t = 3 ms. Beam 'g' fractured at s = 249.7 mm, t = 4 ms.";
+        assert_eq!(plain(fractures(&torn)).as_deref(), Some(text));
         let brace = json!({
             "first_yield": { "time": 0.0 }, "plastic_extension": -2e-3, "dissipated": 12.0, "dissipated_by_preload": 3.0,
         });
@@ -389,8 +458,16 @@ mod tests {
         let text = "Spring 'rope' neither yielded nor failed; largest force 8700 N at t = 550 ms; largest extension 290 mm at t = 550 ms.";
         assert_eq!(plain(connectors(&whole)).as_deref(), Some(text));
         let broken = json!({ "yielding": { "spring.rope": rope(json!(0.6)) } });
-        let text = "Spring 'rope' failed at t = 600 ms.";
+        let text = "Spring 'rope' failed at t = 600 ms; largest force before 8700 N.";
         assert_eq!(plain(connectors(&broken)).as_deref(), Some(text));
+        let touch =
+            |force: f64, time: f64| json!({ "peak_force": { "value": force, "time": time } });
+        let held = json!({ "support": {
+            "anchor": {}, "restraint": { "intervals": [touch(288e3, 0.011), touch(37e3, 0.1)] },
+        } });
+        let text = "Peak force of stop 'restraint': 288 kN at t = 11 ms.";
+        assert_eq!(plain(stops(&held)).as_deref(), Some(text));
+        assert_eq!(stops(&json!({ "support": { "stop": { "intervals": [] } } })), None);
         let one =
             json!({ "yielding": { "spring.a": rope(Value::Null), "spring.b": rope(json!(0.6)) } });
         let text = "1 of 2 springs and joints with a limit failed, spring 'b' first at t = 600 ms.";

@@ -313,6 +313,7 @@ pub fn summary(projectile: &str, record: ContactRecord) -> RunSummary {
                 Peak { value: 0.177864203, time: 0.0504933 },
             ],
             resolved: [true; 2],
+            relative_to_base: false,
         }],
         supports: vec![support("left", -1.0), support("right", 1.0)],
         section_forces: vec![section_forces("girder", 1.0)],

@@ -140,7 +140,8 @@ fn strained(span: &Span, k: usize, state: &State) -> Option<[Strained; 2]> {
     wanted.then(|| fibres::strained(span, k, state))
 }
 
-/// Extreme fibres at the Gauss points of an element that can yield, as strained and stressed where the state stands.
+/// Extreme fibres at the Gauss points of an element that can yield, as strained and stressed where the state stands. A gap is not a strain of the
+/// material: failed fibres have none, and those of an element that has fractured have all failed.
 fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
     let fibres = span.fibres.as_ref()?;
     let mut out = [Fibres { strain: [f64::NAN; 2], stress: [f64::NAN; 2] }; GAUSS];
@@ -174,7 +175,7 @@ fn yielded_faces(span: &Span, fibres: &SpanFibres, k: usize, state: &State, at: 
     out
 }
 
-/// Calls `see` for every fibre of an element: number of the Gauss point, height, strain and stress where the state stands.
+/// Calls `see` for every fibre of an element: number of the Gauss point, height, strain (NaN of a failed one) and stress where the state stands.
 fn each_fibre(
     span: &Span,
     fibres: &SpanFibres,
@@ -189,7 +190,8 @@ fn each_fibre(
     for j in 0..GAUSS {
         for (fibre, memory) in of.at(j) {
             let strain = strains[j][0] + fibre.height * strains[j][1];
-            see(j, fibre.height, strain, fibres.laws[fibre.law].stress(memory, strain));
+            let stress = fibres.laws[fibre.law].stress(memory, strain);
+            see(j, fibre.height, if memory.failed { f64::NAN } else { strain }, stress);
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::element::ElementForces;
 use super::line::SectionForces;
 use crate::element::beam::SectionValues;
-use crate::summary::{SectionForceSummary, SectionPeak};
+use crate::summary::{SectionForceSummary, SectionPeak, is_of_start};
 
 /// The square of the largest von Mises stress at the places of a section at which its shear stress is known.
 fn inside(section: &SectionValues, forces: &SectionForces) -> f64 {
@@ -32,9 +32,14 @@ impl ElementForces<'_> {
         let s = self.s(xi);
         out.shear_stress.take(shear, s, time);
         let square = inside(section, forces);
-        let most = out.von_mises_inside.value;
-        if square > most * most || most.is_nan() {
-            out.von_mises_inside = SectionPeak { value: square.sqrt(), s, time };
+        let most = out.von_mises_inside;
+        if square > most.value * most.value || most.value.is_nan() {
+            let value = square.sqrt();
+            let of_start = is_of_start(most.value, most.time, value) && time > 0.0;
+            out.von_mises_inside = match of_start {
+                true => SectionPeak { value, ..most },
+                false => SectionPeak { value, s, time },
+            };
         }
         let Some(strength) = self.span.strength else { return };
         // At the first instant, where it is largest.

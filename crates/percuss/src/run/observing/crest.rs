@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use crate::math::interpolant::Interpolant;
 use crate::scalar::{Mask, Number};
 use crate::settings::SAME_INSTANT;
+use crate::summary::{SAME_SIZE, is_of_start};
 
 /// Accelerations of neighbouring steps that differ by more than this share of the larger one are not those of a resolved motion:
 /// about a sixth of a period per step.
@@ -77,7 +78,10 @@ impl<S: Number> Crest<S> {
         self.time = Interpolant::at_event(from, impulsive, self.time);
         let known = self.value.abs();
         self.value = known.if_less(u1.abs(), u1, self.value);
-        self.time = known.if_less(u1.abs(), path.at_end(from, impulsive), self.time);
+        // Round-off beside the value at the start does not change its instant.
+        let later = known.constant(0.0).less(self.time);
+        let bar = S::choose(later, known, known * (1.0 + SAME_SIZE));
+        self.time = bar.if_less(u1.abs(), path.at_end(from, impulsive), self.time);
         // Values in between lie within the control points of the cubic.
         let third = path.h * (1.0 / 3.0);
         let (c0, c1) = ((u0 + v0 * third).abs(), (u1 - v1 * third).abs());
@@ -104,11 +108,21 @@ impl<S: Number> Crest<S> {
                     self.doubtful.set_lane(lane, self.awaiting[0].abs(), lane);
                 }
             } else if value > self.value.lane(lane).abs() {
-                self.value.set_lane(lane, self.awaiting[0], lane);
-                self.time.set_lane(lane, self.awaiting[1], lane);
+                let [value, time] = self.awaiting;
+                self.raise(lane, value, time);
             }
             let nan = bend.constant(f64::NAN);
             (0..2).for_each(|i| self.awaiting[i].set_lane(lane, nan, lane));
+        }
+    }
+
+    /// Enters a larger value of a lane.
+    fn raise(&mut self, lane: usize, value: S, time: S) {
+        let known = self.value.lane(lane).abs();
+        let of_start = is_of_start(known, self.time.lane(lane), value.lane(lane).abs());
+        self.value.set_lane(lane, value, lane);
+        if !of_start {
+            self.time.set_lane(lane, time, lane);
         }
     }
 
@@ -123,8 +137,7 @@ impl<S: Number> Crest<S> {
             // At a stationary point a shift of the instant does not change the value to first order.
             let (value, time) = (path.value(bend.constant(t)), from + path.crest(t));
             if confirmed {
-                self.value.set_lane(lane, value, lane);
-                self.time.set_lane(lane, time, lane);
+                self.raise(lane, value, time);
             } else {
                 self.awaiting[0].set_lane(lane, value, lane);
                 self.awaiting[1].set_lane(lane, time, lane);

@@ -48,8 +48,6 @@ impl YieldRecord {
 struct GaussFibres<'a> {
     s: f64,
     weight: f64,
-    /// Length of its element.
-    length: f64,
     span: &'a Span,
     of: &'a SpanFibres,
     /// Its fibres, shape (fibres of the point).
@@ -95,7 +93,7 @@ fn points<'a>(
                 let (from, to) = (span.stations[k], span.stations[k + 1]);
                 let (s, weight) = (from + xi[j] * (to - from), table.rows[j].weight);
                 let strains = strains[j];
-                GaussFibres { s, weight, length: table.length, span, of, fibres, states, strains }
+                GaussFibres { s, weight, span, of, fibres, states, strains }
             })
         })
     });
@@ -274,7 +272,7 @@ fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
             out.push(PlasticHinge {
                 s: 0.0,
                 length: 0.0,
-                element_length: point.length,
+                element_length: f64::NAN,
                 rotation: 0.0,
                 dissipated: 0.0,
             });
@@ -284,9 +282,19 @@ fn hinges(model: &Model, state: &State, beam: &BeamData) -> Vec<PlasticHinge> {
         hinge.rotation += turned;
         hinge.length += point.weight;
         hinge.dissipated += dissipated;
-        hinge.element_length = hinge.element_length.max(point.length);
         debug_assert!(point.span.fibres.is_some());
     }
-    out.iter_mut().for_each(|hinge| hinge.s /= hinge.rotation);
+    for hinge in &mut out {
+        hinge.s /= hinge.rotation;
+        hinge.element_length = element_length_at(model, beam, hinge.s);
+    }
     out
+}
+
+/// Length of the element of a beam at an arc length; at a node that of the one before it \[m\].
+fn element_length_at(model: &Model, beam: &BeamData, s: f64) -> f64 {
+    let spans = model.spans[beam.spans.clone()].iter();
+    let mut elements = spans.flat_map(|span| (0..span.elements.len()).map(move |k| (span, k)));
+    let found = elements.find(|(span, k)| s <= span.stations[k + 1]);
+    found.map_or(f64::NAN, |(span, k)| span.table(k).length)
 }

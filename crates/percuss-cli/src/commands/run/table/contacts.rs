@@ -11,16 +11,6 @@ use super::lines::{LISTED, listed};
 use crate::effective_mass;
 use crate::number::{count, quantity};
 
-/// Whether the contact closed.
-pub(super) fn touched(contact: &ContactSummary) -> bool {
-    match &contact.record {
-        ContactRecord::Smooth { intervals, .. } => !intervals.is_empty(),
-        ContactRecord::Nonsmooth { impact_count, intervals, .. } => {
-            *impact_count > 0 || !intervals.is_empty()
-        }
-    }
-}
-
 /// The rows of a contact.
 pub(super) fn contact_lines(
     contact: &ContactSummary,
@@ -44,7 +34,7 @@ pub(super) fn contact_lines(
             }
             lines.extend(listed(intervals, intervals.len(), LISTED, interval));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
-            lines.extend(contact.no_equivalent_force.as_deref().map(without_equivalent));
+            lines.extend(no_equivalent(contact));
             lines
         }
         ContactRecord::Nonsmooth {
@@ -76,10 +66,16 @@ pub(super) fn contact_lines(
             }
             lines.extend(contact.effective_mass.as_ref().map(effective_mass::line));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
-            lines.extend(contact.no_equivalent_force.as_deref().map(without_equivalent));
+            lines.extend(no_equivalent(contact));
             lines
         }
     }
+}
+
+/// Why there is no equivalent static force; nothing of a contact that did not close, which the first of its lines states.
+fn no_equivalent(contact: &ContactSummary) -> Option<String> {
+    let reason = contact.no_equivalent_force.as_deref();
+    reason.filter(|_| contact.record.has_closed()).map(without_equivalent)
 }
 
 /// How far a contact with friction slid; nothing where it stuck or rolled, or never closed.
