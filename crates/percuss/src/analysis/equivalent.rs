@@ -56,12 +56,12 @@ pub fn equivalent_force(
     }
     let by_moment = pushed.force_of(Effect::Moment(moment));
     let deflection = deflection(model, projectile, run);
-    let rebounds = deflection.is_some_and(|w| w < sag);
+    let rebounds = deflection.is_ok_and(|w| w < sag);
     let by_deflection = match deflection {
-        None => Err(NoEquivalentForce::NotRecorded),
-        Some(w) if !rebounds => pushed.force_of(Effect::Deflection(w)),
+        Err(why) => Err(why),
+        Ok(w) if !rebounds => pushed.force_of(Effect::Deflection(w)),
         // A force the other way.
-        Some(w) => Pushed::new(&structure, sides(-1.0), borne)?.force_of(Effect::Deflection(-w)),
+        Ok(w) => Pushed::new(&structure, sides(-1.0), borne)?.force_of(Effect::Deflection(-w)),
     };
     if let (Err(why), Err(_)) = (by_moment, by_deflection) {
         return Err(why.to_string());
@@ -142,10 +142,18 @@ fn make_elastic(structure: &mut Model) {
     yielding.for_each(|own| own.law = None);
 }
 
-/// The displacement of the struck point of largest magnitude in the run, along the line of motion \[m\]; `None` if it is not recorded in this
-/// direction.
-fn deflection(model: &Model, projectile: &ProjectileData, run: &RunSummary) -> Option<f64> {
-    let along = (0..2).find(|k| projectile.direction[*k].abs() > 1.0 - 1e-12)?;
-    let recorded = run.points.iter().find(|p| p.name == model.contacts[0].between[0])?;
-    Some(recorded.displacement_max[along].value * projectile.direction[along])
+/// The displacement of the struck point of largest magnitude in the run, along the line of motion \[m\].
+///
+/// # Errors
+/// The point, or its displacement in this direction, is not recorded.
+fn deflection(
+    model: &Model,
+    projectile: &ProjectileData,
+    run: &RunSummary,
+) -> Result<f64, NoEquivalentForce> {
+    let recorded = run.points.iter().find(|p| p.name == model.contacts[0].between[0]);
+    let recorded = recorded.ok_or(NoEquivalentForce::NotRecorded)?;
+    let along = (0..2).find(|k| projectile.direction[*k].abs() > 1.0 - 1e-12);
+    let along = along.ok_or(NoEquivalentForce::Oblique)?;
+    Ok(recorded.displacement_max[along].value * projectile.direction[along])
 }

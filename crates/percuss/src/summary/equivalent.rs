@@ -24,8 +24,10 @@ pub struct EquivalentForce {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum NoEquivalentForce {
-    /// The struck point or its direction is not recorded.
+    /// The struck point is not recorded.
     NotRecorded,
+    /// The largest displacement along the line of motion is not recorded: the line is oblique, and displacements are recorded along x and y.
+    Oblique,
     /// The impact increases the effect by round-off at most.
     NoIncrease,
     /// The structure has no stiffness against such a force.
@@ -60,6 +62,9 @@ impl fmt::Display for NoEquivalentForce {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotRecorded => f.write_str("the struck point is not recorded"),
+            Self::Oblique => f.write_str(
+                "not determined: the largest deflections are known along x and y, not along the oblique line of motion",
+            ),
             Self::NoIncrease => f.write_str("the impact does not increase it"),
             Self::NotSupported => f.write_str("the structure is not supported in this direction"),
             Self::LimitPoint { force } => write!(

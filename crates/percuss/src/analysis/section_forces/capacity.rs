@@ -12,22 +12,16 @@
 
 use super::element::{ElementForces, PLACES};
 use super::line::SectionForces;
-use crate::element::beam::ElementValues;
+use super::{StrainsAndRates, strains_and_rates};
 use crate::element::fibre::{FibreState, StressLaw};
 use crate::element::shear::MIDDLE;
 use crate::math::hermite::{GAUSS, gauss_points};
 use crate::model::frozen::{Span, SpanFibres};
 use crate::state::State;
-use crate::step::fibres::fibre_strains;
 use crate::summary::{SectionExcess, SectionForceSummary};
 
-/// Time over which rates of strain are differences \[s\]: so short that velocities are constant.
-const MOMENT: f64 = 1e-7;
 /// Excesses up to here are round-off.
 const NO_EXCESS: f64 = 1e-6;
-
-/// Strain at a place, as membrane and bending strain, and its rate, shape (2, 2).
-type StrainsAndRates = [[f64; 2]; 2];
 
 /// The limits of one fibre.
 #[derive(Clone, Copy)]
@@ -144,7 +138,7 @@ fn limits(
     xi: f64,
 ) -> Option<Vec<Limits>> {
     let j = near(span, xi);
-    let strains = gauss_strains(span, k, state);
+    let strains = strains_and_rates(span, k, state);
     let (here, there) = (strains[j], at(&strains, xi));
     let of = state.fibres_of(fibres, k);
     let bearing = of.at(j).filter(|(fibre, _)| fibre.carries_force);
@@ -157,21 +151,6 @@ fn limits(
         Some(Limits { height: fibre.height, force: own.map(|stress| fibre.area * stress) })
     });
     limits.collect()
-}
-
-/// Strains and their rates at the Gauss points.
-fn gauss_strains(span: &Span, k: usize, state: &State) -> [StrainsAndRates; GAUSS] {
-    let a = span.nodes.start + k;
-    let (u, v) = (&state.displacement, &state.velocity);
-    let at = |time: f64| {
-        let node = |n: usize| std::array::from_fn(|i| u[n][i] + time * v[n][i]);
-        fibre_strains(span, k, &ElementValues::new(&node(a), &node(a + 1)))
-    };
-    let (before, now) = (at(-MOMENT), at(0.0));
-    std::array::from_fn(|j| {
-        let rate = [0, 1].map(|i| (now[j][i] - before[j][i]) / MOMENT);
-        [now[j], rate]
-    })
 }
 
 /// Strains at a share of the way: the straight line through those of the outer Gauss points.

@@ -163,7 +163,7 @@ fn beams_that_taper_bend_and_swing_as_the_slender_theory_says() {
             inertia,
             depth: None,
             profile: Profile::Unknown,
-            properties: SectionProperties { shear_factor: Some(0.8), ..Default::default() },
+            properties: StationProperties { shear_factor: Some(0.8), ..Default::default() },
         };
         let stations = vec![at_share(0.0, 1e-9), at_share(1.0, 1e-10)];
         let section = b.section(Section { stations, ..Section::new("s", 1e-2, 1e-9) });
