@@ -30,6 +30,7 @@ impl SummaryPath {
             (self.part.as_str(), &keys[..]),
             ("support" | "foundation", ["force_1" | "force_2", "min" | "max", "value"])
                 | ("foundation", ["pressure_max", "value"] | ["pressure", "min" | "max", "value"])
+                | ("support", ["intervals", _, "peak_force", "value"])
                 | ("yielding", ["force_max", "value"])
         )
     }
@@ -45,10 +46,7 @@ impl SummaryPath {
             PulseOf::Contact(_) => false,
         };
         let Some((_, since)) = run.still_rising().find(|(of, _)| own(of)) else { return f64::NAN };
-        let time = Self {
-            keys: [&self.keys[..self.keys.len() - 1], &["time".into()]].concat(),
-            ..self.clone()
-        };
+        let time = self.beside("time");
         let [value, time] = [self, &time].map(|path| pick(std::slice::from_ref(path), run)[0]);
         if time >= since && value != 0.0 { value } else { f64::NAN }
     }

@@ -226,7 +226,7 @@ impl RunSummary {
 
     /// Stops, springs and foundations that closed during the run and are closed at its end with the largest force since then, and the time at which
     /// they closed \[s\]: their largest force may follow. This is the one rule for them, in runs (W016) as in studies.
-    pub fn still_rising(&self) -> impl Iterator<Item = (PulseOf, f64)> + '_ {
+    pub fn still_rising(&self) -> impl Iterator<Item = (PulseOf, f64)> {
         let pulses = self.pulses.iter().filter(|pulse| !pulse.rises_since.is_nan());
         let pulses = pulses.map(|pulse| (pulse.of.clone(), pulse.rises_since));
         // Runs side by side have intervals of stops, and no pulses.
