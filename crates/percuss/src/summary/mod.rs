@@ -228,15 +228,7 @@ impl RunSummary {
     /// they closed \[s\]: their largest force may follow. This is the one rule for them, in runs (W016) as in studies.
     pub fn still_rising(&self) -> impl Iterator<Item = (PulseOf, f64)> {
         let pulses = self.pulses.iter().filter(|pulse| !pulse.rises_since.is_nan());
-        let pulses = pulses.map(|pulse| (pulse.of.clone(), pulse.rises_since));
-        // Runs side by side have intervals of stops, and no pulses.
-        let side_by_side = self.supports.iter().filter(|_| self.pulses.is_empty());
-        let stops = side_by_side.filter_map(|support| {
-            let last = support.touches.as_ref()?.last().filter(|one| one.end.is_none())?;
-            let rises = last.start > 0.0 && last.peak_force.time >= self.time;
-            rises.then(|| (PulseOf::Stop(support.name.clone()), last.start))
-        });
-        pulses.chain(stops)
+        pulses.map(|pulse| (pulse.of.clone(), pulse.rises_since))
     }
 
     /// Names of the contacts of a body or beam that are still closed at the end of the run: those with its name, and those in which it is a partner.
