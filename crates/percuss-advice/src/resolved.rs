@@ -201,7 +201,8 @@ fn of_damper(settings: &Settings, pulse: &PulseSummary) -> Option<Advice> {
     }
     let [jump, seen] = [value, pulse.force.value].map(|force| quantity(force, unit(&pulse.of)));
     let text = format!(
-        "{what} closes at t = {}, where the force of its damper jumps to {jump} (damping times closing velocity) and falls within about {}: the largest          force of a step, {seen}, is too small; set time.step to {}{}",
+        "{what} closes at t = {}, where the force of its damper jumps to {jump} (damping times closing velocity) and falls within about {}: the largest \
+         force of a step, {seen}, is too small; set time.step to {}{}",
         quantity(time, "s"),
         quantity(pulse.falls, "s"),
         quantity(round_down(pulse.falls / STEPS_IN_FALL), "s"),

@@ -353,7 +353,7 @@ fn contacts_of_few_steps_are_reported_with_an_accuracy() {
     b.projectile(mass(at("mid", beam, 0.5), 0.5, 5e7, [0.0, -0.5]));
     let model = freeze(&b);
     let of = |first: f64| {
-        let settings = Settings { accuracy: Some(0.1), ..Settings::new(5e-3, first) };
+        let settings = Settings { accuracy: Some(0.02), ..Settings::new(0.05, first) };
         let found = review(&model, &settings, &run(&model, &settings), &[]);
         found.into_iter().find(|one| one.topic == Topic::ContactDuration)
     };

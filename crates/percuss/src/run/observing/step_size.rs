@@ -304,7 +304,7 @@ impl StepSizeControl {
                 error = error.max(self.admitted * (h / self.contact_step[c]).powi(3));
             }
             if lost > 0.0 && approach > 0.0 {
-                error = error.max(lost * approach / energy);
+                error = error.max(lost * approach / energy * self.stricter());
                 // The force of all the energy on a spring as stiff as this one.
                 let stiffness = (now - self.past[0].force[c]).abs() / (approach * h);
                 let rises = ONSET * (2.0 * energy * stiffness).sqrt();
@@ -313,6 +313,11 @@ impl StepSizeControl {
             }
         }
         error
+    }
+
+    /// Admitted error of a step relative to that of a contact's impulse: more than one for an accuracy with which it would be followed in two steps.
+    fn stricter(&self) -> f64 {
+        (self.admitted / (ADMITTED * FORCE_MOST).powf(1.5)).max(1.0)
     }
 
     /// Deflection relative to which the first errors of a structure at rest are that a contact sets in motion: as that of a projectile at the start
