@@ -1,4 +1,5 @@
-//! Whether the steps of a finished run resolve its largest forces: of contacts, stops and springs, judged by their own steps.
+//! Whether the steps of a finished run resolve its largest forces: of contacts, stops, springs and foundations, judged by their own
+//! steps.
 
 use super::after::rigid_duration;
 use super::planned::{STEPS, graded};
@@ -12,6 +13,12 @@ const SLIGHT: f64 = 1e-9;
 /// Steps of a half wave about its largest value that resolve it, and that hardly show it: between steps the value is larger by up to
 /// `1 - cos(pi/2N)`, one and two per cent, and the motion that leads to it is off by about as much.
 const HALF_WAVE: [f64; 2] = [12.0, STEPS[1]];
+/// Steps that show of a contact no more than that it closed.
+const NEXT_TO_NONE: f64 = 3.5;
+/// A damper's force at the closing that exceeds the largest one at the end of a step by this share is lost in the step; with so many steps in the time
+/// in which it falls it is not.
+const ONSET: f64 = 0.03;
+const STEPS_IN_FALL: f64 = 50.0;
 /// With fewer steps than this the duration of a closed interval is not known by their number.
 const SEEN: f64 = STEPS[1];
 
@@ -23,13 +30,23 @@ pub fn findings(
     before: &[Advice],
 ) -> Vec<Advice> {
     let others = run.pulses.iter().filter_map(|pulse| of_connector(settings, run, pulse));
-    if let Some(control) = &run.step_control {
-        // Steps for an accuracy follow the forces of contacts, not those of stops and springs.
-        return accuracy(control).into_iter().chain(others).collect();
-    }
     let contact = |(index, contact)| of_contact((model, settings, run), before, index, contact);
     let contacts = run.contacts.iter().enumerate().filter_map(contact);
-    contacts.chain(others).collect()
+    let accuracy = run.step_control.as_ref().and_then(accuracy);
+    accuracy.into_iter().chain(contacts).chain(others).collect()
+}
+
+/// Steps of a contact that resolve it, and that hardly show it; `given` are those of a given step. Steps for an accuracy follow the forces of contacts
+/// (not those of stops, springs and foundations) with as few as that takes, `pi / sqrt(12 a)` in a half wave: of less than two thirds of that number,
+/// or next to none, they know nothing.
+fn enough(run: &RunSummary, given: [f64; 2]) -> [f64; 2] {
+    match &run.step_control {
+        None => given,
+        Some(control) => {
+            let planned = std::f64::consts::PI / (12.0 * control.accuracy).sqrt();
+            [(planned / 1.5).clamp(NEXT_TO_NONE, SEEN); 2]
+        }
+    }
 }
 
 /// The contact duration that was not known before a run and is known after it.
@@ -68,8 +85,9 @@ struct Seen<'a> {
     hardest: &'a ContactInterval,
     /// Steps of the interval, if it has ended.
     whole: Option<f64>,
-    /// Steps of the half wave of the force about its largest value.
+    /// Steps of the half wave of the force about its largest value, and their size \[s\].
     half_wave: f64,
+    step: f64,
 }
 
 impl<'a> Seen<'a> {
@@ -79,16 +97,16 @@ impl<'a> Seen<'a> {
         let known = intervals.iter().filter(|one| !one.peak_force.value.is_nan());
         let hardest = known.max_by(|a, b| force(a).total_cmp(&force(b)))?;
         let pulse = run.pulses.iter().find(|pulse| pulse.of == PulseOf::Contact(index));
-        let half_wave = pulse.map_or(f64::NAN, |pulse| pulse.steps);
+        let [half_wave, step] = pulse.map_or([f64::NAN; 2], |pulse| [pulse.steps, pulse.step]);
         let whole = (!hardest.end.is_nan()).then_some(hardest.steps as f64);
-        Some(Self { hardest, whole, half_wave })
+        Some(Self { hardest, whole, half_wave, step })
     }
 
     /// The worse verdict of the two, as far as they are known, and whether it is that of the half wave.
-    fn verdict(&self) -> Option<(Verdict, bool)> {
-        let whole = self.whole.map(|steps| (graded(steps, STEPS), false));
+    fn verdict(&self, run: &RunSummary) -> Option<(Verdict, bool)> {
+        let whole = self.whole.map(|steps| (graded(steps, enough(run, STEPS)), false));
         let half_wave = Some(self.half_wave).filter(|steps| !steps.is_nan());
-        let half_wave = half_wave.map(|steps| (graded(steps, HALF_WAVE), true));
+        let half_wave = half_wave.map(|steps| (graded(steps, enough(run, HALF_WAVE)), true));
         whole.into_iter().chain(half_wave).max_by_key(|(verdict, is_half)| (*verdict, !is_half))
     }
 }
@@ -111,7 +129,7 @@ fn of_contact(
         Some(Advice::new(&contact.name, Topic::ContactDuration, values, "s", verdict, text))
     };
     let unchecked = reported.clone().any(|one| one.verdict == Verdict::Unchecked);
-    let Some((verdict, is_half)) = seen.verdict() else {
+    let Some((verdict, is_half)) = seen.verdict(run) else {
         let text = "the run ends at the largest force: its steps are not checked".to_owned();
         return if unchecked { advice(Verdict::Unchecked, text) } else { None };
     };
@@ -133,20 +151,77 @@ fn of_contact(
         _ => (format!("largest contact force, {}", quantity(value, "N")), time, seen.half_wave),
     };
     let alone = rigid_duration(model, index, contact, seen.hardest);
-    advice(
-        verdict,
-        in_words(&what, time, steps, [settings.step, alone.unwrap_or(f64::NAN)], verdict),
-    )
+    // Steps for an accuracy have no size of their own.
+    let step = match seen.whole {
+        _ if settings.accuracy.is_none() => settings.step,
+        Some(whole) if !is_half => (seen.hardest.end - seen.hardest.start) / whole,
+        _ => seen.step,
+    };
+    let sizes = [step, alone.unwrap_or(f64::NAN)];
+    advice(verdict, in_words(&what, time, steps, sizes, verdict) + instead(settings))
 }
 
-/// A stop or a spring by the steps about its largest force.
+/// What a step replaces that is asked for.
+fn instead(settings: &Settings) -> &'static str {
+    match settings.accuracy {
+        Some(_) => " in place of time.accuracy, or request a higher one",
+        None => "",
+    }
+}
+
+/// Subject and words for a stop, a spring or a foundation.
+pub fn named(of: &PulseOf) -> Option<(String, String)> {
+    match of {
+        PulseOf::Contact(_) => None,
+        PulseOf::Stop(name) => Some((format!("support {name}"), format!("stop '{name}'"))),
+        PulseOf::Spring(name) => Some((format!("spring {name}"), format!("spring '{name}'"))),
+        PulseOf::Foundation(name) => {
+            Some((format!("foundation {name}"), format!("foundation '{name}'")))
+        }
+    }
+}
+
+/// Whether the work of the largest force is round-off.
+pub fn is_slight(pulse: &PulseSummary, run: &RunSummary) -> bool {
+    pulse.energy <= SLIGHT * run.energy.scale
+}
+
+/// Unit of its force.
+fn unit(of: &PulseOf) -> &'static str {
+    if matches!(of, PulseOf::Foundation(_)) { "N/m" } else { "N" }
+}
+
+/// A damper whose force at the closing is lost in the first step.
+fn of_damper(settings: &Settings, pulse: &PulseSummary) -> Option<Advice> {
+    let (subject, what) = named(&pulse.of)?;
+    let Peak { value, time } = pulse.onset;
+    let lost = value > (1.0 + ONSET) * pulse.force.value;
+    if !lost || !pulse.falls.is_finite() {
+        return None;
+    }
+    let [jump, seen] = [value, pulse.force.value].map(|force| quantity(force, unit(&pulse.of)));
+    let text = format!(
+        "{what} closes at t = {}, where the force of its damper jumps to {jump} (damping times closing velocity) and falls within about {}: the largest \
+         force of a step, {seen}, is too small; set time.step to {}{}",
+        quantity(time, "s"),
+        quantity(pulse.falls, "s"),
+        quantity(round_down(pulse.falls / STEPS_IN_FALL), "s"),
+        instead(settings)
+    );
+    let values = [pulse.falls, settings.step];
+    Some(Advice::new(subject, Topic::ContactDuration, values, "s", Verdict::Warning, text))
+}
+
+/// A stop, a spring or a foundation by the steps about its largest force, and by that at the closing.
 fn of_connector(settings: &Settings, run: &RunSummary, pulse: &PulseSummary) -> Option<Advice> {
-    let (subject, what) = match &pulse.of {
-        PulseOf::Contact(_) => return None,
-        PulseOf::Stop(name) => (format!("support {name}"), format!("stop '{name}'")),
-        PulseOf::Spring(name) => (format!("spring {name}"), format!("spring '{name}'")),
-    };
-    if pulse.steps.is_nan() || pulse.energy <= SLIGHT * run.energy.scale {
+    let (subject, what) = named(&pulse.of)?;
+    if is_slight(pulse, run) {
+        return None;
+    }
+    if let Some(found) = of_damper(settings, pulse) {
+        return Some(found);
+    }
+    if pulse.steps.is_nan() {
         return None;
     }
     let verdict = graded(pulse.steps, HALF_WAVE);
@@ -154,12 +229,10 @@ fn of_connector(settings: &Settings, run: &RunSummary, pulse: &PulseSummary) -> 
         return None;
     }
     let Peak { value, time } = pulse.force;
-    let what = format!("largest force of {what}, {}", quantity(value, "N"));
-    let mut text = in_words(&what, time, pulse.steps, [pulse.step, pulse.lasts], verdict);
-    if settings.accuracy.is_some() {
-        text += " in place of time.accuracy, or request a higher one";
-    }
+    let what = format!("largest force of {what}, {}", quantity(value, unit(&pulse.of)));
+    let text = in_words(&what, time, pulse.steps, [pulse.step, pulse.lasts], verdict);
     let values = [pulse.steps * pulse.step, pulse.step];
+    let text = text + instead(settings);
     Some(Advice::new(subject, Topic::ContactDuration, values, "s", verdict, text))
 }
 

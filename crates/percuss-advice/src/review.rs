@@ -8,8 +8,8 @@ use super::{Advice, Topic, Verdict, ductility, plastic_mesh, resolved};
 use percuss::Settings;
 use percuss::inspect::SpanView;
 use percuss::{
-    ContactRecord, ContactSummary, PressedIn, RunSummary, SectionForceSummary, SectionPeak,
-    Termination, WithoutLimit,
+    ContactRecord, ContactSummary, PressedIn, PulseOf, PulseSummary, RunSummary,
+    SectionForceSummary, SectionPeak, Termination, WithoutLimit,
 };
 use percuss::{Model, Start, StrainMeasure, Strength};
 
@@ -36,6 +36,7 @@ pub fn findings(
             still_to_come(contact, settings, untouched && !hangs)
         };
         all.extend(run.contacts.iter().enumerate().filter_map(open));
+        all.extend(run.still_rising().filter_map(|one| still_closed(settings, run, one)));
     }
     all.extend(run.contacts.iter().filter_map(pressed_deep));
     all.extend(run.contacts.iter().filter_map(carried_crush));
@@ -106,6 +107,26 @@ fn still_to_come(contact: &ContactSummary, settings: &Settings, untouched: bool)
         _ => return None,
     };
     Some(Advice::new(&contact.name, Topic::Ending, [since, settings.end], "s", verdict, text))
+}
+
+/// A stop, a spring or a foundation that is closed at the end with its largest force since it closed.
+fn still_closed(
+    settings: &Settings,
+    run: &RunSummary,
+    (of, since): (PulseOf, f64),
+) -> Option<Advice> {
+    let slight = |pulse: &PulseSummary| pulse.of == of && resolved::is_slight(pulse, run);
+    if run.pulses.iter().any(slight) {
+        return None;
+    }
+    let (subject, _) = resolved::named(&of)?;
+    let text = format!(
+        "still closed at the end ({}), {} after it closed, with the largest force since then: the peak force may follow",
+        quantity(settings.end, "s"),
+        quantity(settings.end - since, "s")
+    );
+    let values = [since, settings.end];
+    Some(Advice::new(subject, Topic::Ending, values, "s", Verdict::Note, text))
 }
 
 /// Number of impacts.

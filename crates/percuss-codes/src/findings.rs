@@ -9,7 +9,8 @@ catalogue! {
         /// Duration of the contact, expected or seen, against the step \[s\].
         ContactDuration = "W002", "contact duration",
             "The step is long compared with the duration of a contact: before a run the expected one of the first contact, after it \
-             that with the largest force of every contact, stop, rope and spring that can be open or slack. Peak forces and impulses \
+             that with the largest force of every contact, and of every stop, rope, spring and foundation that can be open or slack; or \
+             a damper's force falls within the step in which a gap closes. Peak forces and impulses \
              need about twenty steps; with fewer the peak force is missed. Use a `time.step` of 1/20 of the given duration; `percuss \
              converge FILE` shows the remaining dependence on it.";
         /// Length of the shortest relevant bending waves of the contact, against the elements \[m\].
@@ -70,10 +71,11 @@ catalogue! {
             "The axis is compressed so much that Green's strain and the engineering strain differ, and forces with them. Compare with \
              `strain = \"engineering\"`; if the difference matters, so does the law of the material. Check the section, the speed and \
              the units.";
-        /// Contacts that were not complete when the run ended.
+        /// Contacts, stops, springs and foundations that were not complete when the run ended.
         Ending = "W016", "contact incomplete at the end of the run",
             "The run ended while a contact was closed, or before the first contact: durations and impulses are incomplete and the peak \
-             force may follow. Give a later `time.end`; a run with `--checkpoint` continues with `percuss extend`.";
+             force may follow. So it may of a stop, rope, spring or foundation that closed during the run and has its largest force \
+             since then at the end. Give a later `time.end`; a run with `--checkpoint` continues with `percuss extend`.";
         /// A value that is far from the usual ones, against the nearest usual one.
         Magnitude = "W017", "suspicious magnitude (unit?)",
             "A value is so far from the usual range that a unit is likely wrong by a power of ten (mm for m, MPa for Pa, g for kg). \

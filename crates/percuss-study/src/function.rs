@@ -194,7 +194,7 @@ impl<'s> Function<'s> {
 pub struct Evaluated {
     /// The results, shape (n_result) \[SI unit of the result\].
     pub values: Vec<f64>,
-    /// Those that a contact which is still closed at the end of the run leaves open: they are what they had come to by then, shape (such results)
+    /// Those that a contact, stop, spring or foundation which is still closed at the end of the run leaves open: they are what they had come to by then, shape (such results)
     /// \[index of a result\].
     pub open: Vec<usize>,
 }
@@ -209,7 +209,7 @@ impl Study {
             open.iter().map(|k| format!("`{}`", self.results[*k].name)).collect();
         let are = if names.len() == 1 { "is not final" } else { "are not final" };
         Some(format!(
-            "{} {are}: a contact is still closed at the end of the run, set a later time.end",
+            "{} {are}: a contact, stop, spring or foundation is still closed at the end of the run, set a later time.end",
             names.join(", ")
         ))
     }

@@ -1,25 +1,54 @@
-//! Numbers that a contact which is still closed at the end of a run leaves open.
+//! Numbers that a contact, stop, spring or foundation which is still closed at the end of a run leaves open.
 
-use percuss::{ContactRecord, RunSummary};
+use percuss::{ContactRecord, PulseOf, RunSummary};
 
 use super::{SummaryPath, pick};
 
 impl SummaryPath {
     /// Whether a contact that is still closed at the end of a run leaves this number open: duration, force and impulse of the contact, velocity
-    /// of what it touches.
+    /// of what it touches; likewise forces of stops, springs and foundations.
     pub fn may_stay_open(&self) -> bool {
+        let keys: Vec<&str> = self.keys.iter().map(String::as_str).collect();
+        self.is_bearing_force()
+            || matches!(
+                (self.part.as_str(), &keys[..]),
+                ("contact", ["duration"] | ["peak_force", "value"])
+                    | ("contact", ["intervals", _, "end" | "impulse" | "separation_velocity"])
+                    | ("contact", ["intervals", _, "peak_force", "value"])
+                    | ("projectile", ["velocity_final", _] | ["spin_final"])
+                    | (
+                        "projectile",
+                        ["momentum_transferred"] | ["energy_given" | "energy_received_by_others"]
+                    )
+            )
+    }
+
+    /// Whether it is a largest force, or a reaction per length, of a support, spring or foundation.
+    fn is_bearing_force(&self) -> bool {
         let keys: Vec<&str> = self.keys.iter().map(String::as_str).collect();
         matches!(
             (self.part.as_str(), &keys[..]),
-            ("contact", ["duration"] | ["peak_force", "value"])
-                | ("contact", ["intervals", _, "end" | "impulse" | "separation_velocity"])
-                | ("contact", ["intervals", _, "peak_force", "value"])
-                | ("projectile", ["velocity_final", _] | ["spin_final"])
-                | (
-                    "projectile",
-                    ["momentum_transferred"] | ["energy_given" | "energy_received_by_others"]
-                )
+            ("support" | "foundation", ["force_1" | "force_2", "min" | "max", "value"])
+                | ("foundation", ["pressure_max", "value"] | ["pressure", "min" | "max", "value"])
+                | ("support", ["intervals", _, "peak_force", "value"])
+                | ("yielding", ["force_max", "value"])
         )
+    }
+
+    /// The value of a largest force that was reached while its stop, spring or foundation was last closed, if it may still grow.
+    fn bearing_value(&self, run: &RunSummary) -> f64 {
+        let own = |of: &PulseOf| match of {
+            PulseOf::Stop(name) => self.part == "support" && *name == self.name,
+            PulseOf::Foundation(name) => self.part == "foundation" && *name == self.name,
+            PulseOf::Spring(name) => {
+                self.part == "yielding" && self.name == format!("spring.{name}")
+            }
+            PulseOf::Contact(_) => false,
+        };
+        let Some((_, since)) = run.still_rising().find(|(of, _)| own(of)) else { return f64::NAN };
+        let time = self.beside("time");
+        let [value, time] = [self, &time].map(|path| pick(std::slice::from_ref(path), run)[0]);
+        if time >= since && value != 0.0 { value } else { f64::NAN }
     }
 
     /// Whether the number can only grow while a contact stays closed: what it is at the end of the run is its least value.
@@ -33,6 +62,9 @@ impl SummaryPath {
     pub fn open_value(&self, run: &RunSummary) -> f64 {
         if !self.may_stay_open() {
             return f64::NAN;
+        }
+        if self.is_bearing_force() {
+            return self.bearing_value(run);
         }
         let own = || pick(std::slice::from_ref(self), run)[0];
         if self.part == "projectile" {

@@ -62,6 +62,14 @@ pub struct Picked {
 }
 
 impl SummaryPath {
+    /// The number with another last key.
+    pub(super) fn beside(&self, key: &str) -> Self {
+        let mut keys = self.keys.clone();
+        keys.pop();
+        keys.push(key.to_owned());
+        Self { keys, ..self.clone() }
+    }
+
     /// Finds a path in the summaries of runs such as `sample`; the error lists all paths there are.
     ///
     /// # Errors

@@ -254,3 +254,54 @@ out = "projectile.ball.velocity_final[1]"
     assert!(said.starts_with("`impulse`, `out` are not final"), "{said}");
     assert_eq!(study.not_final(&long.open), None);
 }
+
+/// The largest force of a stop that is closed at the end of a run, and still rising, is not final either.
+#[test]
+fn largest_forces_of_stops_that_are_still_rising_are_not_final() {
+    let text = r#"
+scenario = """
+[material.m]
+young = "200 GPa"
+density = 7850
+[section.s]
+shape = "rectangle"
+width = "50 mm"
+depth = "50 mm"
+[beam.a]
+points = [[0, 0], [2, 0]]
+elements = 6
+material = "m"
+section = "s"
+[support.root]
+at = "a.start"
+kind = "clamp"
+[support.stop]
+at = "a.end"
+kind = "stop"
+direction = [0, 1]
+gap = "1 mm"
+stiffness = "1 MN/m"
+[load.q]
+kind = "point"
+at = "a.mid"
+force = [0, 20000]
+[time]
+end = "16 ms"
+step = "50 us"
+"""
+[parameter.end]
+path = "time.end"
+values = ["10 ms", "16 ms"]
+[design]
+kind = "grid"
+[results]
+largest = "support.stop.force_2.min.value"
+root = "support.root.moment.max.value"
+"#;
+    let study = Study::from_toml(text, "stop.toml").unwrap_or_else(|faults| panic!("{faults}"));
+    let found = study.function().unwrap().evaluated(&[vec![0.01], vec![0.016]]);
+    let open: Vec<Vec<usize>> = found.into_iter().map(|one| one.unwrap().open).collect();
+    assert_eq!(open, [vec![0], vec![]]);
+    let said = study.not_final(&open[0]).unwrap();
+    assert!(said.starts_with("`largest` is not final"), "{said}");
+}

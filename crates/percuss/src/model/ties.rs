@@ -404,6 +404,15 @@ impl ConnectorLaw {
             Self::OneSided { .. } | Self::Tabulated { .. } => true,
         }
     }
+
+    /// Whether it has no force over a range of the coordinate: a gap, or slack.
+    pub fn has_gap(&self) -> bool {
+        match self {
+            Self::Linear { .. } => false,
+            Self::OneSided { .. } => true,
+            Self::Tabulated { table, .. } => table.side.is_some() || table.slope == 0.0,
+        }
+    }
 }
 
 /// A mass at a point.

@@ -15,7 +15,9 @@ use super::tangent::Tangent;
 use crate::element::fibre::{FibreState, StressLaw};
 use crate::math::vec2::{add, cross, dot, norm, scale, sub};
 use crate::model::Model;
-use crate::model::frozen::{Connector, ConnectorEnd, Coordinate, MaterialPoint, YieldingLaw};
+use crate::model::frozen::{
+    ActsFrom, Connector, ConnectorEnd, Coordinate, MaterialPoint, YieldingLaw,
+};
 use crate::state::State;
 use form::{Blocks, CoordinateForm, add_to, angle_form, distance_form, product};
 pub use inelastic::{advanced, bring_to_rest};
@@ -124,6 +126,16 @@ impl Connector {
         }
         let damper = self.damping * self.rate(&state.displacement, &state.velocity);
         self.law.with_damper(q - self.permanent_gap(memories), elastic, damper)
+    }
+
+    /// Whether the connector of number `i`, of a law of one side, is open or slack in a state.
+    pub fn is_apart(&self, i: usize, state: &State) -> bool {
+        let q = state.coordinates[i] - self.permanent_gap(&state.memories);
+        match self.law.side() {
+            Some((ActsFrom::Above, at)) => q <= at,
+            Some((ActsFrom::Below, at)) => q >= at,
+            None => false,
+        }
     }
 
     /// By how much the gap of what acts on one side alone has grown by yielding.

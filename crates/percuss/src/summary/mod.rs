@@ -224,6 +224,13 @@ impl RunSummary {
         contacts.chain(jumps.map(|(k, _)| WithoutLimit::Jump(k))).collect()
     }
 
+    /// Stops, springs and foundations that closed during the run and are closed at its end with the largest force since then, and the time at which
+    /// they closed \[s\]: their largest force may follow. This is the one rule for them, in runs (W016) as in studies.
+    pub fn still_rising(&self) -> impl Iterator<Item = (PulseOf, f64)> {
+        let pulses = self.pulses.iter().filter(|pulse| !pulse.rises_since.is_nan());
+        pulses.map(|pulse| (pulse.of.clone(), pulse.rises_since))
+    }
+
     /// Names of the contacts of a body or beam that are still closed at the end of the run: those with its name, and those in which it is a partner.
     pub fn still_touches<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a str> {
         let of = move |contact: &&ContactSummary| {

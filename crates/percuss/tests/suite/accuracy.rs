@@ -225,3 +225,72 @@ fn settings_that_exclude_an_accuracy_are_faults() {
         assert!(reported, "{faults:?}");
     }
 }
+
+/// A steel cantilever of 2 m under its weight, and what else belongs to it.
+fn cantilever(more: impl FnOnce(&mut ModelBuilder, BeamId), gravity: bool) -> Model {
+    let mut b = ModelBuilder::new();
+    let material = b.material(Material::new("steel", 2.1e11, 7850.0));
+    let section = b.section(Section::rectangle("s", 0.06, 0.04));
+    let own = b.beam(beam("a", [0.0, 0.0], [2.0, 0.0], 16, material, section));
+    b.support(Support::new("left", at("left", own, 0.0), SupportKind::Clamp));
+    if gravity {
+        b.load(Load::new("weight", LoadKind::Gravity { acceleration: [0.0, -9.81] }));
+    }
+    b.record_point(at("tip", own, 1.0));
+    more(&mut b, own);
+    b.build().unwrap()
+}
+
+/// A ball bounces on a floor while steps are those of a slow vibration: its peak force is `K (5 m v^2 / 4 K)^(3/5)` in every contact.
+#[test]
+fn peaks_of_short_contacts_are_as_accurate_as_asked_for() {
+    let (mass, stiffness, fall) = (1.0, 1e9, 0.07);
+    let model = cantilever(
+        |b, _| {
+            let shape = ObstacleShape::HalfPlane { point: [0.0, -1.0], normal: [0.0, 1.0] };
+            let floor = b.obstacle(Obstacle { name: "floor".into(), shape, motion: None });
+            let ball = b.disc(disc("ball", mass, 0.03, [5.0, -0.97 + fall], [0.0, -1.0]));
+            let law = SmoothLaw::elastic(Potential::Hertz { stiffness });
+            let between = [ContactPartner::Disc(ball), ContactPartner::Obstacle(floor)];
+            b.contact(Contact::new("bounce", between, TouchLaw::Smooth(law)));
+        },
+        true,
+    );
+    let speed_squared = 1.0 + 2.0 * 9.81 * fall;
+    let peak = stiffness * (1.25 * mass * speed_squared / stiffness).powf(0.6);
+    for accuracy in [0.1, 0.05, 0.01] {
+        let found = peak_force(&run(&model, &accurate(&model, 1.0, accuracy)));
+        assert!(off(found, peak) < accuracy, "{found} for {peak} at {accuracy}");
+    }
+}
+
+/// What rests in equilibrium moves by round-off, which needs no short steps.
+#[test]
+fn a_structure_at_rest_takes_few_steps() {
+    let model = cantilever(|_, _| {}, true);
+    let settings = Settings { start: Start::Static, ..accurate(&model, 0.1, 0.01) };
+    let control = run(&model, &settings).step_control.unwrap();
+    assert!(control.steps < 200 && control.is_reached(), "{control:?}");
+}
+
+/// A driven obstacle that strikes a beam at rest: before the impact there is neither energy nor deflection to which errors are relative.
+#[test]
+fn a_driven_obstacle_strikes_a_beam_at_rest() {
+    let model = cantilever(
+        |b, own| {
+            let shape = ObstacleShape::Disc { centre: [1.9, 0.13], radius: 0.1 };
+            let function = TimeFunction::Ramp { duration: 0.02 };
+            let motion = Some(Motion { displacement: [0.0, -0.06], rotation: 0.0, function });
+            let hammer = b.obstacle(Obstacle { name: "hammer".into(), shape, motion });
+            let law = SmoothLaw::elastic(Potential::Linear { stiffness: 1e8 });
+            let between = [ContactPartner::Beam(own), ContactPartner::Obstacle(hammer)];
+            b.contact(Contact::new("blow", between, TouchLaw::Smooth(law)));
+        },
+        false,
+    );
+    let summary = run(&model, &accurate(&model, 0.05, 0.01));
+    let control = summary.step_control.unwrap();
+    assert!(control.is_reached() && control.estimate < 0.02, "{control:?}");
+    let converged = run(&model, &Settings::new(0.05, 2e-6));
+    assert!(off(peak_force(&summary), peak_force(&converged)) < 0.01);
+}

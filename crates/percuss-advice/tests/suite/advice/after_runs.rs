@@ -282,3 +282,83 @@ fn ropes_and_stops_that_snap_within_a_step_are_reported() {
         assert_eq!(verdict(&after, Topic::ContactDuration), None, "{after:#?}");
     }
 }
+
+/// A free bar that falls on a bed of compression alone with 2 m/s: a half wave of `pi sqrt(m / k)`, or a damper whose force jumps to `c v`.
+fn on_a_bed(stiffness: f64, damping: f64, settings: &Settings) -> (RunSummary, Vec<Advice>) {
+    let mut b = ModelBuilder::new();
+    let beam = bar(&mut b, 2.0, 16, [0.06, 0.04]);
+    b.foundation(Foundation {
+        name: "bed".into(),
+        beam,
+        stretch: [Along::Fraction(0.0), Along::Fraction(1.0)],
+        direction: None,
+        law: FoundationLaw::Compression { stiffness, gap: 0.01 },
+        damping,
+        yielding: None,
+    });
+    b.initial_motion(InitialMotion { velocity: [0.0, -2.0], spin: 0.0, about: [0.0; 2] });
+    let model = freeze(&b);
+    let summary = run(&model, settings);
+    let after = review(&model, settings, &summary, &[]);
+    (summary, after)
+}
+
+#[test]
+fn foundations_that_close_within_a_step_are_reported() {
+    // A half wave of 0.96 ms.
+    let (_, after) = on_a_bed(2e8, 0.0, &Settings::new(0.02, 1e-3));
+    let found = after.iter().find(|a| a.topic == Topic::ContactDuration).expect("a warning");
+    assert_eq!((found.verdict, found.contact.as_str()), (Verdict::Warning, "foundation bed"));
+    assert!(found.text.contains("kN/m"), "{}", found.text);
+    let (summary, after) = on_a_bed(2e8, 0.0, &Settings::new(0.02, 2e-5));
+    assert_eq!(verdict(&after, Topic::ContactDuration), None, "{after:#?}");
+    // `v sqrt(k m)`.
+    let force = 2.0 * (2e8_f64 * 7850.0 * 0.06 * 0.04).sqrt();
+    assert!((summary.pulses[0].force.value / force - 1.0).abs() < 0.01, "{:?}", summary.pulses);
+}
+
+#[test]
+fn dampers_whose_force_falls_within_a_step_are_reported() {
+    // 400 kN/m at the closing, which fall within 94 microseconds.
+    let (summary, after) = on_a_bed(2e7, 2e5, &Settings::new(0.01, 1e-4));
+    let found = after.iter().find(|a| a.topic == Topic::ContactDuration).expect("a warning");
+    assert!(found.verdict == Verdict::Warning && found.text.contains("damper"), "{found:?}");
+    assert!((summary.pulses[0].onset.value / 4e5 - 1.0).abs() < 1e-3, "{:?}", summary.pulses);
+    let (summary, after) = on_a_bed(2e7, 2e5, &Settings::new(0.01, 1e-6));
+    assert_eq!(verdict(&after, Topic::ContactDuration), None, "{after:#?}");
+    assert!(summary.pulses[0].force.value > 0.97 * 4e5, "{:?}", summary.pulses);
+}
+
+/// A largest force at the end of a run is not final, but for what bears from the start on.
+#[test]
+fn what_is_still_rising_at_the_end_is_reported() {
+    // It closes after 5 ms, and turns half a millisecond later.
+    let open = |end: f64| {
+        let (summary, after) = on_a_bed(2e8, 0.0, &Settings::new(end, 1e-5));
+        let found = after.into_iter().any(|a| a.topic == Topic::Ending);
+        (summary.still_rising().count(), found)
+    };
+    assert_eq!(open(4.9e-3), (0, false));
+    assert_eq!(open(5.3e-3), (1, true));
+    assert_eq!(open(5.8e-3), (0, false));
+    assert_eq!(open(7e-3), (0, false));
+}
+
+/// Steps for an accuracy are not made shorter than a hundredth of the first one: a shorter contact is not seen.
+#[test]
+fn contacts_of_few_steps_are_reported_with_an_accuracy() {
+    let mut b = ModelBuilder::new();
+    let beam = bar(&mut b, 2.0, 20, [0.05, 0.05]);
+    hold(&mut b, beam, &SupportKind::Clamp, &[0.0, 1.0]);
+    b.projectile(mass(at("mid", beam, 0.5), 0.5, 5e7, [0.0, -0.5]));
+    let model = freeze(&b);
+    let of = |first: f64| {
+        let settings = Settings { accuracy: Some(0.02), ..Settings::new(0.05, first) };
+        let found = review(&model, &settings, &run(&model, &settings), &[]);
+        found.into_iter().find(|one| one.topic == Topic::ContactDuration)
+    };
+    assert_eq!(of(1e-5), None);
+    let found = of(2e-2).expect("a warning");
+    assert_eq!(found.verdict, Verdict::Warning, "{found:?}");
+    assert!(found.text.contains("in place of time.accuracy"), "{}", found.text);
+}

@@ -1,14 +1,17 @@
-//! How well steps resolve the largest force of contacts under a smooth law, and of stops and springs that can be open or slack.
+//! How well steps resolve the largest force of contacts under a smooth law, and of stops, springs and foundations that can be open or slack.
 //!
 //! A half wave of N steps has at its top the second difference `4 sin^2(pi / 2N)`, as a share of its height. The force over the steps about the
 //! largest one is compared with it. A force may begin or end suddenly (a plateau, a failure): it is resolved if it is straight on one side.
+//!
+//! Where a damper begins to act with the approach velocity v, its force jumps to `c v` and then falls within `J / (c v)`, J the impulse of the closed
+//! interval; steps longer than a small share of that do not show it.
 
 use std::f64::consts::PI;
 
 use serde::{Deserialize, Serialize};
 
 use crate::model::Model;
-use crate::model::frozen::Connector;
+use crate::model::frozen::{Connector, FoundationData};
 use crate::run::solving::trial::Accepted;
 use crate::state::State;
 use crate::summary::{Peak, PulseOf, PulseSummary};
@@ -37,11 +40,15 @@ struct Sharpness {
     half_wave: [f64; 2],
 }
 
-/// A closed interval: impulse \[N s\] and closing velocity \[m/s\].
+/// A closed interval: impulse \[N s\], closing velocity \[m/s\], its start \[s\], NaN if that was before the run, its largest force and the force of the
+/// damper at its start \[N\].
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct ClosedSpell {
     impulse: f64,
     speed: f64,
+    start: f64,
+    peak: Peak,
+    jump: f64,
 }
 
 /// Record of a connector that can be open or slack.
@@ -52,6 +59,10 @@ struct ConnectorPulse {
     at: [f64; 2],
     /// Rate of its coordinate in the last step without force \[m/s\]; NaN before the first.
     open: f64,
+    /// Whether its gap is open, or it is slack.
+    is_apart: bool,
+    /// The closed interval with the largest force of the damper at its start.
+    onset: ClosedSpell,
     /// The current closed interval, and whether the largest force is in it.
     now: ClosedSpell,
     has_peak: bool,
@@ -68,14 +79,35 @@ pub struct Pulses {
     /// Mean forces over the current part, shape (contacts) \[N\].
     #[serde(skip)]
     forces: Vec<f64>,
-    /// One entry a connector that can be open or slack, shape (such connectors).
+    /// One entry a connector that can be open or slack, those of foundations among them, shape (such connectors).
     connectors: Vec<ConnectorPulse>,
 }
 
-/// Connectors that can be open or slack, with their numbers; those of foundations, which are one force, are left out.
+/// Connectors that can be open or slack, with their numbers.
 fn followed(model: &Model) -> impl Iterator<Item = (usize, &Connector)> {
-    let open = |c: &Connector| c.law.may_give_way() && c.foundation.is_none();
-    model.connectors.iter().enumerate().filter(move |(_, c)| open(c))
+    model.connectors.iter().enumerate().filter(|(_, c)| c.law.may_give_way())
+}
+
+/// A connector at the end of a part of a step.
+struct Reached {
+    /// Its coordinate \[m\], and its force \[N\].
+    at: [f64; 2],
+    /// Distance of the coordinate from that without force \[m\].
+    deformed: f64,
+    /// Whether its gap is open, or it is slack.
+    is_apart: bool,
+    /// Damping \[N s/m\] of a law of one side, whose damper acts from the closing on; zero of others.
+    damping: f64,
+}
+
+impl Reached {
+    fn of(c: &Connector, i: usize, state: &State) -> Self {
+        let q = state.coordinates[i];
+        let force = if state.time <= c.until { c.force_now(i, state).abs() } else { 0.0 };
+        let damping = if c.law.side().is_some() { c.damping } else { 0.0 };
+        let deformed = (q - c.law.free()).abs();
+        Self { at: [q, force], deformed, is_apart: c.is_apart(i, state), damping }
+    }
 }
 
 impl Pulses {
@@ -83,15 +115,23 @@ impl Pulses {
     pub fn new(model: &Model, state: &State) -> Self {
         let unset = Sharpness::new();
         let connector = |(i, c): (usize, &Connector)| {
-            let q = state.coordinates[i];
-            let force = c.force_now(i, state).abs();
-            let none = ClosedSpell { impulse: 0.0, speed: f64::NAN };
+            let Reached { at, deformed, is_apart, .. } = Reached::of(c, i, state);
+            let force = at[1];
             let mut sharpness = unset;
             sharpness.take(Sample { time: state.time, force });
-            let deformed = (q - c.law.free()).abs();
-            let (now, hardest, has_peak) = (none, none, force > 0.0);
-            let (at, open) = ([q, force], f64::NAN);
-            ConnectorPulse { sharpness, at, open, now, has_peak, hardest, deformed }
+            let (none, has_peak) = (ClosedSpell::NONE, force > 0.0);
+            let (now, hardest, onset, open) = (none, none, none, f64::NAN);
+            ConnectorPulse {
+                sharpness,
+                at,
+                open,
+                is_apart,
+                onset,
+                now,
+                has_peak,
+                hardest,
+                deformed,
+            }
         };
         Self {
             contacts: vec![unset; model.contacts.len()],
@@ -122,10 +162,7 @@ impl Pulses {
             sharpness.take(Sample { time: state.time, force: *force });
         }
         for ((i, c), own) in followed(model).zip(&mut self.connectors) {
-            let q = state.coordinates[i];
-            let acts = state.time <= c.until;
-            let force = if acts { c.force_now(i, state).abs() } else { 0.0 };
-            own.take([q, force], h, state.time, (q - c.law.free()).abs());
+            own.take(&Reached::of(c, i, state), h, state.time);
         }
     }
 
@@ -140,38 +177,80 @@ impl Pulses {
             steps: own.half_wave[0],
             step: own.half_wave[1],
             lasts: f64::NAN,
+            onset: Peak::default(),
+            falls: f64::NAN,
+            rises_since: f64::NAN,
         };
-        let connector = |((_, c), own): ((usize, &Connector), &ConnectorPulse)| PulseSummary {
-            of: match c.support {
+        let alone =
+            followed(model).zip(&self.connectors).filter(|((_, c), _)| c.foundation.is_none());
+        let alone = alone.map(|((_, c), own)| {
+            let of = match c.support {
                 Some(_) => PulseOf::Stop(c.name.clone()),
                 None => PulseOf::Spring(c.name.clone()),
-            },
-            force: own.sharpness.peak,
-            energy: 0.5 * own.sharpness.peak.value * own.deformed,
-            steps: own.sharpness.half_wave[0],
-            step: own.sharpness.half_wave[1],
-            lasts: own.lasts(),
+            };
+            own.summary(of, c, 1.0)
+        });
+        let foundations = model.foundations.iter().filter_map(|one| self.foundation(model, one));
+        smooth.map(contact).chain(alone).chain(foundations).collect()
+    }
+
+    /// Result of a foundation: of its place with the largest reaction per length, with the jump and the rise of those where they are largest.
+    fn foundation(&self, model: &Model, foundation: &FoundationData) -> Option<PulseSummary> {
+        let own = followed(model).zip(&self.connectors);
+        let own = own.filter(|((i, _), _)| foundation.connectors.contains(i));
+        let places: Vec<PulseSummary> = own
+            .map(|((i, c), own)| {
+                let of = PulseOf::Foundation(foundation.name.clone());
+                own.summary(of, c, foundation.lengths[i - foundation.connectors.start])
+            })
+            .collect();
+        let most = |value: fn(&PulseSummary) -> f64| {
+            let known = places.iter().filter(|one| !value(one).is_nan());
+            known.reduce(|a, b| if value(b) > value(a) { b } else { a })
         };
-        let connectors = followed(model).zip(&self.connectors).map(connector);
-        smooth.map(contact).chain(connectors).collect()
+        let hardest = most(|one| one.force.value).or(places.first())?;
+        let jumps = most(|one| one.onset.value).unwrap_or(hardest);
+        // At the edge of a contact small forces rise while the others fall.
+        let rises = most(|one| if one.rises_since.is_nan() { f64::NAN } else { one.force.value });
+        let rises = rises.filter(|one| one.force.value > 0.5 * hardest.force.value);
+        let rises_since = rises.map_or(f64::NAN, |one| one.rises_since);
+        let (onset, falls) = (jumps.onset, jumps.falls);
+        Some(PulseSummary { onset, falls, rises_since, ..hardest.clone() })
     }
 }
 
+impl ClosedSpell {
+    const NONE: Self = Self {
+        impulse: 0.0,
+        speed: f64::NAN,
+        start: f64::NAN,
+        peak: Peak { value: f64::NAN, time: f64::NAN },
+        jump: f64::NAN,
+    };
+}
+
 impl ConnectorPulse {
-    fn take(&mut self, now: [f64; 2], h: f64, time: f64, deformed: f64) {
-        let [q, force] = now;
-        let before = std::mem::replace(&mut self.at, now);
+    fn take(&mut self, reached: &Reached, h: f64, time: f64) {
+        let [q, force] = reached.at;
+        let before = std::mem::replace(&mut self.at, reached.at);
         let closed = force > 0.0 || before[1] > 0.0;
         if closed {
             if before[1] == 0.0 {
-                self.now = ClosedSpell { impulse: 0.0, speed: self.open };
+                self.close(reached.damping, time - h);
             }
             self.now.impulse += 0.5 * h * (force + before[1]);
+            if force > self.now.peak.value || self.now.peak.value.is_nan() {
+                self.now.peak = Peak { value: force, time };
+            }
+            if self.onset.start == self.now.start {
+                self.onset = self.now;
+            }
         } else {
             self.open = ((q - before[0]) / h).abs();
         }
+        self.is_apart = reached.is_apart;
         if self.sharpness.take(Sample { time, force }) {
-            (self.has_peak, self.deformed) = (true, deformed);
+            (self.has_peak, self.deformed) = (true, reached.deformed);
         }
         self.has_peak &= closed;
         if self.has_peak {
@@ -179,8 +258,43 @@ impl ConnectorPulse {
         }
     }
 
+    /// Begins a closed interval. A damper that stops pulling while its spring is still deformed opens it for a while, and does not jump after that.
+    fn close(&mut self, damping: f64, start: f64) {
+        let jump = if damping > 0.0 && self.is_apart { damping * self.open } else { f64::NAN };
+        self.now = ClosedSpell { speed: self.open, start, jump, ..ClosedSpell::NONE };
+        if jump > self.onset.jump || (self.onset.jump.is_nan() && !jump.is_nan()) {
+            self.onset = self.now;
+        }
+    }
+
+    /// Result, the forces divided by the length of a place of a foundation, one of others.
+    fn summary(&self, of: PulseOf, c: &Connector, length: f64) -> PulseSummary {
+        let per_length = |peak: Peak| Peak { value: peak.value / length, time: peak.time };
+        let ClosedSpell { impulse, jump, start, .. } = self.onset;
+        PulseSummary {
+            of,
+            force: per_length(self.sharpness.peak),
+            energy: 0.5 * self.sharpness.peak.value * self.deformed,
+            steps: self.sharpness.half_wave[0],
+            step: self.sharpness.half_wave[1],
+            lasts: self.lasts(),
+            onset: per_length(Peak {
+                value: jump,
+                time: if jump.is_nan() { f64::NAN } else { start },
+            }),
+            falls: impulse / jump,
+            rises_since: self.rises_since(c),
+        }
+    }
+
+    /// Start of the current closed interval, if its force is the largest of it now \[s\]. What has no range without force always bears.
+    fn rises_since(&self, c: &Connector) -> f64 {
+        let rises = c.law.has_gap() && self.at[1] > 0.0 && self.now.peak.value == self.at[1];
+        if rises { self.now.start } else { f64::NAN }
+    }
+
     fn lasts(&self) -> f64 {
-        let ClosedSpell { impulse, speed } = self.hardest;
+        let ClosedSpell { impulse, speed, .. } = self.hardest;
         let mass = impulse / (2.0 * speed);
         PI * (mass * self.deformed / self.sharpness.peak.value).sqrt()
     }

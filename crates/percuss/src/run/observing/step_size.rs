@@ -15,6 +15,7 @@ use serde::{Deserialize, Serialize};
 use super::first_step::contact_steps;
 use crate::math::vec2::norm;
 use crate::model::Model;
+use crate::model::frozen::{BeamData, ContactData};
 use crate::run::solving::trial::{Accepted, PartKind, PartSolution, PartStart, Solved};
 use crate::settings::Settings;
 use crate::state::{PairState, State};
@@ -25,6 +26,9 @@ use crate::summary::StepControl;
 const ADMITTED: f64 = 0.5;
 /// Factor of the accepted error of a force, relative to the largest one, to the accuracy.
 const FORCE: f64 = 1.0;
+/// Largest accepted error of a force, whatever the accuracy: an error of a tenth admits two steps in a contact, of which second differences know
+/// nothing, and a peak that is twice the right one.
+const FORCE_MOST: f64 = 0.04;
 /// At the start of a contact force the error is relative to this share of the force at which the spring of the contact would store the total
 /// energy: only a small mass of a beam participates in a short impact.
 const ONSET: f64 = 0.1;
@@ -41,6 +45,9 @@ const REPEATED: f64 = 0.7;
 /// Smallest and largest steps relative to the first.
 const SMALLEST: f64 = 1e-2;
 const LARGEST: f64 = 1e3;
+/// Deflections that are none, relative to the scale of positions and to the displacements at the start: what is left of an equilibrium by round-off
+/// vibrates with all frequencies of the mesh.
+const NO_DEFLECTION: [f64; 2] = [1e-9, 1e-4];
 /// A part shorter than this share of the previous one contains no information on the motion.
 const SHORT: f64 = 0.05;
 
@@ -84,6 +91,8 @@ pub struct StepSizeControl {
     deflection: f64,
     /// Largest steps during contact of a guided projectile, infinite for other contacts; shape (contacts) \[s\].
     contact_step: Vec<f64>,
+    /// Masses that a driven obstacle strikes, zero of all other contacts; shape (contacts) \[kg\].
+    driven: Vec<f64>,
     /// Largest velocities of approach, shape (contacts) \[m/s\].
     approach: Vec<f64>,
     /// Largest forces, shape (contacts) \[N\].
@@ -104,6 +113,44 @@ fn watched(model: &Model) -> std::ops::Range<usize> {
 
 fn plane(v: &[f64; 4]) -> [f64; 2] {
     [v[0], v[1]]
+}
+
+/// Masses of beams and bodies in the contacts of driven obstacles, zero of all other contacts; shape (contacts) \[kg\].
+fn driven_masses(model: &Model) -> Vec<f64> {
+    let beams = model.beams.len();
+    let of_beams: Vec<f64> = model.beams.iter().map(|beam| beam_mass(model, beam)).collect();
+    let driven = |mover: usize| {
+        let mut own = model.obstacles.iter().filter(|one| one.body + beams == mover);
+        own.any(|one| model.supports[one.support].motion.is_some())
+    };
+    let mass = |mover: usize| match mover.checked_sub(beams) {
+        Some(body) => model.bodies[body].mass,
+        None => of_beams[mover],
+    };
+    let struck = |contact: &ContactData| {
+        let pairs = model.pairs[contact.pairs.clone()].iter().map(|pair| pair.movers);
+        let pairs = pairs.filter(|movers| movers.iter().any(|one| driven(*one)));
+        pairs.map(|movers| movers.map(mass).iter().sum()).fold(0.0, f64::max)
+    };
+    model.contacts.iter().map(struck).collect()
+}
+
+/// Mass of a beam by the sections in the middle of its elements \[kg\].
+fn beam_mass(model: &Model, beam: &BeamData) -> f64 {
+    let spans = model.spans[beam.spans.clone()].iter();
+    let masses = spans.flat_map(|span| {
+        let each = 0..span.elements.len();
+        each.map(move |k| span.section_at(k, 0.5).mass * span.table(k).length)
+    });
+    masses.sum()
+}
+
+/// Deflection at the start relative to which errors of a structure at rest are none \[m\].
+fn no_deflection(model: &Model, state: &State) -> f64 {
+    let displaced = state.displacement[watched(model)].iter().map(|u| norm(plane(u)));
+    let [of_positions, of_displacements] = NO_DEFLECTION;
+    let displaced = of_displacements * displaced.fold(0.0, f64::max);
+    displaced.max(of_positions * model.position_scale())
 }
 
 impl StepSizeControl {
@@ -127,6 +174,7 @@ impl StepSizeControl {
         }
         let speed = state.velocity.iter().map(|v| norm(plane(v))).fold(0.0, f64::max);
         let first = settings.step;
+        let force = (FORCE * accuracy).min(FORCE_MOST);
         let none = Means {
             size: first,
             velocity: vec![[0.0; 2]; nodes.len()],
@@ -134,7 +182,7 @@ impl StepSizeControl {
         };
         Some(Self {
             admitted: (ADMITTED * accuracy).powf(1.5),
-            force: FORCE * accuracy,
+            force,
             soon: (accuracy / BOUNCES).sqrt() * first,
             first,
             next: first,
@@ -144,8 +192,9 @@ impl StepSizeControl {
             moved: vec![[0.0; 2]; start.len()],
             start,
             deflects,
-            deflection: speed * first,
-            contact_step: contact_steps(model, (12.0 * accuracy).sqrt()),
+            deflection: (speed * first).max(no_deflection(model, state)),
+            contact_step: contact_steps(model, (12.0 * force).sqrt()),
+            driven: driven_masses(model),
             approach: vec![0.0; model.contacts.len()],
             peak: vec![0.0; model.contacts.len()],
             error: 0.0,
@@ -160,7 +209,7 @@ impl StepSizeControl {
             let past = one.past.each_ref().map(|p| (p.velocity.len(), p.force.len()));
             let others = [one.start.len(), one.moved.len(), one.deflects.len()];
             let contacts = [one.contact_step.len(), one.approach.len(), one.peak.len()];
-            (past, others, contacts)
+            (past, others, contacts, one.driven.len())
         };
         let valid = self.next > 0.0 && self.next.is_finite();
         valid && lengths(self) == lengths(other) && self.first == other.first
@@ -228,7 +277,7 @@ impl StepSizeControl {
 
     /// Error over the last solved part, relative to deflection and energy.
     fn error(&self, part: &SolvedPart<'_>) -> f64 {
-        let (mut error, mut deflection) = (0.0_f64, self.deflection);
+        let (mut error, mut deflection) = (0.0_f64, self.deflection.max(self.onset(part)));
         let h = part.h;
         let bend = |now: f64, before: [f64; 2]| self.second_difference(h, now, before);
         let third = h * h * h / 12.0;
@@ -245,15 +294,17 @@ impl StepSizeControl {
             }
             error = if error > 0.0 { error / deflection } else { 0.0 };
         }
-        let energy = part.start.energy_scale;
         for (c, now) in part.forces().into_iter().enumerate() {
             let lost = third * bend(now, [self.past[0].force[c], self.past[1].force[c]]).abs();
             let approach = part.approach(c, self.approach[c]);
+            // A driven obstacle has no energy: what it strikes receives it in the impact.
+            let given = 0.5 * self.driven[c] * approach * approach;
+            let energy = part.start.energy_scale.max(given);
             if now > 0.0 {
                 error = error.max(self.admitted * (h / self.contact_step[c]).powi(3));
             }
             if lost > 0.0 && approach > 0.0 {
-                error = error.max(lost * approach / energy);
+                error = error.max(lost * approach / energy * self.stricter());
                 // The force of all the energy on a spring as stiff as this one.
                 let stiffness = (now - self.past[0].force[c]).abs() / (approach * h);
                 let rises = ONSET * (2.0 * energy * stiffness).sqrt();
@@ -262,6 +313,19 @@ impl StepSizeControl {
             }
         }
         error
+    }
+
+    /// Admitted error of a step relative to that of a contact's impulse: more than one for an accuracy with which it would be followed in two steps.
+    fn stricter(&self) -> f64 {
+        (self.admitted / (ADMITTED * FORCE_MOST).powf(1.5)).max(1.0)
+    }
+
+    /// Deflection relative to which the first errors of a structure at rest are that a contact sets in motion: as that of a projectile at the start
+    /// \[m\].
+    fn onset(&self, part: &SolvedPart<'_>) -> f64 {
+        let forces = part.forces().into_iter().enumerate().filter(|(_, force)| *force > 0.0);
+        let approach = forces.map(|(c, _)| part.approach(c, self.approach[c]));
+        self.first * approach.fold(0.0, f64::max)
     }
 
     /// Displacement relative to the initial motion after an increment.
