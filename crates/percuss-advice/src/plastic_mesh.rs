@@ -50,10 +50,10 @@ fn coarse_where_struck(model: &Model, index: usize) -> Option<Advice> {
     let contact = model.contact(index).filter(|contact| contact.law().is_rigid())?;
     let point = model.guided().nth(index)?.point;
     let beam = model.beam(point.beam);
-    let mut places = beam.hinge_places().to_vec();
-    if places.is_empty() {
+    if !beam.span_at(point.s).can_yield() {
         return None;
     }
+    let mut places = beam.hinge_places().to_vec();
     let before = worst(&beam, &places).map_or(0.0, |(_, found, _)| found);
     places.push(point.s);
     places.sort_by(f64::total_cmp);

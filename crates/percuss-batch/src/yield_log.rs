@@ -25,8 +25,8 @@ pub struct YieldLog<S> {
     pub strain: PointPeak<S>,
     /// Largest accumulated plastic strain \[-\].
     pub accumulated: PointPeak<S>,
-    /// Number of the Gauss point of first yield, and its time, shape (2) \[-, s\]; unset without accumulated plastic strain.
-    pub first: [S; 2],
+    /// The largest accumulated plastic strain in the step of first yield; unset without any \[-\].
+    pub first: PointPeak<S>,
     /// Largest ratio of stress to yield stress before that; recorded only for derivatives \[-\].
     pub near: PointPeak<S>,
 }
@@ -51,13 +51,12 @@ impl<S: Number> YieldLog<S> {
     /// A record without yielding.
     pub fn none(like: S) -> Self {
         let none = PointPeak::none(like);
-        Self { strain: none, accumulated: none, first: [none.value; 2], near: none }
+        Self { strain: none, accumulated: none, first: none, near: none }
     }
 
     fn each(&mut self) -> impl Iterator<Item = &mut S> {
-        let peaks = [&mut self.strain, &mut self.accumulated, &mut self.near];
-        let peaks = peaks.into_iter().flat_map(|n| [&mut n.value, &mut n.point, &mut n.time]);
-        peaks.chain(&mut self.first)
+        let peaks = [&mut self.strain, &mut self.accumulated, &mut self.first, &mut self.near];
+        peaks.into_iter().flat_map(|n| [&mut n.value, &mut n.point, &mut n.time])
     }
 
     /// Begins a new run in a lane.
@@ -143,12 +142,11 @@ impl<S: Number> YieldLog<S> {
             if !yielded.any() {
                 continue;
             }
-            let first = yielded & !zero.less(self.accumulated.value);
-            for i in 0..2 {
-                self.first[i] = S::choose(first, place[i], self.first[i]);
-            }
             self.strain.take(strain, place);
             self.accumulated.take(accumulated, place);
+            let still_first = !zero.less(self.first.value) | self.first.time.equals(time);
+            let own = S::choose(yielded & still_first, accumulated, zero);
+            self.first.take(own, place);
         }
     }
 }
@@ -157,22 +155,26 @@ impl<S: Number> YieldLog<S> {
 pub fn records<S: Number>(model: &Model, logs: &[YieldLog<S>], lane: usize) -> Vec<YieldRecord> {
     let mut logs = logs.iter();
     let beam = |beam: &BeamData| {
-        let mut record = YieldRecord::default();
         let with = model.spans[beam.spans.clone()].iter().filter(|span| span.fibres.is_some());
-        for span in with {
-            let Some(log) = logs.next() else { break };
-            if log.accumulated.value.lane(lane) == 0.0 {
-                continue;
-            }
-            let place = |point: S| place(span, point.lane(lane) as usize);
-            let peak = |at: &PointPeak<S>| SectionPeak {
-                value: at.value.lane(lane),
-                s: place(at.point),
-                time: at.time.lane(lane),
-            };
-            let [point, time] = log.first;
-            let first = FirstYield { s: place(point), time: time.lane(lane) };
-            record.take(first, peak(&log.strain), peak(&log.accumulated));
+        let own: Vec<_> = with
+            .zip(logs.by_ref())
+            .filter(|(_, log)| log.accumulated.value.lane(lane) != 0.0)
+            .map(|(span, log)| {
+                [&log.strain, &log.accumulated, &log.first].map(|peak| SectionPeak {
+                    value: peak.value.lane(lane),
+                    s: place(span, peak.point.lane(lane) as usize),
+                    time: peak.time.lane(lane),
+                })
+            })
+            .collect();
+        let earlier = |a: &SectionPeak, b: &SectionPeak| {
+            a.time.total_cmp(&b.time).then(b.value.total_cmp(&a.value))
+        };
+        let first = own.iter().map(|[_, _, first]| *first).min_by(earlier);
+        let mut record = YieldRecord::default();
+        for [strain, accumulated, _] in &own {
+            let SectionPeak { s, time, .. } = first.unwrap_or(*accumulated);
+            record.take(FirstYield { s, time }, *strain, *accumulated);
         }
         record
     };

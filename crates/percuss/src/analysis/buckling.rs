@@ -144,10 +144,11 @@ pub fn buckling_in_contact(model: &Model, found: &Equilibrium, count: usize) -> 
     LinearBuckling { closed_stops, springs_as_unloaded, foundations_as_unloaded, ..all }
 }
 
-/// What has another stiffness in the equilibrium than in linear buckling: numbers of closed stops and of springs, and whether each foundation has.
+/// What has another stiffness in the equilibrium than in linear buckling: numbers of closed stops and of springs.
 struct Changes {
     closed_stops: usize,
     springs: usize,
+    /// Whether each foundation has, shape (foundations).
     foundations: Vec<bool>,
 }
 

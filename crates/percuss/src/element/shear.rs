@@ -146,7 +146,12 @@ impl ShearTable {
             (row.weighed.axial, row.weighed.bending, row.weighed.rotary) = (0.0, 0.0, 0.0);
             row.weight = if j == MIDDLE { self.length } else { 0.0 };
         }
-        ElementTable { rows, mass: inertia::mass(self.length, sections), membrane: None, ..table }
+        ElementTable {
+            rows,
+            mass: inertia::mass(&self.inside(), sections),
+            membrane: None,
+            ..table
+        }
     }
 
     /// Strains less those of the reference. Formed from displacements: small ones keep their digits.

@@ -101,6 +101,12 @@ impl<'m> SpanView<'m> {
         self.data.uniform_strain
     }
 
+    /// Whether it has a fibre that can yield.
+    pub fn can_yield(&self) -> bool {
+        let of = self.data.fibres.as_ref();
+        of.is_some_and(|of| of.laws.iter().any(|law| matches!(law, StressLaw::Plastic(_))))
+    }
+
     /// Whether a fibre that can yield has no failure strain.
     pub fn yields_without_failure(&self) -> bool {
         let laws = self.data.fibres.iter().flat_map(|fibres| &fibres.laws);

@@ -167,6 +167,56 @@ fn section_forces_beyond_what_a_section_bears_are_an_error_of_the_mesh() {
 }
 
 /// A section that hardens bears more than its first plastic moment, and one that is strained fast, too: neither is an error.
+/// The moment of a load that grows along the beam is largest beside the middle of an element: `M = w L^2 / (9 sqrt 3)` at `L / sqrt 3`.
+#[test]
+fn an_excess_is_found_where_the_moment_is_largest_inside_an_element() {
+    let mut frame = Frame::new(plastic(2.1e11, 0.0), false);
+    let beam = frame.beam("beam", &[[0.0, 0.0], [2.0, 0.0]], 4);
+    frame.hold(beam, 0.0, SupportKind::Pin);
+    frame.hold(beam, 1.0, roller());
+    let most = 1.04 * 9.0 * 3.0_f64.sqrt() * MOST / 4.0;
+    let kind = LoadKind::Distributed {
+        beam,
+        stretch: [Along::Fraction(0.0), Along::Fraction(1.0)],
+        force: [[0.0; 2], [0.0, -most]],
+        follower: false,
+    };
+    frame.b.load(Load::new("earth", kind));
+    let found = frame.found().unwrap();
+    let forces = &found.section_forces[0];
+    let largest = forces.moment.largest();
+    assert!((largest.s - 2.0 / 3.0_f64.sqrt()).abs() < 1e-3, "{largest:?}");
+    let excess = forces.excess.unwrap();
+    assert!((excess.ratio / (largest.value.abs() / MOST) - 1.0).abs() < 0.01, "{excess:?}");
+    assert!((excess.s - largest.s).abs() < 1e-3 && excess.ratio > 1.02, "{excess:?}");
+}
+
+/// A bar drawn out at a constant rate: the stress of its fibres contains the viscous part, `E tau` times that rate, as its axial force does.
+#[test]
+fn stresses_of_a_beam_that_can_yield_contain_those_of_its_viscosity() {
+    let (retardation, rate) = (1e-2, 1e-3);
+    let mut b = ModelBuilder::new();
+    let of = b.material(Material { retardation, ..plastic(2.1e11, 0.0) });
+    let section = b.section(Section { fibres: 8, ..Section::rectangle("bar", WIDTH, DEPTH) });
+    let beam = b.beam(Beam::new("bar", &[[0.0, 0.0], [1.0, 0.0]], 4, of, section));
+    b.support(Support::new("wall", at(beam, 0.0), SupportKind::Clamp));
+    let mut pull = Support::new("pull", at(beam, 1.0), SupportKind::Clamp);
+    let function = TimeFunction::Ramp { duration: 1.0 };
+    pull.motion = Some(Motion { displacement: [rate, 0.0], rotation: 0.0, function });
+    b.support(pull);
+    b.record_point(at(beam, 0.5));
+    let mut recorder = MemoryRecorder::default();
+    let model = b.build().unwrap();
+    let settings = Settings::new(5e-3, 1e-5);
+    simulate(&model, &settings, &mut recorder).unwrap();
+    let last = |name: &str| *recorder.column(name).unwrap().last().unwrap();
+    let [force, stress] = ["section.0.5.axial", "section.0.5.stress"].map(last);
+    // 1e-3 / s: the viscous part is 2.1 MPa of 3.15; the wave of the start is 0.04 MPa.
+    assert!((stress * WIDTH * DEPTH / force - 1.0).abs() < 0.02, "{stress} {force}");
+    let expected = 2.1e11 * rate * (5e-3 + retardation);
+    assert!((stress / expected - 1.0).abs() < 0.02, "{stress} {expected}");
+}
+
 #[test]
 fn hardening_and_rates_are_no_excess() {
     let law = |modulus: f64| plastic(210e9, modulus);

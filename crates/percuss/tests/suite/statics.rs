@@ -330,7 +330,7 @@ fn a_beam_that_flies_has_no_equivalent_force() {
     let girder = b.beam(beam("girder", [0.0, 0.0], [3.0, 0.0], 4, material, section));
     b.projectile(elastic("mass", at("mid", girder, 0.5), [0.0, 1.0]));
     let model = b.build().unwrap();
-    let summary = simulate(&model, &Settings::new(0.01, 1e-3), &mut NoRecorder).unwrap();
+    let summary = simulate(&model, &Settings::new(0.05, 1e-3), &mut NoRecorder).unwrap();
     let reported = summary.contacts[0].no_equivalent_force.as_deref();
     assert_eq!(reported, Some("the structure is not supported in this direction"));
 }

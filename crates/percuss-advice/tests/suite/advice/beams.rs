@@ -381,3 +381,31 @@ fn ends_that_nothing_joins_are_reported() {
     );
     assert!(mechanisms(&of(2, false)).is_empty());
 }
+
+/// A rigid mass on a coarse mesh of a beam that can yield: no section force of the run shows how much too little it yields.
+#[test]
+fn a_rigid_mass_between_long_elements_of_a_beam_that_can_yield_is_reported() {
+    let found = |elements: usize, plastic: bool| {
+        let mut b = ModelBuilder::new();
+        let curve = vec![Hardening { from: 0.0, stress: 355e6, modulus: 0.0 }];
+        let law = Plasticity { curve, kinematic: 0.0, overstress: None, failure_strain: None };
+        let inelasticity = plastic.then_some(Inelasticity::Plastic(law));
+        let steel = Material { inelasticity, ..Material::new("steel", 2.1e11, 7850.0) };
+        let material = b.material(steel);
+        let section = b.section(Section::rectangle("bar", 0.06, 0.1));
+        let points = [[0.0, 0.0], [3.0, 0.0]];
+        let beam = b.beam(Beam::new("beam", &points, elements, material, section));
+        hold(&mut b, beam, &SupportKind::Pin, &[0.0]);
+        hold(&mut b, beam, &SupportKind::Roller { direction: [1.0, 0.0] }, &[1.0]);
+        let kind = ProjectileKind::Rigid { restitution: 0.0 };
+        let strikes = at("mid", beam, 0.5);
+        b.projectile(Projectile::new("mass", kind, 60.0, [0.0, -5.0], strikes));
+        let all = advise(&freeze(&b), &Settings::new(0.06, 1e-4));
+        let of = |one: &&Advice| one.topic == Topic::Unresolved && one.contact == "mass";
+        all.iter().find(of).map(|one| (one.verdict, one.text.clone()))
+    };
+    let (verdict, text) = found(8, true).unwrap();
+    assert!(verdict >= Verdict::Note && text.contains("elements of 375 mm"), "{text}");
+    assert_eq!(found(64, true), None);
+    assert_eq!(found(8, false), None);
+}

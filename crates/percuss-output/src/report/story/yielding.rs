@@ -135,7 +135,7 @@ struct Fracture<'v> {
     beam: &'v str,
     /// Its place, or both ends of the elements of a fracture at the node between them, shape (1 or 2) \[m\].
     places: Vec<f64>,
-    /// Ends of the elements \[m\]; NaN in results of earlier versions.
+    /// Ends of the elements, shape (2) \[m\]; NaN in results of earlier versions.
     stretch: [f64; 2],
     time: f64,
 }

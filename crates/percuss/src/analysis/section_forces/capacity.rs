@@ -11,8 +11,8 @@
 //! with the limits T in tension and C in compression, reached at a height c of one of the fibres: the plastic neutral axis.
 
 use super::element::{ElementForces, PLACES};
+use super::fibres_now::{StrainsAndRates, strains_and_rates};
 use super::line::SectionForces;
-use super::{StrainsAndRates, strains_and_rates};
 use crate::element::fibre::{FibreState, StressLaw};
 use crate::element::shear::MIDDLE;
 use crate::math::hermite::{GAUSS, gauss_points};

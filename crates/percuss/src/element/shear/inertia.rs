@@ -7,7 +7,7 @@
 //! velocities times the square of the frequency: the inertia per length `rhoA l^2/12 D.(s (D - m)) + rhoI (s n.n / 12 - c s (D - m).m)`, with the
 //! share `s = 1 - c` of shear in `D - m`.
 
-use super::{InsideField, MIDDLE, ShearTable};
+use super::inside::InsideField;
 use crate::element::beam::SectionValues;
 use crate::math::hermite::{GAUSS, GAUSS_WEIGHTS, gauss_points};
 
@@ -20,10 +20,9 @@ const MOST_SHEAR: f64 = 36.0;
 
 /// Mass matrix of one component, order (x_a, d_a, x_b, d_b), from the sections at the Gauss points, shape (4, 4) \[kg, kg m, kg m^2\]: that of the
 /// section in the middle, and in the field inside the element what the others have beyond it.
-pub(super) fn mass(l: f64, sections: &[SectionValues; GAUSS]) -> [[f64; 4]; 4] {
-    let middle = &sections[MIDDLE];
+pub(super) fn mass(field: &InsideField, sections: &[SectionValues; GAUSS]) -> [[f64; 4]; 4] {
+    let (l, middle) = (field.length, &sections[GAUSS / 2]);
     let mut mass = uniform_mass(l, middle);
-    let field = InsideField { length: l, bent: ShearTable::bent_share(l, middle) };
     for ((xi, section), weight) in gauss_points().into_iter().zip(sections).zip(GAUSS_WEIGHTS) {
         let more = [section.mass - middle.mass, section.law.rotary - middle.law.rotary];
         for (density, form) in more.into_iter().zip([field.axis(xi), field.section(xi)]) {

@@ -89,8 +89,8 @@ fn followed(model: &Model) -> impl Iterator<Item = (usize, &Connector)> {
 }
 
 /// A connector at the end of a part of a step.
-struct Reached {
-    /// Its coordinate \[m\], and its force \[N\].
+struct EndOfPart {
+    /// Its coordinate and its force, shape (2) \[m, N\].
     at: [f64; 2],
     /// Distance of the coordinate from that without force \[m\].
     deformed: f64,
@@ -100,7 +100,7 @@ struct Reached {
     damping: f64,
 }
 
-impl Reached {
+impl EndOfPart {
     fn of(c: &Connector, i: usize, state: &State) -> Self {
         let q = state.coordinates[i];
         let force = if state.time <= c.until { c.force_now(i, state).abs() } else { 0.0 };
@@ -115,7 +115,7 @@ impl Pulses {
     pub fn new(model: &Model, state: &State) -> Self {
         let unset = Sharpness::new();
         let connector = |(i, c): (usize, &Connector)| {
-            let Reached { at, deformed, is_apart, .. } = Reached::of(c, i, state);
+            let EndOfPart { at, deformed, is_apart, .. } = EndOfPart::of(c, i, state);
             let force = at[1];
             let mut sharpness = unset;
             sharpness.take(Sample { time: state.time, force });
@@ -162,7 +162,7 @@ impl Pulses {
             sharpness.take(Sample { time: state.time, force: *force });
         }
         for ((i, c), own) in followed(model).zip(&mut self.connectors) {
-            own.take(&Reached::of(c, i, state), h, state.time);
+            own.take(&EndOfPart::of(c, i, state), h, state.time);
         }
     }
 
@@ -230,7 +230,7 @@ impl ClosedSpell {
 }
 
 impl ConnectorPulse {
-    fn take(&mut self, reached: &Reached, h: f64, time: f64) {
+    fn take(&mut self, reached: &EndOfPart, h: f64, time: f64) {
         let [q, force] = reached.at;
         let before = std::mem::replace(&mut self.at, reached.at);
         let closed = force > 0.0 || before[1] > 0.0;

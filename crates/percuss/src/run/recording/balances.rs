@@ -1,6 +1,6 @@
 //! The columns of a history whose names contain none of a model: energies, momenta, audit numbers, the solver.
 
-use super::channels::Now;
+use super::now::Now;
 
 /// Name, unit, meaning and value of a column.
 pub(super) type Column = (&'static str, &'static str, &'static str, fn(&Now<'_>) -> f64);

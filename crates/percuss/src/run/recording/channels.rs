@@ -3,11 +3,11 @@
 //! A new column is a new entry, of [`super::balances`] if its name contains none of the model, else of the function here whose part it belongs to.
 
 use super::balances::{BALANCES, HARDENING, SHEAR};
-use crate::analysis::section_forces::{self, Lines};
+use super::now::Now;
+use crate::analysis::section_forces;
 use crate::contact::search::Search;
 use crate::geometry::pair::Memory;
 use crate::geometry::touch::SearchRegion;
-use crate::ledger::Measures;
 use crate::model::Model;
 use crate::model::frozen::{ContactData, MaterialPoint};
 use crate::run::observing::foundation_log::FoundationSums;
@@ -25,28 +25,6 @@ pub struct Channel {
     pub description: String,
 }
 
-/// A state at which a row is taken, and changes since the previous row.
-pub struct Now<'a> {
-    pub state: &'a State,
-    pub measures: &'a Measures,
-    /// Impulses along normal and tangent, shape (contacts, 2) \[N s\].
-    pub impulse: &'a [[f64; 2]],
-    /// Rotations of the recorded points in the current state, shape (points) \[rad\].
-    pub rotations: &'a [f64],
-    /// Pairs evaluated in the current state, and bounds for the gaps of the others.
-    pub search: &'a Search,
-    /// Mean reactions, shape (supports, 3) \[N, N m\].
-    pub reactions: &'a [[f64; 3]],
-    /// Their additional impulses, shape (supports, 3) \[N s, N m s\].
-    pub reaction_impulses: &'a [[f64; 3]],
-    /// Section forces of the last step without impact.
-    pub lines: &'a Lines,
-    /// Velocity of the accelerated base, shape (2) \[m/s\].
-    pub base_velocity: [f64; 2],
-    /// Newton iterations.
-    pub iterations: usize,
-}
-
 /// Columns of the history of `model`, in the order of [`values`].
 pub fn channels(model: &Model) -> Vec<Channel> {
     let mut out = Vec::new();
@@ -62,8 +40,13 @@ pub fn values(model: &Model, now: &Now<'_>, row: &mut Vec<f64>) {
 
 /// Takes the entries: of each its name, unit and meaning, or at a state its value.
 enum Sheet<'a> {
+    /// The columns so far, shape (columns).
     Columns(&'a mut Vec<Channel>),
-    Row { now: &'a Now<'a>, row: &'a mut Vec<f64> },
+    Row {
+        now: &'a Now<'a>,
+        /// Their values, shape (columns) \[unit of the column\].
+        row: &'a mut Vec<f64>,
+    },
 }
 
 impl Sheet<'_> {

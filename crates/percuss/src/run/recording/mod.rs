@@ -4,5 +4,6 @@ mod balances;
 pub mod channels;
 pub mod checkpoint;
 pub mod frame;
+mod now;
 pub mod record;
 pub mod rows;

@@ -2,7 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::channels::{self, Now};
+use super::channels;
+use super::now::Now;
 use crate::contact::search::Search;
 use crate::ledger::Measures;
 use crate::model::Model;
