@@ -2,40 +2,35 @@
 
 use crate::element::beam::ElementValues;
 use crate::element::fibre::{FibreState, StressLaw};
+use crate::element::yielding::GaussStrains;
 use crate::math::hermite::GAUSS;
 use crate::model::frozen::{Span, SpanFibres};
 use crate::state::State;
 use crate::step::fibres::fibre_strains;
 
-/// Calls `see` for every fibre of an element: number of the Gauss point, height, strain (NaN of a failed one) and stress where the state stands, that
-/// of the viscosity of the material included.
+/// Calls `see` for every fibre of an element: number of the Gauss point, height, strain (NaN of a failed one) and stress where the state stands, with
+/// that of the viscosity of the material at mean rates over the step.
 pub(super) fn each_fibre(
-    span: &Span,
-    fibres: &SpanFibres,
-    k: usize,
+    (span, fibres, k): (&Span, &SpanFibres, usize),
     state: &State,
+    rates: Option<&GaussStrains>,
     mut see: impl FnMut(usize, f64, f64, f64),
 ) {
-    let viscous = span.retardation > 0.0;
-    let strains = match viscous {
-        true => strains_and_rates(span, k, state),
-        false => strains_of(span, k, state, 0.0).map(|strains| [strains, [0.0; 2]]),
-    };
+    let strains = strains_of(span, k, state, 0.0);
     let of = state.fibres_of(fibres, k);
     for j in 0..GAUSS {
         for (fibre, memory) in of.at(j) {
-            let [strain, rate] =
-                strains[j].map(|[membrane, bending]| membrane + fibre.height * bending);
+            let at = |[membrane, bending]: [f64; 2]| membrane + fibre.height * bending;
+            let strain = at(strains[j]);
             if memory.failed {
                 see(j, fibre.height, f64::NAN, 0.0);
                 continue;
             }
             let law = &fibres.laws[fibre.law];
             let stress = law.stress(memory, strain);
-            let more = match viscous {
-                true => viscous_stress(law, memory, [strain, rate], stress, span.retardation),
-                false => 0.0,
-            };
+            let more = rates.map_or(0.0, |rates| {
+                viscous_stress(law, memory, [strain, at(rates[j])], stress, span.retardation)
+            });
             see(j, fibre.height, strain, stress + more);
         }
     }

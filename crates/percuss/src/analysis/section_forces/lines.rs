@@ -4,11 +4,13 @@ use serde::{Deserialize, Serialize};
 
 use super::line::{ElementShape, Inner, Line, NUMBERS, OnNodes, SAME_PLACE, place_of, resultant};
 use super::span_lines::SpanLines;
+use crate::element::beam::ElementValues;
 use crate::element::shear::spread_linearly;
+use crate::element::yielding::GaussStrains;
 use crate::geometry::row::Row;
 use crate::math::vec2::{add, dot, scale};
 use crate::model::Model;
-use crate::model::frozen::{LoadAction, MaterialPoint};
+use crate::model::frozen::{LoadAction, MaterialPoint, Span};
 use crate::scalar::in_lanes;
 use crate::state::State;
 use crate::step::assemble::forces_at_rest;
@@ -16,6 +18,7 @@ use crate::step::columns::Columns;
 use crate::step::contacts::PressingPair;
 use crate::step::end_forces::EndForces;
 use crate::step::external::{tangent_at, turned};
+use crate::step::fibres::fibre_strains;
 use crate::step::forcing::Forcing;
 use crate::step::given_strains;
 use crate::step::integration::{Integration, Rule};
@@ -47,6 +50,9 @@ pub struct Lines {
     loads: Vec<OnNodes>,
     /// Nodal forces of the strains that loads give, by element, likewise, shape (elements, 2, 4) \[N, N m\]; empty if there are none.
     given: Vec<OnNodes>,
+    /// Mean rates of membrane and bending strain at the Gauss points of elements with viscous fibres, zero of others, shape (elements, Gauss points, 2)
+    /// \[1/s, 1/(m s)\]; empty if there are none.
+    rates: Vec<GaussStrains>,
 }
 
 impl Lines {
@@ -55,6 +61,7 @@ impl Lines {
         self.lines.fit(NUMBERS, elements)
             && (self.loads.is_empty() || self.loads.len() == elements)
             && (self.given.is_empty() || self.given.len() == elements)
+            && (self.rates.is_empty() || self.rates.len() == elements)
             && self.inner.iter().all(|one| one.element < elements)
     }
 
@@ -88,6 +95,7 @@ impl Lines {
         self.distribute(model, acting);
         self.found(model, acting);
         self.strain(model, acting);
+        self.rate(model, acting);
         self.weigh(model, acting);
         for (rows, forces) in contacts {
             self.push(model, rows, forces);
@@ -179,6 +187,37 @@ impl Lines {
         for (column, x) in numbers.into_iter().enumerate() {
             self.lines.set(column, element, x);
         }
+    }
+
+    /// Takes mean rates of strains. Velocities at the end of a step may have another sign in every step, where damping is stiff: their means have not.
+    fn rate(&mut self, model: &Model, acting: &Acting) {
+        let viscous = |span: &&Span| span.retardation > 0.0 && span.fibres.is_some();
+        self.rates.clear();
+        if matches!(acting.rule.rule, Rule::Static) || !model.spans.iter().any(|s| viscous(&s)) {
+            return;
+        }
+        self.rates.resize(model.element_count(), Default::default());
+        for span in model.spans.iter().filter(viscous) {
+            for (k, element) in span.elements.clone().enumerate() {
+                let a = span.nodes.start + k;
+                let strains = |share: f64| {
+                    let node = |n: usize| -> [f64; 4] {
+                        let (u, d) = (acting.state.displacement[n], acting.increment[n]);
+                        std::array::from_fn(|i| u[i] + share * d[i])
+                    };
+                    fibre_strains(span, k, &ElementValues::new(&node(a), &node(a + 1)))
+                };
+                let (from, to) = (strains(0.0), strains(1.0));
+                self.rates[element] = std::array::from_fn(|j| {
+                    [0, 1].map(|i| (to[j][i] - from[j][i]) / acting.rule.h)
+                });
+            }
+        }
+    }
+
+    /// Mean rates of strains at the Gauss points of an element with viscous fibres, shape (Gauss points, 2) \[1/s, 1/(m s)\].
+    pub(super) fn rates_of(&self, element: usize) -> Option<&GaussStrains> {
+        self.rates.get(element)
     }
 
     /// The section forces of an element, and what acts inside it.

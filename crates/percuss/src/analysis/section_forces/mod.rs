@@ -20,6 +20,7 @@ mod sheared;
 mod span_lines;
 
 use crate::element::shear::MIDDLE;
+use crate::element::yielding::GaussStrains;
 use crate::math::hermite::{self, GAUSS};
 use crate::model::Model;
 use crate::model::frozen::{BeamData, MaterialPoint, Span, SpanFibres};
@@ -112,7 +113,8 @@ pub fn update(model: &Model, lines: &Lines, state: &State, out: &mut [SectionFor
             for k in 0..span.elements.len() {
                 let element = span.elements.start + k;
                 let (line, inner) = lines.of(element);
-                let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));
+                let (strained, yielded) =
+                    (strained(span, k, state), yielded(span, k, state, lines));
                 let (stresses, sheared) = (true, true);
                 let piece =
                     ElementForces { span, k, line, inner, strained, yielded, stresses, sheared };
@@ -142,10 +144,11 @@ fn strained(span: &Span, k: usize, state: &State) -> Option<[Strained; 2]> {
 
 /// Extreme fibres at the Gauss points of an element that can yield, as strained and stressed where the state stands. A gap is not a strain of the
 /// material: failed fibres have none, and those of an element that has fractured have all failed.
-fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
+fn yielded(span: &Span, k: usize, state: &State, lines: &Lines) -> Option<[Fibres; GAUSS]> {
     let fibres = span.fibres.as_ref()?;
     let mut out = [Fibres { strain: [f64::NAN; 2], stress: [f64::NAN; 2] }; GAUSS];
-    each_fibre(span, fibres, k, state, |j, _, strain, stress| {
+    let rates = lines.rates_of(span.elements.start + k);
+    each_fibre((span, fibres, k), state, rates, |j, _, strain, stress| {
         for (range, value) in [(&mut out[j].strain, strain), (&mut out[j].stress, stress)] {
             *range = [range[0].min(value), range[1].max(value)];
         }
@@ -158,10 +161,15 @@ fn yielded(span: &Span, k: usize, state: &State) -> Option<[Fibres; GAUSS]> {
 
 /// Stresses at the top and at the bottom at a Gauss point of an element that can yield, shape (2) \[Pa\]; of several fibres at one
 /// height that of larger magnitude.
-fn yielded_faces(span: &Span, fibres: &SpanFibres, k: usize, state: &State, at: usize) -> [f64; 2] {
+fn yielded_faces(
+    (span, fibres, k): (&Span, &SpanFibres, usize),
+    state: &State,
+    rates: Option<&GaussStrains>,
+    at: usize,
+) -> [f64; 2] {
     let (mut heights, mut out) = ([f64::NEG_INFINITY; 2], [f64::NAN; 2]);
     let at = if span.shear.is_some() { MIDDLE } else { at };
-    each_fibre(span, fibres, k, state, |j, height, _, stress| {
+    each_fibre((span, fibres, k), state, rates, |j, height, _, stress| {
         if j != at {
             return;
         }
@@ -186,11 +194,11 @@ pub fn at_point(model: &Model, lines: &Lines, state: &State, point: &MaterialPoi
     for (node, xi, ahead) in [behind, front].into_iter().flatten() {
         let (span, k) = model.element_of(node);
         let (line, inner) = lines.of(span.elements.start + k);
-        let (strained, yielded) = (strained(span, k, state), yielded(span, k, state));
+        let (strained, yielded) = (strained(span, k, state), yielded(span, k, state, lines));
         let (stresses, sheared) = (true, false);
         let piece = ElementForces { span, k, line, inner, strained, yielded, stresses, sheared };
         let f = line.at(xi, inner, ahead);
-        let own = stress_at(&piece, xi, &f, state);
+        let own = stress_at(&piece, xi, &f, (state, lines));
         let stress = match found {
             Some(PointForces { stress: other, .. }) if is_worse(other.largest, own.largest) => {
                 other
@@ -209,9 +217,10 @@ fn stress_at(
     piece: &ElementForces<'_>,
     xi: f64,
     forces: &SectionForces,
-    state: &State,
+    (state, lines): (&State, &Lines),
 ) -> PointStress {
     let ElementForces { span, k, yielded, .. } = piece;
+    let rates = lines.rates_of(span.elements.start + k);
     let Some((fibres, yielded)) = span.fibres.as_ref().zip(*yielded) else {
         let [top, bottom] = fibres::faces(&span.section_at(*k, xi), forces);
         let largest = piece.fibres(xi, forces).map_or(f64::NAN, |fibres| larger(fibres.stress));
@@ -219,7 +228,7 @@ fn stress_at(
     };
     // Of an element that can yield, at the nearest Gauss point, of two the one with the larger stress: elsewhere fibres remember nothing.
     let at = |gauss: usize| {
-        let [top, bottom] = yielded_faces(span, fibres, *k, state, gauss);
+        let [top, bottom] = yielded_faces((span, fibres, *k), state, rates, gauss);
         PointStress { largest: larger(yielded[gauss].stress), top, bottom }
     };
     let [one, other] = hermite::nearest_gauss_points(xi).map(at);
