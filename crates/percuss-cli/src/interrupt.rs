@@ -7,7 +7,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Arc, LazyLock, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, LazyLock, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::time::{Duration, Instant};
 
 use percuss_output::{Extent, Results, RunDirectory, RunUpdate};
 
@@ -16,6 +17,9 @@ use crate::outcome::{Failure, Status};
 
 /// Tries to remove what a command is still writing into.
 const TRIES: usize = 200;
+
+/// A signal so soon after the first one is that one once more: `timeout` sends it to the program and then to its group.
+const REPEATED: Duration = Duration::from_millis(200);
 
 /// Set by the first signal.
 static REQUESTED: LazyLock<Arc<AtomicBool>> = LazyLock::new(Arc::default);
@@ -92,8 +96,11 @@ fn listen() -> Result<(), ctrlc::Error> {
 
 /// What a signal does.
 fn request() {
+    static FIRST: OnceLock<Instant> = OnceLock::new();
+    let repeated = FIRST.get().is_some_and(|first| first.elapsed() < REPEATED);
+    FIRST.get_or_init(Instant::now);
     REQUESTED.store(true, Ordering::Relaxed);
-    if AT_ONCE.swap(true, Ordering::Relaxed) {
+    if AT_ONCE.swap(true, Ordering::Relaxed) && !repeated {
         abort();
     }
 }

@@ -203,11 +203,23 @@ fn every_long_command_ends_at_the_first_signal() {
     }
 }
 
+/// As `timeout` does, to the program and then to its group.
+#[test]
+fn a_signal_that_is_sent_twice_leaves_a_readable_result() {
+    let sandbox = Sandbox::new();
+    let child = endless(&sandbox);
+    signal(&child, "-TERM");
+    signal(&child, "-TERM");
+    assert_eq!(end_of(child).status, Some(130));
+    assert_eq!(sandbox.summary("out")["status"], "interrupted");
+}
+
 #[test]
 fn a_second_signal_ends_at_once_and_leaves_no_half_result() {
     let sandbox = Sandbox::new();
     let child = endless(&sandbox);
     signal(&child, "-INT");
+    std::thread::sleep(Duration::from_millis(250));
     signal(&child, "-INT");
     // Whether the second came while the first was being served or after, nothing is half there.
     assert_eq!(end_of(child).status, Some(130));
