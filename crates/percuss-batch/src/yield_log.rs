@@ -3,7 +3,7 @@
 use super::engine::Engine;
 use percuss::Model;
 use percuss::internals::model::frozen::{BeamData, Span, SpanFibres};
-use percuss::internals::run::yielding::YieldRecord;
+use percuss::internals::run::yielding::{SAME_FLOW, YieldRecord};
 use percuss::internals::scalar::{Mask, Number, Task};
 use percuss::math::hermite::GAUSS;
 use percuss::{FirstYield, SectionPeak};
@@ -145,7 +145,9 @@ impl<S: Number> YieldLog<S> {
             self.strain.take(strain, place);
             self.accumulated.take(accumulated, place);
             let still_first = !zero.less(self.first.value) | self.first.time.equals(time);
-            let own = S::choose(yielded & still_first, accumulated, zero);
+            // Of two that have flowed as much but for round-off, the one before along the beam.
+            let more = (self.first.value * (1.0 + SAME_FLOW)).less(accumulated);
+            let own = S::choose(yielded & still_first & more, accumulated, zero);
             self.first.take(own, place);
         }
     }

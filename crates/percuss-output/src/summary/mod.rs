@@ -14,8 +14,8 @@ use std::path::Path;
 
 use percuss::{
     FoundationProperties, FoundationSummary, ImpactResolution, MultipleImpacts, Peak, PointSummary,
-    ProjectileSummary, Range, RunSummary, Scheme, SectionForceSummary, SectionPeak, SectionRange,
-    Settings, Start, StopTouch, SupportSummary, Termination,
+    ProjectileSummary, PulseOf, PulseSummary, Range, RunSummary, Scheme, SectionForceSummary,
+    SectionPeak, SectionRange, Settings, Start, StopTouch, SupportSummary, Termination,
 };
 use percuss_advice::{Advice, AuditWarning, Comparison};
 use percuss_codes::Code;
@@ -99,6 +99,10 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
     if !run.foundations.is_empty() {
         summary["foundation"] = named(&run.foundations, |f| &f.name, foundation);
     }
+    let springs = springs(run);
+    if !springs.is_empty() {
+        summary["spring"] = springs.into();
+    }
     if run.step_control.is_some() {
         summary["step_control"] = step_control(run);
     }
@@ -107,6 +111,15 @@ pub fn summary_value(run: &RunSummary, info: RunInfo<'_>) -> Value {
         summary["error_code"] = Value::from(error.code().code());
     }
     summary
+}
+
+/// Springs that act on one side or along a table.
+fn springs(run: &RunSummary) -> Map<String, Value> {
+    let of = |pulse: &PulseSummary| match &pulse.of {
+        PulseOf::Spring(name) => Some((name.clone(), json!({ "peak_force": peak(&pulse.force) }))),
+        _ => None,
+    };
+    run.pulses.iter().filter_map(of).collect()
 }
 
 /// Impacts that several touching bodies shared; `null` where there was none.

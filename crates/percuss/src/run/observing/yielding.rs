@@ -11,11 +11,16 @@ use crate::model::frozen::{BeamData, Span, SpanFibres};
 use crate::state::State;
 use crate::step::fibres::{PartedElement, fibre_strains};
 use crate::summary::{
-    FirstYield, NoPermanentSet, Parting, PermanentSet, PlasticHinge, PlasticSummary, SectionPeak,
+    FirstYield, NoPermanentSet, Parting, PermanentSet, PlasticHinge, PlasticSummary, SAME_SIZE,
+    SectionPeak,
 };
 
 /// Plastic curvature below this share of that at first yield is none: a section that is only stretched beyond yield has one of round-off.
 const LEAST_BENT: f64 = 1e-6;
+
+/// Places of a beam that have flowed as much but for this share have flowed as much.
+#[doc(hidden)]
+pub const SAME_FLOW: f64 = SAME_SIZE;
 
 /// Record of a beam.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -105,7 +110,7 @@ fn points<'a>(
 pub fn note(model: &Model, state: &State, records: &mut [YieldRecord]) {
     for (beam, record) in model.beams.iter().zip(records) {
         let none = SectionPeak { value: 0.0, s: f64::NAN, time: state.time };
-        let [mut strain, mut accumulated] = [none; 2];
+        let [mut strain, mut accumulated, mut first] = [none; 3];
         for point in points(model, state, beam, false) {
             for fibre in point.states {
                 if fibre.plastic.abs() > strain.value.abs() {
@@ -114,11 +119,15 @@ pub fn note(model: &Model, state: &State, records: &mut [YieldRecord]) {
                 if fibre.accumulated > accumulated.value {
                     let value = fibre.accumulated;
                     accumulated = SectionPeak { value, s: point.s, ..accumulated };
+                    // Of two that have flowed as much but for round-off, the one before along the beam.
+                    if value > first.value * (1.0 + SAME_FLOW) {
+                        first = accumulated;
+                    }
                 }
             }
         }
         if accumulated.value > 0.0 {
-            let first = FirstYield { s: accumulated.s, time: state.time };
+            let first = FirstYield { s: first.s, time: state.time };
             record.take(first, strain, accumulated);
         }
     }
