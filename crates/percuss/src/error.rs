@@ -133,16 +133,6 @@ impl Error {
         )
     }
 
-    /// Whether the tangent was singular.
-    pub fn is_singular(&self) -> bool {
-        matches!(self.kind, ErrorKind::Singular { .. })
-    }
-
-    /// Whether the energy grew.
-    pub fn is_growth(&self) -> bool {
-        matches!(self.kind, ErrorKind::Grown { .. })
-    }
-
     /// Whether the recorder failed (for instance because the disk is full).
     pub fn is_recorder(&self) -> bool {
         matches!(self.kind, ErrorKind::Recorder(_))

@@ -179,11 +179,6 @@ impl<'m> FoundationView<'m> {
             _ => None,
         })
     }
-
-    /// Whether its reaction is not in proportion to the deflection: it is one-sided, tabulated or yields.
-    pub fn is_nonlinear(&self) -> bool {
-        self.0.yields || !matches!(self.0.law, FoundationLaw::Linear { .. })
-    }
 }
 
 /// A point mass.

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 pub use super::acting::*;
-use super::definition::{InitialMotion, StrainMeasure};
+use super::definition::InitialMotion;
 pub use super::founded::*;
 pub use super::point::*;
 pub use super::section_line::SectionLine;
@@ -246,12 +246,6 @@ impl Model {
         self.initial_motion == InitialMotion::default() && self.own_motions.is_empty()
     }
 
-    /// Strain measure of the beam called `name`, at its start.
-    pub fn strain_measure(&self, name: &str) -> Option<StrainMeasure> {
-        let beam = self.beams.iter().find(|b| b.name == name)?;
-        Some(self.spans[beam.spans.start].measure)
-    }
-
     /// Whether any force depends on a rate: only the midpoint family of schemes supports such forces.
     pub fn has_viscous_parts(&self) -> bool {
         self.has_viscous_structure() || self.contacts.iter().any(|c| c.law.dissipates())
@@ -329,14 +323,6 @@ impl Model {
                 node..node + 1
             }
         }
-    }
-
-    /// Names of the projectiles, guided ones first, then discs, and whether each is a disc.
-    pub fn projectile_names(&self) -> impl Iterator<Item = (&str, bool)> {
-        self.striking_bodies().map(|i| {
-            let body = &self.bodies[i];
-            (body.name.as_str(), body.kind.is_disc())
-        })
     }
 
     /// Bodies that strike: those of guided projectiles, then discs.
