@@ -179,6 +179,8 @@ fn enter_points(model: &Model, sheet: &mut Sheet<'_>) {
         sheet.enter(|| named("rotation"), "rad", meaning, rotation);
         let velocity = sheet.at(|now| point.velocity(&now.state.displacement, &now.state.velocity));
         sheet.enter_vector(|| named("velocity"), "m/s", "Velocity of the point", velocity);
+        let speed = velocity.map(|[v1, v2]| v1.hypot(v2));
+        sheet.enter(|| named("speed"), "m/s", "Magnitude of the velocity of the point", speed);
         if model.has_accelerated_base() {
             let base = sheet.at(|now| now.base_velocity);
             let absolute = velocity.zip(base).map(|(v, base)| [v[0] + base[0], v[1] + base[1]]);
