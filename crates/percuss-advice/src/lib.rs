@@ -122,6 +122,7 @@ pub fn conclude<'r>(
     let mut advice = before;
     let after = review(model, settings, summary, &advice);
     settle(&mut advice, settings, summary);
+    plastic_mesh::settle_struck(model, &mut advice, summary);
     advice.retain(|one| !resolved::is_settled(one, &after));
     let before = advice.len();
     advice.extend(after);

@@ -50,9 +50,7 @@ fn coarse_where_struck(model: &Model, index: usize) -> Option<Advice> {
     let contact = model.contact(index).filter(|contact| contact.law().is_rigid())?;
     let point = model.guided().nth(index)?.point;
     let beam = model.beam(point.beam);
-    if !beam.span_at(point.s).can_yield() {
-        return None;
-    }
+    beam.span_at(point.s).first_yield_strain()?;
     let mut places = beam.hinge_places().to_vec();
     let before = worst(&beam, &places).map_or(0.0, |(_, found, _)| found);
     places.push(point.s);
@@ -66,7 +64,40 @@ fn coarse_where_struck(model: &Model, index: usize) -> Option<Advice> {
         quantity(point.s, "m"),
         advised(elements_for(count, found, EXCESS[0]))
     );
-    (found > before).then(|| finding(contact.name().to_owned(), found, text))
+    // Whether it yields, the run shows.
+    let finding = finding(contact.name().to_owned(), found, text);
+    (found > before).then(|| Advice { verdict: Verdict::Note, ..finding })
+}
+
+/// Whether a beam that a rigid mass strikes between long elements stayed so far from yielding in a run that it would not have on any mesh.
+const FAR: f64 = 0.5;
+
+/// Gives what a run showed to the notes of rigid masses between long elements: a warning where the beam yielded, nothing where it was far from that.
+pub fn settle_struck(model: &Model, advice: &mut [Advice], run: &RunSummary) {
+    for (index, guided) in model.guided().enumerate() {
+        let Some(contact) = model.contact(index) else { continue };
+        let beam = model.beam(guided.point.beam);
+        let noted =
+            |one: &&mut Advice| one.topic == Topic::Unresolved && one.contact == contact.name();
+        let Some(one) = advice.iter_mut().find(noted) else { continue };
+        let yielded =
+            |own: &percuss::PlasticSummary| own.name == beam.name() && own.first_yield.is_some();
+        let forces = run.section_forces.iter().find(|forces| forces.name == beam.name());
+        let strain = forces.map_or(f64::NAN, |forces| forces.strain.largest().value.abs());
+        let limit = beam.span_at(guided.point.s).first_yield_strain().unwrap_or(f64::INFINITY);
+        if run.plastic.iter().any(yielded) {
+            if one.verdict == Verdict::Note && one.value > EXCESS[1] {
+                one.verdict = Verdict::Warning;
+            }
+        } else if strain < FAR * limit {
+            (one.verdict, one.reason) = (Verdict::Fine, None);
+            one.text = format!(
+                "beam '{}' did not yield, with {} % of the strain at which it would",
+                beam.name(),
+                digits(100.0 * strain / limit)
+            );
+        }
+    }
 }
 
 fn finding(subject: String, found: f64, text: String) -> Advice {
@@ -143,17 +174,29 @@ fn exceeds(model: &Model, name: &str, found: &SectionExcess) -> Advice {
         true => format!(", t = {}", quantity(found.time, "s")),
         false => String::new(),
     };
+    // The front of a rigid impact exceeds what a section bears on any mesh, for a time as short as its elements.
+    let struck = (0..model.guided().len()).any(|k| {
+        let rigid = model.contact(k).is_some_and(|contact| contact.law().is_rigid());
+        let guided = model.guided().nth(k);
+        rigid && guided.is_some_and(|guided| model.beam(guided.point.beam).name() == name)
+    });
+    let cure = match struck {
+        true => {
+            "compare permanent deflections with those of twice as many (forces just after a rigid impact exceed it on any mesh)"
+                .to_owned()
+        }
+        false => format!("{} for 3 %", advised(elements_for(count, excess, EXCESS[0]))),
+    };
     let text = format!(
         "{} of beam '{name}' at s = {}{time} {} {} % above what the section can bear with the strain that it has (error of the mesh, elements \
-         of {} there): the structure yields earlier, deflects more and may collapse; {} for 3 %",
+         of {} there): the structure yields earlier, deflects more and may collapse; {cure}",
         forces.join(" and "),
         quantity(found.s, "m"),
         if forces.len() > 1 { "are" } else { "is" },
         digits(100.0 * excess),
         quantity(found.element, "m"),
-        advised(elements_for(count, excess, EXCESS[0]))
     );
-    let verdict = if excess > EXCESS[1] { Verdict::Warning } else { Verdict::Note };
+    let verdict = if excess > EXCESS[1] && !struck { Verdict::Warning } else { Verdict::Note };
     Advice::new(subject(name), Topic::Unresolved, [excess, EXCESS[0]], "1", verdict, text)
 }
 

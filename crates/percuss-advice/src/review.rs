@@ -181,12 +181,15 @@ fn jumps(model: &Model, run: &RunSummary) -> Option<Advice> {
     let support = run.supports.get(jump?)?;
     let forces = support.force.iter().flat_map(|f| [f.min.value, f.max.value]);
     let largest = forces.filter(|f| f.is_finite()).fold(0.0_f64, |m, f| m.max(f.abs()));
+    let moments = [support.moment.min.value, support.moment.max.value];
+    let moment = moments.into_iter().filter(|m| m.is_finite()).fold(0.0_f64, |a, m| a.max(m.abs()));
+    let peak = if largest > 0.0 { quantity(largest, "N") } else { quantity(moment, "N m") };
     let text = format!(
-        "velocity jump of support '{}' (at the ends of a ramp, for example): peak reaction ({}) and section forces depend on mesh \
-         and step: reactions and shear forces grow with refinement, bending moments little or not at all (percuss converge); use a motion \
-         that starts and ends with zero velocity (a table with smooth = true, for example), or displacements",
+        "velocity jump of support '{}' (at the ends of a ramp, for example): peak reaction ({peak}) and section forces depend on mesh \
+         and step: reactions of a rigid support and shear forces grow with refinement, bending moments little or not at all (percuss converge), and \
+         the force of an elastic one lacks the jump of its damper (damping times velocity) within a step; use a motion that starts and ends with \
+         zero velocity (a table with smooth = true, for example), or displacements",
         support.name,
-        quantity(largest, "N")
     );
     let values = [largest, f64::NAN];
     let subject = format!("support {}", support.name);

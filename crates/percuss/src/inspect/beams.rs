@@ -101,10 +101,14 @@ impl<'m> SpanView<'m> {
         self.data.uniform_strain
     }
 
-    /// Whether it has a fibre that can yield.
-    pub fn can_yield(&self) -> bool {
-        let of = self.data.fibres.as_ref();
-        of.is_some_and(|of| of.laws.iter().any(|law| matches!(law, StressLaw::Plastic(_))))
+    /// The least strain at which a fibre yields; none where none can \[-\].
+    pub fn first_yield_strain(&self) -> Option<f64> {
+        let laws = self.data.fibres.iter().flat_map(|fibres| &fibres.laws);
+        let strain = |law: &StressLaw| match law {
+            StressLaw::Plastic(law) => Some(law.plasticity.first_yield() / law.young),
+            StressLaw::Elastic { .. } | StressLaw::OneSided { .. } => None,
+        };
+        laws.filter_map(strain).reduce(f64::min)
     }
 
     /// Whether a fibre that can yield has no failure strain.
