@@ -66,7 +66,7 @@ fn coarse_where_struck(model: &Model, index: usize) -> Option<Advice> {
     );
     // Whether it yields, the run shows.
     let finding = finding(contact.name().to_owned(), found, text);
-    (found > before).then(|| Advice { verdict: Verdict::Note, ..finding })
+    (found > before).then_some(Advice { verdict: Verdict::Note, ..finding })
 }
 
 /// Whether a beam that a rigid mass strikes between long elements stayed so far from yielding in a run that it would not have on any mesh.
