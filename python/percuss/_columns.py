@@ -87,7 +87,7 @@ class Columns(Generic[Kind]):
         Examples
         --------
         >>> len(percuss.run("plank.toml").values())
-        49
+        50
         """
         return self._columns.values()
 

@@ -113,7 +113,7 @@ class History(Columns[np.float64]):
         Examples
         --------
         >>> percuss.run("plank.toml").to_pandas().shape
-        (751, 49)
+        (751, 50)
         """
         return self._to_pandas(self.units, self.descriptions)
 

@@ -33,7 +33,7 @@ class Result(History):
     Examples
     --------
     >>> percuss.run("plank.toml")
-    <percuss.Result A sandbag falls on a plank: completed, 751 rows, 49 columns, energy residual ...>
+    <percuss.Result A sandbag falls on a plank: completed, 751 rows, 50 columns, energy residual ...>
     """
 
     def __init__(self, state: dict[str, Any]) -> None:

@@ -51,7 +51,7 @@ use crate::watch::Stop;
 /// --------
 /// >>> native = percuss._percuss.run(percuss.load("plank.toml")._source(), None, None, False, 0)
 /// >>> len(native["names"]), len(native["columns"])
-/// (49, 49)
+/// (50, 50)
 #[pyfunction]
 #[pyo3(signature = (source, progress, out, report, shapes))]
 pub fn run<'py>(
