@@ -8,23 +8,21 @@ use percuss_codes::{Caution, Code};
 use percuss_scenario::Content;
 
 use crate::terminal;
+use percuss_output::shown::{FINDINGS, NAMES};
 
 /// Takes what the scenario allows from the warnings among the findings; they stay there with the reason.
 pub fn judge(advice: &mut [Advice], content: &Content) {
     allow(advice, |code| content.reason_to_allow(code));
 }
 
-/// Findings listed one by one; those beyond are counted.
-const MOST: usize = 50;
-
 /// Tells notes and warnings, a line each, those said of several contacts once; what is fine stands in the report. Where there are very
 /// many, the weightiest are reported and the rest is counted.
 pub fn tell(advice: &[Advice]) {
     let mut reported = grouped(advice);
-    let rest = reported.len().saturating_sub(MOST);
+    let rest = reported.len().saturating_sub(FINDINGS);
     if rest > 0 {
         reported.sort_by_key(|group| std::cmp::Reverse(group.first.verdict));
-        reported.truncate(MOST);
+        reported.truncate(FINDINGS);
     }
     for group in reported {
         let one = group.first;
@@ -47,8 +45,6 @@ struct Group<'a> {
     differ: bool,
 }
 
-/// Subjects of a finding that are named.
-const NAMED: usize = 6;
 /// Findings of one kind with numbers of their own that are reported one by one.
 const APART: usize = 4;
 
@@ -56,9 +52,9 @@ impl Group<'_> {
     /// The subjects, of many the first ones.
     fn names(&self) -> String {
         let all = &self.subjects;
-        match all.len() - all.len().min(NAMED) {
+        match all.len() - all.len().min(NAMES) {
             0 => all.join(", "),
-            more => format!("{} and {more} more", all[..NAMED].join(", ")),
+            more => format!("{} and {more} more", all[..NAMES].join(", ")),
         }
     }
 }

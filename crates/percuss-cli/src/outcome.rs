@@ -1,20 +1,18 @@
 //! How a command ends: the exit status and what is said when something stood in the way.
 
 use percuss_codes::RequestCode;
+use percuss_output::shown::FINDINGS;
 use percuss_scenario::Diagnostics;
 
 pub use crate::failure::{Failure, Status};
 use crate::terminal;
-
-/// Faults listed one by one; those beyond are counted.
-const MOST: usize = 50;
 
 impl Failure {
     /// Says what is wrong: faults underlined on a terminal, one line each elsewhere.
     pub fn tell(&self) {
         match self {
             Self::Faults { faults, changed } => {
-                let (faults, rest) = Diagnostics::clone(faults).first(MOST);
+                let (faults, rest) = Diagnostics::clone(faults).first(FINDINGS);
                 let in_the_file = faults.all().iter().any(|one| one.line > 0);
                 match terminal::width() {
                     Some(width) if in_the_file => {
@@ -33,8 +31,8 @@ impl Failure {
                 }
             }
             Self::Denied(all) => {
-                all.iter().take(MOST).for_each(|one| terminal::error(RequestCode::Denied, one));
-                if let rest @ 1.. = all.len().saturating_sub(MOST) {
+                all.iter().take(FINDINGS).for_each(|one| terminal::error(RequestCode::Denied, one));
+                if let rest @ 1.. = all.len().saturating_sub(FINDINGS) {
                     terminal::tell(&format!("and {rest} more denied warnings"));
                 }
             }

@@ -23,6 +23,7 @@ pub mod report;
 pub mod round_off;
 mod shapes;
 pub mod shock;
+pub mod shown;
 mod summary;
 mod time_estimate;
 mod unfinished;

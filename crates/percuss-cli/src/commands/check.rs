@@ -14,15 +14,13 @@ use crate::outcome::{Failure, Status};
 use crate::scenario::{self, Ready};
 use crate::stage_messages::StageMessages;
 use crate::{advisor, effective_mass, terminal};
+use percuss_output::shown::FEW;
 
 /// Runs of a study that are looked at.
 const SAMPLE: u64 = 1000;
 /// Time for which a run is tried out, and the estimated run time from which on it is printed [s].
 const TRIAL: Duration = Duration::from_millis(200);
 const LONG: f64 = 60.0;
-/// Reasons printed why runs of a study are invalid.
-const REASONS: usize = 5;
-
 /// Validates a scenario, a study or a fit, and prints what it contains.
 pub fn run(arguments: &Check) -> Result<Status, Failure> {
     // A file that cannot be read is reported below, where a scenario is read.
@@ -104,7 +102,7 @@ fn study(arguments: &Check) -> Result<Status, Failure> {
     }
     let mut printed: Vec<&str> = Vec::new();
     for one in &invalid {
-        if printed.len() < REASONS && !printed.contains(&one.reason.as_str()) {
+        if printed.len() < FEW && !printed.contains(&one.reason.as_str()) {
             terminal::warning(Caution::InvalidRuns, &format!("run {}: {}", one.run, one.reason));
             printed.push(&one.reason);
         }

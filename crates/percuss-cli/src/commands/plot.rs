@@ -18,9 +18,7 @@ use crate::outcome::{Failure, Status};
 use crate::picture_arguments::Plot;
 use crate::replacing;
 use crate::terminal;
-
-/// As many files are named when they are written, more are counted.
-const NAMED: usize = 12;
+use percuss_output::shown::NAMES;
 
 /// Writes figures of a finished run for print.
 pub fn run(arguments: &Plot) -> Result<Status, Failure> {
@@ -62,7 +60,7 @@ pub fn run(arguments: &Plot) -> Result<Status, Failure> {
     }
     match names.len() {
         _ if arguments.quiet => {}
-        n if n > NAMED => {
+        n if n > NAMES => {
             terminal::tell(&format!(
                 "{n} files of {} figures in {}",
                 chosen.len(),

@@ -4,9 +4,7 @@ use serde_json::Value;
 
 use super::html::{Cell, escape, table, table_of_cells};
 use super::quantity::{number, quantity};
-
-/// Findings and formulas shown; all of them are in `summary.json`.
-const LISTED: usize = 60;
+use crate::shown::FINDINGS;
 
 /// All checks of the model and the results, with their heading; nothing where there are none.
 pub(super) fn checks(summary: &Value) -> String {
@@ -41,7 +39,7 @@ fn findings(summary: &Value) -> String {
             Cell::Text(meaning(entry)),
         ]
     };
-    let rows: Vec<Vec<Cell>> = list.iter().take(LISTED).map(|entry| row(entry)).collect();
+    let rows: Vec<Vec<Cell>> = list.iter().take(FINDINGS).map(|entry| row(entry)).collect();
     let header = ["subject", "topic", "verdict", "value", "limit", "comment"];
     let table = table_of_cells("Checks", &header, &rows);
     format!("<div class=\"prose\">\n{table}</div>\n{}", more(list.len(), rows.len()))
@@ -103,7 +101,7 @@ pub(super) fn hand_formulas(summary: &Value) -> String {
     if list.is_empty() {
         return String::new();
     }
-    let shown = &list[..list.len().min(LISTED)];
+    let shown = &list[..list.len().min(FINDINGS)];
     let mut out =
         "<h2>Comparison with closed-form estimates</h2>\n<div class=\"tables\">\n".to_owned();
     let same = |a: &Value, b: &Value| {

@@ -8,9 +8,7 @@ use super::figure::{Section, largest};
 use super::impact;
 use super::quantity::quantity;
 use crate::history::HistorySource;
-
-/// Contacts, and discs, that get figures.
-const SHOWN: usize = 12;
+use crate::shown::LARGE_FIGURES;
 
 /// Names of guided projectiles: they do not turn.
 pub(super) fn guided(history: &HistorySource) -> Vec<String> {
@@ -30,15 +28,15 @@ fn pairs(history: &HistorySource) -> Vec<String> {
 
 /// Values on the page per bin that [`discs`] and [`between`] may need.
 pub(super) fn values_per_bin(history: &HistorySource) -> usize {
-    let discs = names(history, "projectile.", ".angle").len().min(SHOWN);
+    let discs = names(history, "projectile.", ".angle").len().min(LARGE_FIGURES);
     // Two figures of two curves and one of one; three of one.
-    70 * discs + 40 * pairs(history).len().min(SHOWN)
+    70 * discs + 40 * pairs(history).len().min(LARGE_FIGURES)
 }
 
 /// Position, velocity and spin of discs.
 pub(super) fn discs(canvas: &Canvas<'_>) -> Vec<Entry> {
     let mut all = Vec::new();
-    for name in names(canvas.history, "projectile.", ".angle").iter().take(SHOWN) {
+    for name in names(canvas.history, "projectile.", ".angle").iter().take(LARGE_FIGURES) {
         let both = |what: &str| -> Vec<Curve> {
             let curve = |i: usize| {
                 let channel = format!("projectile.{name}.{what}_{i}");
@@ -73,7 +71,7 @@ pub(super) fn discs(canvas: &Canvas<'_>) -> Vec<Entry> {
 pub(super) fn between(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
     let mut all = Vec::new();
     let found = pairs(canvas.history);
-    for name in found.iter().take(SHOWN) {
+    for name in found.iter().take(LARGE_FIGURES) {
         let contact = &summary["contact"][name];
         all.extend(curve(canvas, name, GAP, contact));
         all.extend(curve(canvas, name, FORCE, contact));
@@ -84,8 +82,8 @@ pub(super) fn between(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry> {
         }
         all.extend(place(canvas, name));
     }
-    if let Some(Entry::Draft(first)) = all.first_mut().filter(|_| found.len() > SHOWN) {
-        first.figure.note += &format!(" First {SHOWN} of {} contacts shown.", found.len());
+    if let Some(Entry::Draft(first)) = all.first_mut().filter(|_| found.len() > LARGE_FIGURES) {
+        first.figure.note += &format!(" First {LARGE_FIGURES} of {} contacts shown.", found.len());
     }
     all
 }

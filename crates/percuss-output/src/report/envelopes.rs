@@ -7,9 +7,8 @@ use super::figure::{Abscissa, Axis, Figure, Section, Series, Shape, Table, large
 use super::quantity::Scale;
 use crate::envelopes::BeamEnvelope;
 use crate::round_off::ROUND_OFF;
+use crate::shown::LARGE_FIGURES;
 
-/// Beams that get figures: where there are more, those of the largest values.
-const SHOWN: usize = 12;
 /// So many beams get figures of the usual size.
 const FULL_SIZE: usize = 2;
 /// Bins along a beam.
@@ -58,7 +57,7 @@ fn of_quantity(quantity: &Quantity, beams: &[BeamEnvelope]) -> Vec<Figure> {
     let range = ((low - room) * scale.factor, (high + room) * scale.factor);
     let small = shown.len() > FULL_SIZE;
     let note = match beams.len() > shown.len() {
-        true => format!("the {SHOWN} of {} beams with the largest values", beams.len()),
+        true => format!("the {LARGE_FIGURES} of {} beams with the largest values", beams.len()),
         false => String::new(),
     };
     let figure = |beam: &&BeamEnvelope| {
@@ -87,7 +86,7 @@ fn of_quantity(quantity: &Quantity, beams: &[BeamEnvelope]) -> Vec<Figure> {
 fn most_loaded(beams: &[BeamEnvelope], size: impl Fn(&BeamEnvelope) -> f64) -> Vec<&BeamEnvelope> {
     let mut order: Vec<usize> = (0..beams.len()).filter(|&k| size(&beams[k]) > 0.0).collect();
     order.sort_by(|&a, &b| size(&beams[b]).total_cmp(&size(&beams[a])));
-    order.truncate(SHOWN);
+    order.truncate(LARGE_FIGURES);
     order.sort_unstable();
     order.into_iter().map(|k| &beams[k]).collect()
 }

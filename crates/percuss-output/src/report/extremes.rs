@@ -6,11 +6,7 @@ use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
 use super::story::is_plateau;
 use crate::round_off::{SMALL_IMPULSE, Scales, is_round_off};
-
-/// Rows shown of a table.
-const LISTED: usize = 400;
-/// Beams named in a note.
-const NAMED: usize = 12;
+use crate::shown::{NAMES, ROWS};
 
 /// Joints with a strength, fractures, and impulses of supports.
 pub(super) fn failures_and_impulses(summary: &Value) -> String {
@@ -37,8 +33,8 @@ fn joints(summary: &Value) -> String {
         };
         vec![name.clone(), most("force_max", "N"), most("moment_max", "N*m"), failed]
     };
-    let more = all.len().saturating_sub(LISTED);
-    let rows: Vec<Vec<String>> = all.iter().take(LISTED).map(row).collect();
+    let more = all.len().saturating_sub(ROWS);
+    let rows: Vec<Vec<String>> = all.iter().take(ROWS).map(row).collect();
     let header = ["joint", "largest force", "largest moment", "failed at"];
     first_rows("Joints with breakaway strength", &header, &rows, more)
 }
@@ -74,8 +70,8 @@ fn partings(summary: &Value) -> String {
         return String::new();
     }
     all.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let more = all.len().saturating_sub(LISTED);
-    let rows: Vec<Vec<String>> = all.into_iter().take(LISTED).map(|(_, row)| row).collect();
+    let more = all.len().saturating_sub(ROWS);
+    let rows: Vec<Vec<String>> = all.into_iter().take(ROWS).map(|(_, row)| row).collect();
     let header = ["beam", "at arc length", "at time", "energy released"];
     first_rows("Fractures", &header, &rows, more)
 }
@@ -112,8 +108,8 @@ fn impulses(summary: &Value) -> String {
     if rows.is_empty() {
         return String::new();
     }
-    let more = rows.len().saturating_sub(LISTED);
-    rows.truncate(LISTED);
+    let more = rows.len().saturating_sub(ROWS);
+    rows.truncate(ROWS);
     let caption =
         "Support impulses in impacts (on the structure; not included in the force history)";
     let header = ["support", "impulse x", "impulse y", "angular impulse"];
@@ -169,8 +165,8 @@ fn without_shear_stress(beams: &Value) -> String {
     if names.is_empty() {
         return String::new();
     }
-    let shown = names[..names.len().min(NAMED)].join(", ");
-    let more = match names.len().saturating_sub(NAMED) {
+    let shown = names[..names.len().min(NAMES)].join(", ");
+    let more = match names.len().saturating_sub(NAMES) {
         0 => String::new(),
         more => format!(" and {more} more"),
     };
@@ -228,8 +224,8 @@ fn listing(
     if rows.is_empty() {
         return String::new();
     }
-    let more = rows.len().saturating_sub(LISTED);
-    rows.truncate(LISTED);
+    let more = rows.len().saturating_sub(ROWS);
+    rows.truncate(ROWS);
     first_rows(caption, header, &rows, more)
 }
 

@@ -16,9 +16,8 @@ use super::thin::Bins;
 use crate::error::Error;
 use crate::history::HistorySource;
 use crate::round_off::ROUND_OFF;
+use crate::shown::FIGURES;
 
-/// Recorded points that get a figure.
-const POINTS_SHOWN: usize = 24;
 /// Values on a page, all figures together; 4 bytes each before compression.
 const VALUES_PER_PAGE: usize = 600_000;
 /// Around a contact rows are kept for this share of its length, and for as many steps at least.
@@ -53,7 +52,7 @@ pub(super) fn all(data: &ReportData) -> Result<Vec<Figure>, Error> {
     entries.extend(structure::section_forces(&canvas, &data.summary));
     entries.extend(envelopes::figures(&data.envelopes).into_iter().map(Entry::Ready));
     entries.extend(audit(&canvas, &data.summary));
-    for point in names(history, "point.", ".displacement_1").iter().take(POINTS_SHOWN) {
+    for point in names(history, "point.", ".displacement_1").iter().take(FIGURES) {
         entries.push(displacement_of(&canvas, point));
     }
     draft::finish(entries, history, (time, &canvas.time_scale), &bins)
@@ -109,7 +108,7 @@ fn rows_to_draw(
 /// As many bins as keep the page small whatever the number of figures.
 fn bins(history: &HistorySource) -> usize {
     let projectiles = contacts::guided(history).len();
-    let points = names(history, "point.", ".displacement_1").len().min(POINTS_SHOWN);
+    let points = names(history, "point.", ".displacement_1").len().min(FIGURES);
     let together = structure::values_per_bin(history) + contacts::values_per_bin(history);
     let values_per_bin = 250 + 70 * projectiles + 20 * points + together;
     (VALUES_PER_PAGE / values_per_bin).clamp(150, 4000)

@@ -5,9 +5,8 @@ use serde_json::{Map, Value};
 
 use super::extremes::{first_rows, metres};
 use super::quantity::{quantity, without_round_off};
+use crate::shown::ROWS;
 
-/// Rows shown of the table.
-const LISTED: usize = 200;
 const NONE: &str = "\u{2013}";
 const REACTION: &str = "largest reaction per length (negative: it pulls)";
 
@@ -18,7 +17,7 @@ pub(super) fn render(summary: &Value) -> String {
     if all.is_empty() {
         return String::new();
     }
-    let rows: Vec<Vec<String>> = all.iter().take(LISTED).map(row).collect();
+    let rows: Vec<Vec<String>> = all.iter().take(ROWS).map(row).collect();
     let header = [
         "foundation",
         "beam",
@@ -32,7 +31,7 @@ pub(super) fn render(summary: &Value) -> String {
         "lift-off over",
         "largest final plastic deflection",
     ];
-    first_rows("Foundations", &header, &rows, all.len().saturating_sub(LISTED))
+    first_rows("Foundations", &header, &rows, all.len().saturating_sub(ROWS))
 }
 
 fn row((name, one): (&String, &Value)) -> Vec<String> {

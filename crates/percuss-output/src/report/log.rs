@@ -9,11 +9,9 @@ mod tests;
 use serde_json::{Map, Value, json};
 
 use super::html::{Cell, Row, table_of_rows};
+use crate::shown::EVENTS;
 use columns::{Column, columns, legend};
 use entry::Entry;
-
-/// Rows shown; all of them are in `impacts.csv`.
-const LISTED: usize = 40;
 
 /// Touches that follow one another within this share of the run are chatter, if there are so many at least.
 const CLOSE: f64 = 1.0 / 250.0;
@@ -40,7 +38,7 @@ pub(super) fn render(summary: &Value) -> String {
         return String::new();
     }
     log.sort_by(|a, b| a.start.total_cmp(&b.start));
-    let shown = &log[..log.len().min(LISTED)];
+    let shown = &log[..log.len().min(EVENTS)];
     let listed: usize = shown.iter().map(|e| e.touches.len().max(1)).sum();
     let columns = columns(shown, partners.len() > 1);
     let mut rows = Vec::new();
@@ -87,14 +85,14 @@ fn rows_of(number: usize, entry: &Entry, columns: &[Column]) -> Vec<Row> {
         "<button type=\"button\" class=\"fold\" aria-expanded=\"false\" aria-label=\"Show the single contacts of row {number}\">{number}</button>"
     );
     let mut rows = vec![Row { cells: cells(entry, Cell::Markup(fold), false), attributes }];
-    for (k, touch) in entry.touches.iter().take(LISTED).enumerate() {
+    for (k, touch) in entry.touches.iter().take(EVENTS).enumerate() {
         let attributes = "class=\"touch\" hidden".to_owned();
         rows.push(Row {
             cells: cells(touch, Cell::Text(format!("{number}.{}", k + 1)), true),
             attributes,
         });
     }
-    if let Some(left) = entry.touches.len().checked_sub(LISTED).filter(|left| *left > 0) {
+    if let Some(left) = entry.touches.len().checked_sub(EVENTS).filter(|left| *left > 0) {
         let text = Cell::Text(format!("and {left} more, in impacts.csv"));
         rows.push(Row { cells: vec![text], attributes: "class=\"touch\" hidden".to_owned() });
     }

@@ -8,11 +8,7 @@ use super::html::{escape, table};
 use super::quantity::{number, quantity, without_round_off};
 use super::{extremes, figures, foundations, warnings, yields};
 use crate::round_off::{Scales, is_round_off};
-
-/// Rows shown of a long list.
-const LISTED: usize = 200;
-/// Contacts named that did not close.
-const NAMED: usize = 12;
+use crate::shown::{NAMES, ROWS};
 
 /// Rows of all tables up to which they are unfolded.
 const UNFOLDED: usize = 60;
@@ -111,7 +107,7 @@ fn listing(
     row: impl Fn(usize, &Value) -> Vec<String>,
 ) -> String {
     let shown: Vec<Vec<String>> =
-        list.iter().take(LISTED).enumerate().map(|(k, entry)| row(k + 1, entry)).collect();
+        list.iter().take(ROWS).enumerate().map(|(k, entry)| row(k + 1, entry)).collect();
     let mut out = table(caption, header, &shown);
     if total > shown.len() {
         let more = total - shown.len();
@@ -126,8 +122,8 @@ fn touched(contact: &Value) -> bool {
 }
 
 fn not_closed(names: &[&str]) -> String {
-    let shown = names.iter().take(NAMED).copied().collect::<Vec<_>>().join(", ");
-    let more = match names.len().saturating_sub(NAMED) {
+    let shown = names.iter().take(NAMES).copied().collect::<Vec<_>>().join(", ");
+    let more = match names.len().saturating_sub(NAMES) {
         0 => String::new(),
         more => format!(" and {more} more"),
     };

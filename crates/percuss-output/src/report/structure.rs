@@ -7,12 +7,10 @@ use super::draft::{Curve, Entry, Omit};
 use super::extremes;
 use super::figure::Section;
 use crate::history::HistorySource;
+use crate::shown::FIGURES;
 
 /// Curves in a figure; more get more figures.
 const TOGETHER: usize = 4;
-/// Supports, and points, that get curves.
-const SHOWN: usize = 24;
-
 /// A quantity and how its figure is called.
 struct Quantity {
     /// Curves of a name: the end of the channel name, and the label if there are several, shape (curves).
@@ -55,7 +53,7 @@ pub(super) fn section_forces(canvas: &Canvas<'_>, summary: &Value) -> Vec<Entry>
 /// Values on the page per bin, as many as [`reactions`] and [`section_forces`] may need.
 pub(super) fn values_per_bin(history: &HistorySource) -> usize {
     let figures = |prefix: &str, parts: Parts| {
-        let found = names(history, prefix, parts[0].0).len().min(SHOWN);
+        let found = names(history, prefix, parts[0].0).len().min(FIGURES);
         found.div_ceil(TOGETHER / parts.len())
     };
     // 2 + 2 TOGETHER rows of TOGETHER values of 4 bytes and a time of 8.
@@ -102,7 +100,7 @@ fn entries(
     let mut all = Vec::new();
     for quantity in quantities {
         let found = names(canvas.history, prefix, quantity.parts[0].0);
-        let shown = &found[..found.len().min(SHOWN)];
+        let shown = &found[..found.len().min(FIGURES)];
         let together = TOGETHER / quantity.parts.len();
         for (k, some) in shown.chunks(together).enumerate() {
             let (id, title) = match (some, shown.len() > together) {
@@ -120,8 +118,8 @@ fn entries(
             let mut draft = canvas.over_time(texts, section, quantity.unit, curves);
             draft.figure.picture = true;
             draft.figure.note = note.to_owned();
-            if found.len() > SHOWN {
-                draft.figure.note += &format!(" First {SHOWN} of {} shown.", found.len());
+            if found.len() > FIGURES {
+                draft.figure.note += &format!(" First {FIGURES} of {} shown.", found.len());
             }
             draft.omit = Omit::RoundOff;
             draft.floor = quantity.floor;

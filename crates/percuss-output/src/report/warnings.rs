@@ -4,11 +4,7 @@ use percuss::AuditSummary;
 use serde_json::Value;
 
 use super::html::escape;
-
-/// Warnings above the scene.
-const SHOWN: usize = 3;
-/// Subjects named of a warning.
-const NAMED: usize = 6;
+use crate::shown::{FEW, NAMES};
 
 /// Warnings of one kind with the same text.
 struct Warning<'s> {
@@ -82,7 +78,7 @@ fn subject(of: &str) -> String {
 
 /// The names of several subjects, of many the first ones.
 fn subjects(all: &[&str]) -> String {
-    let mut names: Vec<String> = all.iter().take(NAMED).map(|one| subject(one)).collect();
+    let mut names: Vec<String> = all.iter().take(NAMES).map(|one| subject(one)).collect();
     let more = all.len() - names.len();
     let last = if more > 0 { format!("{more} more") } else { names.pop().unwrap_or_default() };
     format!("{} and {last}", names.join(", "))
@@ -104,7 +100,7 @@ pub(super) fn worst(summary: &Value) -> String {
         let title = format!("{code} {topic}{}", escape(&about));
         format!("<li><strong>{}:</strong> {text}</li>\n", title.trim_start())
     };
-    let items: String = all.iter().take(SHOWN).map(item).collect();
+    let items: String = all.iter().take(FEW).map(item).collect();
     let link = match all.len() {
         1 => "Warning in full".to_owned(),
         n => format!("All {n} warnings in full"),

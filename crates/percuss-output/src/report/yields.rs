@@ -6,9 +6,8 @@ use super::extremes::{first_rows, metres};
 use super::html::escape;
 use super::quantity::{quantity, without_round_off};
 use crate::round_off::HINGE;
+use crate::shown::ROWS;
 
-/// Rows shown of a table.
-const LISTED: usize = 200;
 const NONE: &str = "\u{2013}";
 
 /// All tables; nothing where nothing has yielded or failed.
@@ -34,8 +33,8 @@ fn table(caption: &str, header: &[&str], mut rows: Vec<Vec<String>>) -> String {
     if rows.is_empty() {
         return String::new();
     }
-    let more = rows.len().saturating_sub(LISTED);
-    rows.truncate(LISTED);
+    let more = rows.len().saturating_sub(ROWS);
+    rows.truncate(ROWS);
     first_rows(caption, header, &rows, more)
 }
 

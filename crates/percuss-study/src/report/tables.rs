@@ -6,9 +6,7 @@ use crate::analysis::{Estimate, Population, Spread, share_interval, sobol_indice
 use crate::column::{Role, Table, Values};
 use crate::parameter::Variation;
 use crate::study::Study;
-
-/// Runs listed that did not end well; the table of the study has all of them.
-const FAILURES_SHOWN: usize = 50;
+use percuss_output::shown::FINDINGS;
 
 /// Intervals of indices wider than this are remarked upon.
 const WIDE: f64 = 0.2;
@@ -281,9 +279,9 @@ pub(super) fn failures(study: &Study, table: &Table) -> Vec<Block> {
         cells.extend([status[row].clone(), reason[row].clone()]);
         cells
     };
-    let rows = lost.iter().take(FAILURES_SHOWN).map(row).collect();
+    let rows = lost.iter().take(FINDINGS).map(row).collect();
     let caption = match lost.len() {
-        n if n > FAILURES_SHOWN => format!("The first {FAILURES_SHOWN} of {n}"),
+        n if n > FINDINGS => format!("The first {FINDINGS} of {n}"),
         n => format!("{n} of {} runs", table.rows()),
     };
     vec![

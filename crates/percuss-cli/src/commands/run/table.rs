@@ -22,11 +22,8 @@ use crate::plastic_text::{permanent_deflection, plastic_hinges};
 use crate::terminal::{self, painted};
 use contacts::contact_lines;
 use lines::listed;
+use percuss_output::shown::{BRIEF, NAMES};
 
-/// Hand formulas and supports listed.
-const HANDED: usize = 6;
-/// Contacts named that did not close.
-const NAMED: usize = 6;
 /// The summary text, the balances and the results of a run, with the output directory.
 pub(super) fn table(ended: &Ended, out: &Path) -> String {
     let run = &ended.summary;
@@ -54,7 +51,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     }
     if untouched.len() > 1 {
         let names: Vec<&str> = untouched.iter().map(|c| c.name.as_str()).collect();
-        let names = listed(&names, names.len(), NAMED, |name| format!("'{name}'"));
+        let names = listed(&names, names.len(), NAMES, |name| format!("'{name}'"));
         rows.push((count(untouched.len(), "contact"), format!("not closed: {}", names.join(", "))));
     }
     rows.extend(run.plastic.iter().filter_map(plastic));
@@ -74,7 +71,7 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     }
     let by_hand = ["hand formulas".to_owned()].into_iter().chain(std::iter::repeat(String::new()));
     let compared = comparisons(&ended.comparisons);
-    rows.extend(by_hand.zip(listed(&compared, compared.len(), HANDED, String::clone)));
+    rows.extend(by_hand.zip(listed(&compared, compared.len(), BRIEF, String::clone)));
     rows.push(("results".into(), out.display().to_string()));
     let width = rows.iter().map(|(label, _)| label.chars().count()).max().unwrap_or(0);
     let title = ended.value["title"].as_str().filter(|title| !title.is_empty());
@@ -273,7 +270,7 @@ fn impulses(run: &RunSummary) -> Vec<String> {
     let counts =
         |s: &&SupportSummary| parts(s).into_iter().enumerate().any(|(k, i)| !is_nothing(i, k));
     let found: Vec<&SupportSummary> = run.supports.iter().filter(counts).collect();
-    listed(&found, found.len(), HANDED, |support| {
+    listed(&found, found.len(), BRIEF, |support| {
         let impulse = |k: usize, unit: &str| {
             let i = support.impulse[k];
             quantity(if is_nothing(i.abs(), k) { 0.0 } else { i }, unit)
@@ -368,7 +365,7 @@ fn comparisons(all: &[Comparison]) -> Vec<String> {
         }
     }
     let row = |(names, text): (Vec<&str>, String)| {
-        let shown = listed(&names, names.len(), NAMED, |name| format!("'{name}'"));
+        let shown = listed(&names, names.len(), NAMES, |name| format!("'{name}'"));
         if several { format!("{}: {text}", shown.join(", ")) } else { text }
     };
     rows.into_iter().map(row).collect()

@@ -12,9 +12,7 @@ use crate::plastic_text::{permanent_deflection, plastic_hinges};
 use percuss_output::round_off::{
     NO_DISTANCE, NO_GAP, SectionScales, StaticScales, is_round_off, without_round_off,
 };
-
-/// Limit points and failures printed, of each.
-const LISTED: usize = 20;
+use percuss_output::shown::LINES;
 
 /// An equilibrium for people.
 pub fn table(model: &Model, found: &Equilibrium, linear: &LinearBuckling) -> String {
@@ -115,11 +113,11 @@ fn farthest(most: &LargestDisplacement, scale: f64) -> String {
 /// Failures on the way to the equilibrium.
 fn failures(found: &[StaticFailure]) -> String {
     let mut text = String::new();
-    for one in found.iter().take(LISTED) {
+    for one in found.iter().take(LINES) {
         text.push_str(&format!("  {one} at load factor {}\n", number(one.factor)));
     }
-    if found.len() > LISTED {
-        text.push_str(&format!("  and {} more failures\n", found.len() - LISTED));
+    if found.len() > LINES {
+        text.push_str(&format!("  and {} more failures\n", found.len() - LINES));
     }
     text
 }
@@ -331,13 +329,13 @@ pub fn path(path: &Path) -> String {
     let points = count(path.points.len().saturating_sub(1), "point");
     let factor = path.points.last().map_or(0.0, |p| p.factor);
     let mut text = format!("equilibrium path: {points}, up to load factor {}\n", number(factor));
-    for first in path.yields.iter().take(LISTED) {
+    for first in path.yields.iter().take(LINES) {
         let factor = number(first.factor);
         text.push_str(&format!("  '{}' yields at load factor {factor}\n", first.name));
     }
     for (what, points) in [("limit point", &path.limit_points), ("bifurcation", &path.bifurcations)]
     {
-        for point in points.iter().take(LISTED) {
+        for point in points.iter().take(LINES) {
             let places = path.names.iter().zip(&point.displacements);
             let places: Vec<String> = places
                 .map(|(name, u)| {
@@ -354,7 +352,7 @@ pub fn path(path: &Path) -> String {
     text.push_str(&unstable(path));
     match path.limit_points.len() {
         0 => text.push_str("  no limit point\n"),
-        n if n > LISTED => text.push_str(&format!("  and {} more limit points\n", n - LISTED)),
+        n if n > LINES => text.push_str(&format!("  and {} more limit points\n", n - LINES)),
         _ => {}
     }
     text

@@ -12,9 +12,7 @@ use crate::arguments::Sweep;
 use crate::number::{count, quantity};
 use crate::outcome::Failure;
 use crate::terminal;
-
-/// Reasons shown; the table has all of them.
-const REASONS_SHOWN: usize = 3;
+use percuss_output::shown::FEW;
 
 /// Says how the runs went and where the results are.
 pub fn tell(
@@ -163,12 +161,12 @@ fn warn(table: &Table) {
     }
     let mut reasons: Vec<(&str, usize)> = reasons.into_iter().collect();
     reasons.sort_by_key(|(_, times)| std::cmp::Reverse(*times));
-    for (reason, times) in reasons.iter().take(REASONS_SHOWN) {
+    for (reason, times) in reasons.iter().take(FEW) {
         let text = format!("{}: {reason}", count(*times, "run"));
         terminal::warning(Caution::FailedRuns, &text);
     }
-    if reasons.len() > REASONS_SHOWN {
-        let more = reasons[REASONS_SHOWN..].iter().map(|(_, times)| times).sum();
+    if reasons.len() > FEW {
+        let more = reasons[FEW..].iter().map(|(_, times)| times).sum();
         let text = format!("{} for other reasons; see the column `reason`", count(more, "run"));
         terminal::warning(Caution::FailedRuns, &text);
     }

@@ -12,6 +12,7 @@ use crate::report::html::{escape, sentences, table};
 use crate::report::quantity::{Scale, number, quantity, without_round_off};
 use crate::report::scene;
 use crate::round_off::is_round_off;
+use crate::shown::FIGURES;
 
 /// A path and what it belongs to.
 #[derive(Clone, Copy, Debug)]
@@ -39,9 +40,6 @@ pub(crate) struct Along {
     pub frame: StoredFrame,
 }
 
-/// Limit points drawn as pictures and listed.
-const DRAWN: usize = 24;
-
 /// A path and the equilibria kept along it.
 pub(crate) struct PathPage<'a> {
     pub info: &'a PathInfo<'a>,
@@ -58,7 +56,7 @@ pub(crate) fn render(page: &PathPage<'_>) -> String {
     for (k, frame) in frames.iter_mut().enumerate() {
         frame.time = k as f64;
     }
-    let limits = along.iter().enumerate().filter(|(_, one)| one.limit).take(DRAWN);
+    let limits = along.iter().enumerate().filter(|(_, one)| one.limit).take(FIGURES);
     let still = |(k, one): (usize, &Along)| json!({ "frame": k, "title": format!("limit point at load factor {}", number(one.factor)) });
     let mut panels: Vec<Value> = limits.map(still).collect();
     if let Some(last) = along.last() {
@@ -195,9 +193,9 @@ fn turns(path: &Path, what: &str, points: &[PathPoint]) -> String {
         row.extend(point.displacements.as_flattened().iter().map(text_of));
         row
     };
-    let rows: Vec<Vec<String>> = points.iter().take(DRAWN).map(row).collect();
+    let rows: Vec<Vec<String>> = points.iter().take(FIGURES).map(row).collect();
     let shown = match points.len() {
-        n if n > DRAWN => format!("{what}, the first {DRAWN} of {n}"),
+        n if n > FIGURES => format!("{what}, the first {FIGURES} of {n}"),
         _ => what.to_owned(),
     };
     table(&shown, &header, &rows)

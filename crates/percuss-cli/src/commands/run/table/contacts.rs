@@ -5,9 +5,10 @@ use percuss::{
 };
 use percuss_output::report::taken_as_start;
 use percuss_output::round_off::{Scales, is_round_off, without_round_off};
+use percuss_output::shown::FEW;
 
 use super::super::equivalent::{equivalent, without_equivalent};
-use super::lines::{LISTED, listed};
+use super::lines::listed;
 use crate::effective_mass;
 use crate::number::{count, quantity};
 
@@ -32,7 +33,7 @@ pub(super) fn contact_lines(
             if let Some(permanent) = contact.permanent_penetration.filter(|p| *p > 0.0) {
                 lines.push(format!("permanent indentation {}", quantity(permanent, "m")));
             }
-            lines.extend(listed(intervals, intervals.len(), LISTED, interval));
+            lines.extend(listed(intervals, intervals.len(), FEW, interval));
             lines.extend(contact.equivalent_force.as_ref().map(equivalent));
             lines.extend(no_equivalent(contact));
             lines
@@ -58,8 +59,8 @@ pub(super) fn contact_lines(
                 lines.push(format!("persistent contact, total impulse {total}"));
             }
             lines.extend(contact.sliding.and_then(|sliding| slid(sliding, scales)));
-            lines.extend(listed(impacts, *impact_count, LISTED, |one| impact(one, run, scales)));
-            lines.extend(listed(intervals, intervals.len(), LISTED, interval));
+            lines.extend(listed(impacts, *impact_count, FEW, |one| impact(one, run, scales)));
+            lines.extend(listed(intervals, intervals.len(), FEW, interval));
             if *fallback_count > 0 {
                 let law = "Moreau's law used (Newton's law would increase the energy)";
                 lines.push(format!("{}: {law}", count(*fallback_count, "impact")));

@@ -1,8 +1,5 @@
 //! Lines of a list that may be too long.
 
-/// Impacts and intervals listed for a contact.
-pub(super) const LISTED: usize = 3;
-
 /// The first few of `count` items, and how many more there are.
 pub(super) fn listed<T>(
     items: &[T],
