@@ -1,12 +1,13 @@
 //! Paths that a scenario can have, by the keys of the format: the one place that knows them for changes to files, Python and studies.
 
-use std::sync::LazyLock;
+use std::collections::BTreeMap;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 use percuss::{is_index, path_steps};
 use serde_json::Value as Json;
 use toml_edit::Value;
 
-use crate::reference::schema;
+use crate::reference::{schema, schema_of};
 use crate::stray::Stray;
 use crate::suggest;
 use crate::table::is_name;
@@ -43,7 +44,7 @@ impl KnownPath {
     /// The first step that no scenario can have there.
     pub fn find(path: &str) -> Result<Self, Stray> {
         let steps = path_steps(path).map_err(|fault| Stray::new(fault.found, fault.expected))?;
-        let mut forms = Forms::root();
+        let mut forms = Forms::root(steps.first().map_or("", String::as_str));
         let mut is_named = false;
         for (k, step) in steps.iter().enumerate() {
             is_named |= k == 1 && forms.has_names() && !forms.keys().contains(&step.as_str());
@@ -65,11 +66,19 @@ impl KnownPath {
 struct Forms(Vec<&'static Json>);
 
 impl Forms {
-    /// The file.
-    fn root() -> Self {
-        // Made once: it takes longer than all the rest.
-        static SCHEMA: LazyLock<Json> = LazyLock::new(schema);
-        Self::of([&*SCHEMA])
+    /// The file, with the key that is the first step alone, or if there is none with all of them. Each is made once, and only if asked for: the
+    /// schema of the whole file takes longer than all the rest.
+    fn root(first: &str) -> Self {
+        static ALL: LazyLock<Json> = LazyLock::new(schema);
+        static PARTS: Mutex<BTreeMap<&str, &Json>> = Mutex::new(BTreeMap::new());
+        let mut parts = PARTS.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(known) = parts.get(first) {
+            return Self::of([*known]);
+        }
+        let Some((name, part)) = schema_of(first) else { return Self::of([&*ALL]) };
+        let part: &'static Json = Box::leak(Box::new(part));
+        parts.insert(name, part);
+        Self::of([part])
     }
 
     fn of(schemas: impl IntoIterator<Item = &'static Json>) -> Self {

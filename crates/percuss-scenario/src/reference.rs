@@ -165,6 +165,14 @@ impl KeyReference {
     }
 }
 
+/// The part of the schema with one key of the file alone, and the key as the format spells it; none if the file has no such key.
+pub(crate) fn schema_of(key: &str) -> Option<(&'static str, Json)> {
+    let mut layout = Content::layout();
+    layout.keys.retain(|own| own.name == key);
+    let name = layout.keys.first()?.name;
+    Some((name, of_table(layout)))
+}
+
 /// JSON Schema of the scenario file, for completion in editors.
 pub fn schema() -> Json {
     let mut schema = of_table(Content::layout());
