@@ -16,7 +16,7 @@ fn contacts_that_never_closed_share_a_line() -> Outcome {
         data.summary["contact"][format!("d{k}-wall")] = untouched(k);
     }
     let page = page(&data)?;
-    assert!(page.contains("20 contacts not closed: d0-wall, ") && page.contains(" and 8 more<"));
+    assert!(page.contains("20 contacts not closed: d0-wall, ") && page.contains(" and 14 more<"));
     assert!(page.contains("Projectile hammer") && !page.contains("Contact d0-wall"));
     data.summary["projectile"]["hammer"]["direction"] = json!(null);
     assert!(self::page(&data)?.contains("Disc hammer"));
