@@ -175,10 +175,10 @@ fn exceeds(model: &Model, name: &str, found: &SectionExcess) -> Advice {
         false => String::new(),
     };
     // The front of a rigid impact exceeds what a section bears on any mesh, for a time as short as its elements.
-    let struck = (0..model.guided().len()).any(|k| {
+    let struck = model.guided().enumerate().any(|(k, guided)| {
         let rigid = model.contact(k).is_some_and(|contact| contact.law().is_rigid());
-        let guided = model.guided().nth(k);
-        rigid && guided.is_some_and(|guided| model.beam(guided.point.beam).name() == name)
+        let there = (guided.point.s - found.s).abs() <= found.element;
+        rigid && there && model.beam(guided.point.beam).name() == name
     });
     let cure = match struck {
         true => {

@@ -121,8 +121,8 @@ catalogue! {
         Unresolved = "W025", "yielding not resolved by the mesh",
             "Moment or axial force exceed what the section can bear with the strain that it has: the mesh does not resolve a plastic \
              hinge, and the structure bears too much, or does not collapse where the real one does. Use more `elements` (the message \
-             says how many); those of a beam that can yield are short at supports, joints, loads and struck points, unless `grading` \
-             is given.";
+             says how many); those of a beam that can yield are short at supports, joints, loads and softly struck points, unless \
+             `grading` is given. Where a rigid mass strikes, compare permanent deflections with those of twice as many.";
         /// Largest strain, or stress over Young's modulus, against that up to which the law of the material holds \[-\].
         Ductility = "W026", "strain beyond the material",
             "A plastic strain exceeds the strain at the largest force of the material, a strain exceeds 5 %, and the material has no \

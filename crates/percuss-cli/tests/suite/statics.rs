@@ -35,7 +35,9 @@ step = "1 ms"
 "#;
 
 fn percuss(file: &std::path::Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    // Results go beside the scenario unless a test says where.
     let output = Command::new(env!("CARGO_BIN_EXE_percuss"))
+        .current_dir(file.parent().unwrap())
         .arg("static")
         .arg(file)
         .args(arguments)

@@ -56,8 +56,8 @@ pub(super) fn table(ended: &Ended, out: &Path) -> String {
     }
     rows.extend(run.plastic.iter().filter_map(plastic));
     rows.extend(run.yielding.iter().filter_map(yielding));
-    rows.extend(springs(run));
-    rows.extend(stops(run));
+    rows.extend(first_of(springs(run)));
+    rows.extend(first_of(stops(run)));
     rows.extend(run.foundations.iter().map(foundation));
     rows.extend(run.joints.iter().map(joint));
     let labels =
@@ -249,6 +249,16 @@ fn stops(run: &RunSummary) -> Vec<(String, String)> {
         Some((format!("stop '{}'", support.name), text))
     };
     run.supports.iter().filter_map(of).collect()
+}
+
+/// The first few rows of one kind, and how many more there are.
+fn first_of(mut rows: Vec<(String, String)>) -> Vec<(String, String)> {
+    let more = rows.len().saturating_sub(BRIEF);
+    if more > 0 {
+        rows.truncate(BRIEF);
+        rows.push((String::new(), format!("and {more} more")));
+    }
+    rows
 }
 
 fn peak_force(peak: &Peak) -> String {
